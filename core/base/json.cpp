@@ -1,0 +1,230 @@
+#include "core/base/json.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace handmap {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMaxValues = 8'000'000;
+
+/// Follows the parser to refuse what it would let pass: depth, number of values, doubled keys.
+class Guard {
+ public:
+  explicit Guard(const std::string& source) : source_(source) {}
+
+  bool operator()(json::parse_event_t event, const json& parsed) {
+    switch (event) {
+      case json::parse_event_t::object_start:
+      case json::parse_event_t::array_start:
+        if (levels_.size() == kMaxDepth) {
+          throwBadInput(source_, path(), fmt::format("more than {} levels of nesting", kMaxDepth),
+                        "fewer");
+        }
+        levels_.push_back({event == json::parse_event_t::object_start, {}, {}, 0});
+        break;
+      case json::parse_event_t::object_end:
+      case json::parse_event_t::array_end:
+        levels_.pop_back();
+        countValue();
+        break;
+      case json::parse_event_t::key:
+        levels_.back().key = parsed.get<std::string>();
+        if (!levels_.back().keys.insert(levels_.back().key).second) {
+          throwBadInput(source_, path(), "this key twice in one object", "each key once");
+        }
+        break;
+      case json::parse_event_t::value:
+        countValue();
+        break;
+    }
+    return true;
+  }
+
+ private:
+  struct Level {
+    bool is_object;
+    std::set<std::string> keys;
+    std::string key;
+    std::size_t index;
+  };
+
+  void countValue() {
+    if (!levels_.empty()) ++levels_.back().index;
+    if (++values_ > kMaxValues) {
+      throwBadInput(source_, "", fmt::format("more than {} values", kMaxValues), "fewer");
+    }
+  }
+
+  std::string path() const {
+    std::string path;
+    for (const Level& level : levels_) {
+      if (level.is_object) {
+        if (!path.empty()) path += '.';
+        path += level.key.substr(0, 40);
+      } else {
+        path += fmt::format("[{}]", level.index);
+      }
+    }
+    return path;
+  }
+
+  const std::string& source_;
+  std::vector<Level> levels_;
+  std::size_t values_ = 0;
+};
+
+/// The parser's words without its own prefix and without the bytes it last read.
+std::string reasonOf(const json::exception& error) {
+  std::string reason = error.what();
+  const auto start = reason.find("syntax error");
+  if (start != std::string::npos) reason.erase(0, start);
+  const auto bytes = reason.find("; last read");
+  if (bytes != std::string::npos) reason.resize(bytes);
+  return reason.substr(0, 200);
+}
+
+std::string describe(const json& value) {
+  constexpr std::size_t kShown = 40;
+  switch (value.type()) {
+    case json::value_t::object:
+      return "an object";
+    case json::value_t::array:
+      return fmt::format("an array of {}", value.size());
+    case json::value_t::string: {
+      const auto& text = value.get_ref<const std::string&>();
+      return quotedJson(text.substr(0, kShown)) + (text.size() > kShown ? "…" : "") + " (string)";
+    }
+    default:
+      return value.dump();
+  }
+}
+
+}  // namespace
+
+json parseJson(std::string_view text, const std::string& source) {
+  Guard guard(source);
+  try {
+    return json::parse(text.begin(), text.end(),
+                       [&guard](int, json::parse_event_t event, const json& parsed) {
+                         return guard(event, parsed);
+                       });
+  } catch (const json::parse_error& error) {
+    const auto before = text.substr(0, std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const auto column = before.size() - (before.rfind('\n') + 1) + 1;
+    throw Error(ErrorCode::BadInput, fmt::format("{}: line {}, column {}: no valid JSON: {}",
+                                                 source, line, column, reasonOf(error)));
+  } catch (const json::out_of_range&) {
+    throwBadInput(source, "", "a number too large to represent", "finite numbers");
+  }
+}
+
+JsonValue JsonValue::at(const std::string& key) const {
+  if (auto member = find(key)) return *std::move(member);
+  throwBadInput(source_, pathOf(key), "nothing", "this key");
+}
+
+std::optional<JsonValue> JsonValue::find(const std::string& key) const {
+  const auto member = object().json_->find(key);
+  if (member == json_->end()) return std::nullopt;
+  return JsonValue(*member, source_, pathOf(key));
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  if (!json_->is_array()) fail("an array");
+  std::vector<JsonValue> items;
+  items.reserve(json_->size());
+  for (const json& item : *json_) {
+    items.push_back(JsonValue(item, source_, fmt::format("{}[{}]", path_, items.size())));
+  }
+  return items;
+}
+
+const JsonValue& JsonValue::object() const {
+  if (!json_->is_object()) fail("an object");
+  return *this;
+}
+
+double JsonValue::number(double low, double high) const {
+  const double value = json_->is_number() ? json_->get<double>() : low - 1.0;
+  if (!(value >= low && value <= high)) {
+    fail(fmt::format("a number from {} to {}", formatNumber(low), formatNumber(high)));
+  }
+  return value;
+}
+
+double JsonValue::positive(double high) const {
+  const double value = json_->is_number() ? json_->get<double>() : 0.0;
+  if (!(value > 0.0 && value <= high)) {
+    fail(fmt::format("a number > 0 and at most {}", formatNumber(high)));
+  }
+  return value;
+}
+
+std::int64_t JsonValue::integer(std::int64_t low, std::int64_t high) const {
+  const bool fits = json_->is_number_integer() &&
+                    (!json_->is_number_unsigned() ||
+                     json_->get<std::uint64_t>() <= static_cast<std::uint64_t>(INT64_MAX));
+  const std::int64_t value = fits ? json_->get<std::int64_t>() : 0;
+  if (!fits || value < low || value > high) {
+    fail(fmt::format("a whole number from {} to {}", low, high));
+  }
+  return value;
+}
+
+std::string JsonValue::text(std::size_t max_bytes) const {
+  if (!json_->is_string()) fail("a string");
+  const auto& text = json_->get_ref<const std::string&>();
+  if (text.size() > max_bytes) {
+    fail(fmt::format("a string of {} bytes", text.size()), fmt::format("at most {}", max_bytes));
+  }
+  return text;
+}
+
+std::string JsonValue::textOr(const std::string& key, std::size_t max_bytes,
+                              const std::string& fallback) const {
+  const auto member = find(key);
+  return member ? member->text(max_bytes) : fallback;
+}
+
+bool JsonValue::flag() const {
+  if (!json_->is_boolean()) fail("true or false");
+  return json_->get<bool>();
+}
+
+std::string JsonValue::dump() const { return json_->dump(); }
+
+std::map<std::string, std::string> JsonValue::others(
+    const std::vector<std::string_view>& known) const {
+  std::map<std::string, std::string> others;
+  for (const auto& [key, value] : object().json_->items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) others[key] = value.dump();
+  }
+  return others;
+}
+
+void JsonValue::fail(const std::string& expected) const { fail(describe(*json_), expected); }
+
+void JsonValue::fail(const std::string& found, const std::string& expected) const {
+  throwBadInput(source_, path_, found, expected);
+}
+
+std::string JsonValue::pathOf(const std::string& key) const {
+  return path_.empty() ? key : path_ + "." + key;
+}
+
+std::string quotedJson(std::string_view text) {
+  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace handmap

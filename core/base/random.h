@@ -1,0 +1,45 @@
+// Injected randomness: counter-based streams (Salmon et al., "Parallel random numbers: as easy as
+// 1, 2, 3", SC 2011), so that a result does not depend on the number of threads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include <Random123/philox.h>
+
+namespace handmap {
+
+/// One independent stream for each (seed, a, b, c), e.g. (seed, frame, particle, purpose).
+/// A UniformRandomBitGenerator; the normal and uniform draws are ours because those of the standard
+/// library are not specified to the bit.
+class RandomStream {
+ public:
+  using result_type = std::uint32_t;
+
+  explicit RandomStream(std::uint64_t seed, std::uint32_t a = 0, std::uint32_t b = 0,
+                        std::uint32_t c = 0);
+
+  static constexpr result_type min() { return 0; }
+  static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
+
+  result_type operator()();
+  /// In [0, 1), 32 random bits.
+  double uniform();
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Standard normal (Box-Muller; both values of a pair are used).
+  double normal();
+  double normal(double mean, double sigma) { return mean + sigma * normal(); }
+  /// In 0 … count - 1; count > 0.
+  int index(int count) { return static_cast<int>(uniform() * count); }
+
+ private:
+  r123::Philox4x32::key_type key_;
+  r123::Philox4x32::ctr_type counter_;
+  r123::Philox4x32::ctr_type block_;
+  int used_ = 4;
+  double spare_ = 0.0;
+  bool has_spare_ = false;
+};
+
+}  // namespace handmap

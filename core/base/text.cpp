@@ -1,0 +1,130 @@
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace handmap {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+template <typename Number>
+std::optional<Number> parseWhole(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+}  // namespace
+
+std::optional<double> parseFinite(std::string_view text) {
+  const auto value = parseWhole<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view text) {
+  return parseWhole<std::int64_t>(text);
+}
+
+std::string formatNumber(double value) { return fmt::format("{}", value); }
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::vector<std::string_view> splitFields(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const auto end = line.find(separator);
+    fields.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::vector<std::string_view> splitWords(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    const auto end = std::min(line.find_first_of(kBlanks), line.size());
+    words.push_back(line.substr(0, end));
+    line.remove_prefix(end);
+  }
+  return words;
+}
+
+std::string readFile(const fs::path& path, std::uintmax_t limit_bytes) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (!fs::exists(status)) throwBadInput(path.string(), "", "no such file", "a readable file");
+  if (!fs::is_regular_file(status)) throwBadInput(path.string(), "", "no regular file", "a file");
+  const auto size = fs::file_size(path, error);
+  if (!error && size > limit_bytes) {
+    throwBadInput(path.string(), "", fmt::format("{} bytes", size),
+                  fmt::format("at most {} bytes", limit_bytes));
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string content(error ? 0 : size, '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (error || !stream) {
+    throwBadInput(path.string(), "", fmt::format("\"{}\"", std::strerror(errno)),
+                  "a readable file");
+  }
+  return content;
+}
+
+bool fileExists(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+bool staysInside(const fs::path& relative) {
+  return relative.is_relative() && std::none_of(relative.begin(), relative.end(),
+                                                [](const fs::path& part) { return part == ".."; });
+}
+
+std::vector<TextLine> contentLines(std::string_view content) {
+  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
+  std::vector<TextLine> lines;
+  for (int number = 1; !content.empty(); ++number) {
+    const auto end = std::min(content.find('\n'), content.size());
+    const std::string_view text = trimmed(content.substr(0, end));
+    if (!text.empty() && !text.starts_with('#')) lines.push_back({number, text});
+    content.remove_prefix(std::min(end + 1, content.size()));
+  }
+  return lines;
+}
+
+void writeFileAtomically(const fs::path& path, std::string_view content) {
+  const fs::path part = path.string() + ".part";
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  std::error_code error;
+  if (stream) fs::rename(part, path, error);
+  if (!stream || error) {
+    const std::string reason = error ? error.message() : std::strerror(errno);
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw Error(ErrorCode::RunFailed,
+                fmt::format("{}: cannot be written: {}", path.string(), reason));
+  }
+}
+
+}  // namespace handmap
