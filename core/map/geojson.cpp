@@ -1,0 +1,106 @@
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/map/map_io.h"
+
+namespace handmap {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The plane that touches the WGS 84 ellipsoid at the origin of the map.
+class TangentPlane {
+ public:
+  explicit TangentPlane(const Georeference& origin)
+      : origin_(origin), map_in_plane_{0.0, 0.0, origin.heading} {
+    constexpr double kMajorAxis = 6378137.0;
+    constexpr double kFlattening = 1.0 / 298.257223563;
+    constexpr double kSquaredEccentricity = kFlattening * (2.0 - kFlattening);
+    const double latitude = toRadians(origin.latitude);
+    const double s = std::sin(latitude);
+    const double root = std::sqrt(1.0 - kSquaredEccentricity * s * s);
+    const double prime_vertical_radius = kMajorAxis / root;
+    const double meridian_radius = kMajorAxis * (1.0 - kSquaredEccentricity) / (root * root * root);
+    degrees_per_metre_north_ = toDegrees(1.0 / meridian_radius);
+    degrees_per_metre_east_ = toDegrees(1.0 / (prime_vertical_radius * std::cos(latitude)));
+  }
+
+  /// [longitude, latitude] in degrees, to about 0.1 mm.
+  ordered_json position(const Vec2& in_map) const {
+    const Vec2 east_north = map_in_plane_.toOuter(in_map);
+    return {rounded(origin_.longitude + east_north.x() * degrees_per_metre_east_),
+            rounded(origin_.latitude + east_north.y() * degrees_per_metre_north_)};
+  }
+
+ private:
+  static double rounded(double degrees) { return std::round(degrees * 1e9) / 1e9; }
+
+  Georeference origin_;
+  Pose2 map_in_plane_;
+  double degrees_per_metre_north_;
+  double degrees_per_metre_east_;
+};
+
+std::string feature(const std::string& geometry, ordered_json coordinates,
+                    ordered_json properties) {
+  const ordered_json feature = {
+      {"type", "Feature"},
+      {"geometry", {{"type", geometry}, {"coordinates", std::move(coordinates)}}},
+      {"properties", std::move(properties)}};
+  return feature.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+ordered_json propertiesOf(const Map& map, const Building& building) {
+  const Uncertainty sigma = map.uncertaintyOf(building);
+  ordered_json properties = {{"kind", "building"},
+                             {"id", building.id},
+                             {"name", building.name},
+                             {"sigma_position_m", sigma.position},
+                             {"sigma_size_m", sigma.size}};
+  if (building.estimate) {
+    properties["estimate_sigma_x_m"] = building.estimate->sigma_x;
+    properties["estimate_sigma_y_m"] = building.estimate->sigma_y;
+    properties["estimate_sigma_width_m"] = building.estimate->sigma_width;
+    properties["estimate_observations"] = building.estimate->observations;
+  }
+  return properties;
+}
+
+ordered_json positions(const TangentPlane& plane, const std::vector<Vec2>& points) {
+  ordered_json result = ordered_json::array();
+  for (const Vec2& point : points) result.push_back(plane.position(point));
+  return result;
+}
+
+}  // namespace
+
+std::string formatGeoJson(const Map& map) {
+  if (!map.georeference) {
+    throw Error(ErrorCode::BadInput, "georeference: found nothing, expected where the map lies",
+                "give the map a georeference before exporting it as GeoJSON");
+  }
+  const TangentPlane plane(*map.georeference);
+  std::vector<std::string> features;
+  for (const Building& building : map.buildings) {
+    Polygon ring = building.footprint();
+    ring.push_back(ring.front());
+    features.push_back(feature("Polygon", ordered_json::array({positions(plane, ring)}),
+                               propertiesOf(map, building)));
+  }
+  for (const Landmark& landmark : map.landmarks) {
+    features.push_back(
+        feature("Point", plane.position(landmark.position),
+                {{"kind", "landmark"}, {"id", landmark.id}, {"name", landmark.name}}));
+  }
+  if (map.route.size() >= 2) {
+    features.push_back(feature("LineString", positions(plane, map.route), {{"kind", "route"}}));
+  }
+  return fmt::format("{{\"type\": \"FeatureCollection\", \"features\": [\n{}\n]}}\n",
+                     fmt::join(features, ",\n"));
+}
+
+}  // namespace handmap

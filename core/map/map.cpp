@@ -1,0 +1,41 @@
+#include "core/map/map.h"
+
+#include <algorithm>
+
+namespace handmap {
+
+Polygon Building::footprint() const {
+  if (const auto* rectangle = std::get_if<Rectangle>(&shape)) return rectangle->corners();
+  return std::get<Polygon>(shape);
+}
+
+Rectangle Building::box() const {
+  if (const auto* rectangle = std::get_if<Rectangle>(&shape)) return *rectangle;
+  const auto& polygon = std::get<Polygon>(shape);
+  return boundingRectangle(polygon, principalHeading(polygon));
+}
+
+Building Building::fitted(const Rectangle& target) const {
+  Building result = *this;
+  auto* polygon = std::get_if<Polygon>(&result.shape);
+  if (polygon == nullptr) {
+    result.shape = target;
+    return result;
+  }
+  const Rectangle from = box();
+  const Pose2 from_frame{from.centre.x(), from.centre.y(), from.heading};
+  const Pose2 to_frame{target.centre.x(), target.centre.y(), target.heading};
+  const Vec2 stretch(target.width / from.width, target.depth / from.depth);
+  for (Vec2& corner : *polygon) {
+    corner = to_frame.toOuter(from_frame.toOwn(corner).cwiseProduct(stretch));
+  }
+  return result;
+}
+
+const Building* Map::find(const std::string& id) const {
+  const auto found = std::find_if(buildings.begin(), buildings.end(),
+                                  [&](const Building& building) { return building.id == id; });
+  return found == buildings.end() ? nullptr : &*found;
+}
+
+}  // namespace handmap

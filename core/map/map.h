@@ -1,0 +1,100 @@
+// The map: what a person draws and what a run corrects. Map frame: x right, y up, metres.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/geometry/polygon.h"
+
+namespace handmap {
+
+/// Members of a file that this version does not know: key → JSON text, kept and written back.
+using UnknownMembers = std::map<std::string, std::string>;
+
+/// How wrong the drawing may be, one σ, metres.
+struct Uncertainty {
+  double position = 3.0;
+  double size = 3.0;
+  bool operator==(const Uncertainty&) const = default;
+};
+
+/// What a run found out about a building: σ in metres and how many observations it rests on.
+struct Estimate {
+  double sigma_x = 0.0;
+  double sigma_y = 0.0;
+  double sigma_width = 0.0;
+  int observations = 0;
+  bool operator==(const Estimate&) const = default;
+};
+
+struct Building {
+  std::string id;  ///< unique in a map
+  std::string name;
+  std::variant<Rectangle, Polygon> shape;  ///< polygons are simple, counter-clockwise
+  std::optional<Uncertainty> uncertainty;  ///< absent: that of the map
+  bool fixed = false;                      ///< a run must not move it
+  std::optional<Estimate> estimate;
+  UnknownMembers unknown;
+
+  Polygon footprint() const;
+  /// Rectangle: itself. Polygon: its smallest bounding rectangle along one of its walls.
+  Rectangle box() const;
+  /// The same building with its box() moved and stretched to `target` (heading may turn too).
+  /// Rectangles become the target; polygons move, turn and stretch as a whole.
+  Building fitted(const Rectangle& target) const;
+  bool operator==(const Building&) const = default;
+};
+
+struct Landmark {
+  std::string id;
+  std::string name;
+  Vec2 position = Vec2::Zero();
+  UnknownMembers unknown;
+  bool operator==(const Landmark&) const = default;
+};
+
+/// A picture to draw upon. Its top left corner lies at x, y; it turns about that corner.
+struct Underlay {
+  std::string image;  ///< path, relative to the folder of the map
+  double x = 0.0;
+  double y = 0.0;
+  double metres_per_pixel = 1.0;
+  double heading = 0.0;  ///< radians
+  double opacity = 1.0;  ///< 0 … 1
+  UnknownMembers unknown;
+  bool operator==(const Underlay&) const = default;
+};
+
+/// WGS 84 position of the map's origin, degrees, and the heading of the map's x axis
+/// counter-clockwise from east, radians.
+struct Georeference {
+  double latitude = 0.0;
+  double longitude = 0.0;
+  double heading = 0.0;
+  UnknownMembers unknown;
+  bool operator==(const Georeference&) const = default;
+};
+
+struct Map {
+  std::string name;
+  std::optional<Pose2> start;  ///< absent: unknown
+  Uncertainty uncertainty;
+  std::vector<Building> buildings;
+  std::vector<Landmark> landmarks;
+  std::vector<Vec2> route;
+  std::vector<Underlay> underlays;
+  std::optional<Georeference> georeference;
+  std::string refinement;  ///< JSON object text: how a run made this map; empty for a drawing
+  UnknownMembers unknown;
+
+  const Building* find(const std::string& id) const;
+  Uncertainty uncertaintyOf(const Building& building) const {
+    return building.uncertainty.value_or(uncertainty);
+  }
+  bool operator==(const Map&) const = default;
+};
+
+}  // namespace handmap
