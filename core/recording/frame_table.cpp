@@ -1,0 +1,161 @@
+#include "core/recording/frame_table.h"
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::size_t kMaxPathBytes = 1024;
+constexpr double kMaxTime = 1e12;
+constexpr double kMaxPanDeg = 3600.0;
+constexpr int kMaxNumber = 1'000'000'000;
+
+enum Column { Frame, Time, Stop, Pan, Left, Right, Points };
+constexpr std::array<std::string_view, 7> kColumns = {"frame", "time_s", "stop",  "pan_deg",
+                                                      "left",  "right",  "points"};
+
+/// Reads the rows of one table, remembering what the next row has to be checked against.
+class TableReader {
+ public:
+  TableReader(std::string file, const TextLine& header) : file_(std::move(file)) {
+    line_ = header.number;
+    const auto names = splitFields(header.text, ',');
+    width_ = names.size();
+    index_.fill(width_);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      for (std::size_t c = 0; c < kColumns.size(); ++c) {
+        if (names[i] != kColumns[c]) continue;
+        if (index_[c] != width_) fail(names[i], "this column twice", "it once");
+        index_[c] = i;
+      }
+    }
+    for (const Column needed : {Column::Frame, Column::Time}) {
+      if (index_[needed] == width_) {
+        fail("", "no column " + std::string(kColumns[needed]),
+             fmt::format("a header with {}", fmt::join(kColumns, ",")));
+      }
+    }
+  }
+
+  FrameRow read(const TextLine& line) {
+    line_ = line.number;
+    fields_ = splitFields(line.text, ',');
+    if (fields_.size() != width_) {
+      fail("", fmt::format("{} fields", fields_.size()), fmt::format("{}", width_));
+    }
+    FrameRow row;
+    row.frame = integer(Column::Frame);
+    row.time_s = number(Column::Time, kMaxTime);
+    if (!field(Column::Stop).empty()) row.stop = integer(Column::Stop);
+    if (!field(Column::Pan).empty()) row.pan = toRadians(number(Column::Pan, kMaxPanDeg));
+    row.left = file(Column::Left);
+    row.right = file(Column::Right);
+    row.points = file(Column::Points);
+    if (row.left.empty() != row.right.empty()) fail("", "one image of a pair", "both or none");
+    if (row.left.empty() && row.points.empty()) fail("", "neither images nor points", "some");
+    checkOrder(row);
+    previous_ = row;
+    return row;
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view column, const std::string& found,
+                         const std::string& expected) const {
+    throwBadInput(file_, fmt::format("line {}{}{}", line_, column.empty() ? "" : ": ", column),
+                  found, expected);
+  }
+
+  std::string_view field(Column column) const {
+    return index_[column] < width_ ? fields_[index_[column]] : std::string_view{};
+  }
+
+  std::string found(Column column) const {
+    return fmt::format("\"{}\"", field(column).substr(0, 40));
+  }
+
+  int integer(Column column) const {
+    const auto value = parseInteger(field(column));
+    if (!value || *value < 0 || *value > kMaxNumber) {
+      fail(kColumns[column], found(column), fmt::format("a whole number from 0 to {}", kMaxNumber));
+    }
+    return static_cast<int>(*value);
+  }
+
+  double number(Column column, double limit) const {
+    const auto value = parseFinite(field(column));
+    if (!value || std::abs(*value) > limit) {
+      fail(kColumns[column], found(column),
+           fmt::format("a finite number, at most {}", formatNumber(limit)));
+    }
+    return *value;
+  }
+
+  std::string file(Column column) const {
+    const std::string_view path = field(column);
+    if (path.size() > kMaxPathBytes || !staysInside(path)) {
+      fail(kColumns[column], found(column), "a path inside the folder");
+    }
+    return std::string(path);
+  }
+
+  void checkOrder(const FrameRow& row) {
+    const bool same_stop = previous_ && row.stop && row.stop == previous_->stop;
+    if (row.stop && !same_stop && !stops_.insert(*row.stop).second) {
+      fail(kColumns[Column::Stop], fmt::format("stop {} a second time", *row.stop),
+           "the rows of one stop together");
+    }
+    if (!previous_) return;
+    const bool later = same_stop ? row.time_s >= previous_->time_s : row.time_s > previous_->time_s;
+    if (!later) {
+      fail(kColumns[Column::Time],
+           fmt::format("{} after {}", formatNumber(row.time_s), formatNumber(previous_->time_s)),
+           "times that increase");
+    }
+    const bool next = same_stop ? row.frame >= previous_->frame : row.frame > previous_->frame;
+    if (!next) {
+      fail(kColumns[Column::Frame], fmt::format("{} after {}", row.frame, previous_->frame),
+           "frame numbers that increase");
+    }
+  }
+
+  std::string file_;
+  int line_ = 0;
+  std::size_t width_ = 0;
+  std::array<std::size_t, kColumns.size()> index_{};
+  std::vector<std::string_view> fields_;
+  std::optional<FrameRow> previous_;
+  std::set<int> stops_;
+};
+
+}  // namespace
+
+std::vector<FrameRow> readFrameTable(const std::filesystem::path& path) {
+  const std::string content = readFile(path, kMaxBytes);
+  const auto lines = contentLines(content);
+  if (lines.size() < 2) throwBadInput(path.string(), "", "no rows", "a header line and rows");
+  TableReader reader(path.string(), lines.front());
+  std::vector<FrameRow> rows;
+  rows.reserve(lines.size() - 1);
+  for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back(reader.read(lines[i]));
+  return rows;
+}
+
+std::string frameTableHeader() { return fmt::format("{}\n", fmt::join(kColumns, ",")); }
+
+std::string formatFrameRow(const FrameRow& row) {
+  return fmt::format("{},{},{},{},{},{},{}\n", row.frame, formatNumber(row.time_s),
+                     row.stop ? std::to_string(*row.stop) : "",
+                     row.pan != 0.0 || row.stop ? formatNumber(toDegrees(row.pan)) : "", row.left,
+                     row.right, row.points);
+}
+
+}  // namespace handmap

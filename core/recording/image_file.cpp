@@ -1,0 +1,119 @@
+#include "core/recording/image_file.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::int64_t kMaxPixels = 64'000'000;
+constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view kPngEnd = "IEND\xae\x42\x60\x82";
+constexpr std::string_view kJpegMagic = "\xff\xd8\xff";
+constexpr std::string_view kJpegEnd = "\xff\xd9";
+
+/// What the header of an image file says, and whether its end is there.
+struct Header {
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+  bool complete = false;
+};
+
+std::int64_t bigEndian(std::string_view bytes, std::size_t at, std::size_t count) {
+  std::int64_t value = 0;
+  for (const char byte : bytes.substr(at, count)) value = value * 256 + std::uint8_t(byte);
+  return value;
+}
+
+std::optional<Header> pngHeader(std::string_view bytes) {
+  if (bytes.size() < 33 || bytes.substr(12, 4) != "IHDR") return std::nullopt;
+  return Header{bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4),
+                bytes.find(kPngEnd) != std::string_view::npos};
+}
+
+/// Walks from segment to segment to the frame header (SOF), then to the start of the scan: past
+/// that, the end mark cannot be part of a thumbnail.
+std::optional<Header> jpegHeader(std::string_view bytes) {
+  std::optional<Header> header;
+  std::size_t at = 2;
+  while (at + 4 <= bytes.size() && std::uint8_t(bytes[at]) == 0xff) {
+    const int marker = std::uint8_t(bytes[at + 1]);
+    if (marker == 0xff) {  // padding
+      ++at;
+      continue;
+    }
+    const bool is_frame =
+        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (is_frame && at + 9 <= bytes.size()) {
+      header = Header{bigEndian(bytes, at + 7, 2), bigEndian(bytes, at + 5, 2), false};
+    }
+    if (marker == 0xda) {
+      if (header) header->complete = bytes.find(kJpegEnd, at) != std::string_view::npos;
+      return header;
+    }
+    at += 2 + static_cast<std::size_t>(bigEndian(bytes, at + 2, 2));
+  }
+  return header;
+}
+
+Header readHeader(std::string_view bytes, const std::string& file) {
+  std::optional<Header> header;
+  if (bytes.empty()) throwBadInput(file, "", "an empty file", "a PNG or JPEG image");
+  if (bytes.starts_with(kPngMagic)) header = pngHeader(bytes);
+  if (bytes.starts_with(kJpegMagic)) header = jpegHeader(bytes);
+  if (!header) throwBadInput(file, "", "no image", "a PNG or JPEG image");
+  return *header;
+}
+
+}  // namespace
+
+cv::Mat readImage(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const std::string bytes = readFile(path, kMaxBytes);
+  const Header header = readHeader(bytes, file);
+  if (header.width * header.height > kMaxPixels) {
+    throwBadInput(file, "", fmt::format("{} × {} pixels", header.width, header.height),
+                  fmt::format("at most {} megapixels", kMaxPixels / 1'000'000));
+  }
+  if (!header.complete) throwBadInput(file, "", "an image that is cut off", "a whole one");
+
+  cv::Mat image;
+  try {
+    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
+                         const_cast<char*>(bytes.data()));
+    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception& error) {
+    throwBadInput(file, "", error.err, "an image that can be decoded");
+  }
+  if (image.empty()) throwBadInput(file, "", "a damaged image", "one that can be decoded");
+  if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
+    throwBadInput(file, "",
+                  fmt::format("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
+                  "1 or 3 channels of 8 bits");
+  }
+  return image;
+}
+
+void writePng(const cv::Mat& image, const std::filesystem::path& path) {
+  std::vector<unsigned char> bytes;
+  bool done = false;
+  try {
+    done = cv::imencode(".png", image, bytes);
+  } catch (const cv::Exception&) {
+    done = false;
+  }
+  if (!done) throw Error(ErrorCode::RunFailed, path.string() + ": cannot be encoded as PNG");
+  writeFileAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace handmap

@@ -1,0 +1,74 @@
+// What a robot reports at one time, from whatever source, and the sources.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/recording/camera.h"
+#include "core/recording/trajectory.h"
+
+namespace handmap {
+
+/// Robot frame: x forward, y left, z up, metres, origin on the ground below the sensor.
+struct RangePoint {
+  float x;
+  float y;
+  float z;
+  float w;  ///< 0 … 1: how surely the point is on a building
+};
+
+/// What one look in one direction gave.
+struct View {
+  double pan = 0.0;  ///< radians, of the camera, positive to the left
+  cv::Mat left;      ///< 8 bit, one or three channels; empty where there are no images
+  cv::Mat right;
+  std::optional<std::vector<RangePoint>> points;  ///< in the robot frame, pan already applied
+};
+
+/// A robot on the move: one view. A standing robot (stop-and-scan): the views of one stop.
+struct Observation {
+  int frame = 0;
+  double time_s = 0.0;
+  bool standing = false;
+  Pose2 odometry;  ///< in the odometry frame
+  std::vector<View> views;
+  double read_ms = 0.0;  ///< time it took to get
+};
+
+/// One observation could not be had; the source has moved on and can be asked for the next.
+class FrameError : public std::runtime_error {
+ public:
+  FrameError(int frame, const std::string& message) : std::runtime_error(message), frame_(frame) {}
+  int frame() const { return frame_; }
+
+ private:
+  int frame_;
+};
+
+struct SourceInfo {
+  std::string name;
+  int observations = 0;                ///< how many next() will give, unreadable ones included
+  double range_limit_m = 40.0;         ///< nothing farther is measured
+  std::optional<StereoCamera> camera;  ///< where views carry images
+  /// Odometry at the first selected frame, whatever that frame carries: a drawing's start pose is
+  /// the robot's pose there.
+  Pose2 start_odometry;
+  std::vector<StampedPose> odometry;  ///< the whole odometry, for drawing
+  std::vector<StampedPose> truth;     ///< map frame; for scoring and drawing only, may be empty
+};
+
+/// Recording, simulator or live robot.
+class ObservationSource {
+ public:
+  virtual ~ObservationSource() = default;
+  virtual const SourceInfo& info() const = 0;
+  /// nullopt at the end. Throws FrameError for one bad observation, Error when nothing more can
+  /// come.
+  virtual std::optional<Observation> next() = 0;
+};
+
+}  // namespace handmap

@@ -1,0 +1,117 @@
+#include "core/recording/recording.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/json.h"
+#include "core/base/text.h"
+#include "core/recording/calibration.h"
+#include "core/recording/frame_table.h"
+#include "core/recording/kitti_folder.h"
+
+namespace handmap {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kVersion = 1;
+constexpr std::uintmax_t kMaxBytes = 1u << 20;
+constexpr std::size_t kMaxTextBytes = 4096;
+constexpr double kMaxRange = 1e4;
+constexpr double kMaxMount = 100.0;
+constexpr double kMaxAngleDeg = 360.0;
+
+void checkFormat(const JsonValue& json) {
+  if (json.at("format").text(kMaxTextBytes) != "handmap-recording") {
+    json.at("format").fail("\"handmap-recording\"");
+  }
+  const auto version = json.at("version").integer(1, INT64_MAX);
+  if (version > kVersion) {
+    throw Error(ErrorCode::BadInput,
+                fmt::format("{}: version: found {}, this program reads up to {}", json.source(),
+                            version, kVersion),
+                "update the program to open this recording");
+  }
+}
+
+double numberOr(const JsonValue& object, const std::string& key, double limit, double fallback) {
+  const auto value = object.find(key);
+  return value ? value->number(-limit, limit) : fallback;
+}
+
+CameraMount readMount(const JsonValue& json) {
+  return {numberOr(json, "x_m", kMaxMount, 0.0), numberOr(json, "y_m", kMaxMount, 0.0),
+          numberOr(json, "z_m", kMaxMount, kDefaultCameraHeight),
+          toRadians(numberOr(json, "pitch_deg", kMaxAngleDeg, 0.0)),
+          toRadians(numberOr(json, "yaw_deg", kMaxAngleDeg, 0.0))};
+}
+
+StereoCamera readCamera(const JsonValue& json, const fs::path& folder) {
+  const fs::path calibration = json.textOr("calibration", kMaxTextBytes, "calib.txt");
+  const auto rectified = json.find("rectified");
+  const std::string ending = calibration.extension().string();
+  if ((rectified && !rectified->flag()) || ending == ".yaml" || ending == ".yml" ||
+      ending == ".xml") {
+    throw Error(ErrorCode::BadInput,
+                json.source() +
+                    ": camera: found an unrectified camera, not supported by this "
+                    "version, expected rectified images and a calibration of KITTI form",
+                "rectify the images before");
+  }
+  if (!staysInside(calibration)) json.at("calibration").fail("a path inside the folder");
+  CameraMount mount;
+  mount.z = kDefaultCameraHeight;
+  if (const auto given = json.find("mount")) mount = readMount(*given);
+  return readCalibration(folder / calibration, json.textOr("left", kMaxTextBytes, "P0"),
+                         json.textOr("right", kMaxTextBytes, "P1"), mount);
+}
+
+Recording openHandmapFolder(const fs::path& folder) {
+  const fs::path path = folder / "recording.json";
+  const auto parsed = parseJson(readFile(path, kMaxBytes), path.string());
+  const JsonValue json(parsed, path.string());
+  checkFormat(json);
+
+  Recording recording;
+  recording.folder = folder;
+  recording.name = json.textOr("name", kMaxTextBytes, "");
+  if (const auto range = json.find("range_limit_m")) {
+    recording.range_limit_m = range->positive(kMaxRange);
+  }
+  recording.rows = readFrameTable(folder / "frames.csv");
+  const bool has_images = std::any_of(recording.rows.begin(), recording.rows.end(),
+                                      [](const FrameRow& row) { return !row.left.empty(); });
+  if (const auto camera = json.find("camera")) {
+    recording.camera = readCamera(*camera, folder);
+  } else if (has_images) {
+    const auto defaults = nlohmann::json::object();
+    recording.camera = readCamera(JsonValue(defaults, path.string()), folder);
+  }
+  if (fileExists(folder / "odometry.tum")) recording.odometry = readTum(folder / "odometry.tum");
+  if (fileExists(folder / "truth.tum")) recording.truth = readTum(folder / "truth.tum");
+  return recording;
+}
+
+}  // namespace
+
+Recording openRecording(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throwBadInput(folder.string(), "", "no such folder", "the folder of a recording");
+  }
+  const bool is_handmap = fileExists(folder / "recording.json");
+  if (!is_handmap && !isKittiFolder(folder)) {
+    throwBadInput(folder.string(), "", "neither recording.json nor a KITTI sequence",
+                  "recording.json, or times.txt and image_0 or image_2");
+  }
+  Recording recording = is_handmap ? openHandmapFolder(folder) : openKittiFolder(folder);
+  if (recording.name.empty()) {
+    recording.name = fs::weakly_canonical(folder, error).filename().string();
+  }
+  return recording;
+}
+
+}  // namespace handmap

@@ -1,0 +1,73 @@
+// Recordings: a folder on disk (recording.json, frames.csv …) or a KITTI odometry sequence folder.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/recording/observation.h"
+
+namespace handmap {
+
+/// One row of frames.csv. Paths are relative to the folder, empty where there is none.
+struct FrameRow {
+  int frame = 0;
+  double time_s = 0.0;
+  std::optional<int> stop;
+  double pan = 0.0;  ///< radians
+  std::string left;
+  std::string right;
+  std::string points;
+};
+
+struct Recording {
+  std::filesystem::path folder;
+  std::string name;
+  double range_limit_m = 40.0;
+  std::optional<StereoCamera> camera;
+  std::vector<FrameRow> rows;
+  Trajectory odometry;  ///< odometry frame; may be empty where only --odometry can give it
+  Trajectory truth;     ///< map frame; may be empty
+};
+
+/// Reads and checks everything but images and points. Throws BadInput.
+Recording openRecording(const std::filesystem::path& folder);
+
+enum class SourceKind { Auto, Images, Points };
+
+struct ReplayOptions {
+  int from = 0;                         ///< first frame number
+  std::optional<int> to = {};           ///< last frame number
+  int every = 1;                        ///< takes each Nth observation that the chosen kind has
+  SourceKind kind = SourceKind::Auto;   ///< Auto: images where there are any, else points
+  std::filesystem::path odometry = {};  ///< TUM file instead of the recording's own
+};
+
+/// Replays a recording. Rows of one stop make one observation. Throws BadInput when nothing is
+/// selected, when there is no odometry, or when it does not cover the selected frames.
+std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptions& options);
+
+/// Reads one points file (little-endian float32 x y z w). Throws BadInput.
+std::vector<RangePoint> readPoints(const std::filesystem::path& path);
+
+/// Writes this format row by row, so that a crash leaves a readable recording.
+class RecordingWriter {
+ public:
+  /// Creates the folder. Throws RunFailed when it exists and is not empty.
+  RecordingWriter(const std::filesystem::path& folder, const SourceInfo& info);
+  ~RecordingWriter();
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  /// Appends rows, images (PNG), points and the odometry. `truth` where it is known. A view that
+  /// saw nothing leaves no row.
+  void add(const Observation& observation, const std::optional<Pose2>& truth = {});
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,153 @@
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/recording/calibration.h"
+#include "core/recording/frame_table.h"
+#include "core/recording/image_file.h"
+#include "core/recording/recording.h"
+
+namespace handmap {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string formatRecordingJson(const SourceInfo& info) {
+  nlohmann::ordered_json json = {{"format", "handmap-recording"},
+                                 {"version", 1},
+                                 {"name", info.name},
+                                 {"range_limit_m", info.range_limit_m}};
+  if (info.camera) {
+    const CameraMount& mount = info.camera->mount;
+    json["camera"] = {{"calibration", "calib.txt"},
+                      {"left", "P0"},
+                      {"right", "P1"},
+                      {"rectified", true},
+                      {"mount",
+                       {{"x_m", mount.x},
+                        {"y_m", mount.y},
+                        {"z_m", mount.z},
+                        {"pitch_deg", toDegrees(mount.pitch)},
+                        {"yaw_deg", toDegrees(mount.yaw)}}}};
+  }
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void createEmpty(const fs::path& folder) {
+  std::error_code error;
+  if (fileExists(folder) && !fs::is_empty(folder, error)) {
+    throw Error(ErrorCode::RunFailed, folder.string() +
+                                          ": found a folder that is not empty, "
+                                          "expected a new one");
+  }
+  fs::create_directories(folder, error);
+  if (error) {
+    throw Error(ErrorCode::RunFailed,
+                fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+  }
+}
+
+/// A text file that grows; what was appended is on disk when append() returns.
+class GrowingFile {
+ public:
+  explicit GrowingFile(fs::path path) : path_(std::move(path)) {}
+
+  void append(const std::string& text) {
+    if (!stream_.is_open()) stream_.open(path_, std::ios::binary | std::ios::app);
+    stream_ << text << std::flush;
+    if (!stream_) {
+      throw Error(ErrorCode::RunFailed,
+                  fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    }
+  }
+
+ private:
+  fs::path path_;
+  std::ofstream stream_;
+};
+
+}  // namespace
+
+struct RecordingWriter::Files {
+  explicit Files(const fs::path& of_folder)
+      : folder(of_folder),
+        frames(folder / "frames.csv"),
+        odometry(folder / "odometry.tum"),
+        truth(folder / "truth.tum") {}
+
+  /// "image_0/000012.png", or "image_0/000012-3.png" for the third view of a stop.
+  std::string nameOf(const char* kind, const char* ending, const Observation& observation,
+                     std::size_t view) const {
+    const std::string suffix = observation.views.size() > 1 ? fmt::format("-{}", view + 1) : "";
+    std::error_code ignored;  // writing into it tells
+    fs::create_directories(folder / kind, ignored);
+    return fmt::format("{}/{:06}{}{}", kind, observation.frame, suffix, ending);
+  }
+
+  FrameRow writeView(const Observation& observation, std::size_t index) {
+    const View& view = observation.views[index];
+    FrameRow row;
+    row.frame = observation.frame;
+    row.time_s = observation.time_s;
+    if (observation.standing || observation.views.size() > 1) row.stop = observation.frame;
+    row.pan = view.pan;
+    if (!view.left.empty() && !view.right.empty()) {
+      row.left = nameOf("image_0", ".png", observation, index);
+      row.right = nameOf("image_1", ".png", observation, index);
+      writePng(view.left, folder / row.left);
+      writePng(view.right, folder / row.right);
+    }
+    if (view.points && !view.points->empty()) {
+      row.points = nameOf("points", ".bin", observation, index);
+      writeFileAtomically(folder / row.points, {reinterpret_cast<const char*>(view.points->data()),
+                                                view.points->size() * sizeof(RangePoint)});
+    }
+    return row;
+  }
+
+  fs::path folder;
+  GrowingFile frames;
+  GrowingFile odometry;
+  GrowingFile truth;
+  int last_frame = -1;
+  double last_time_s = -std::numeric_limits<double>::infinity();
+};
+
+RecordingWriter::RecordingWriter(const fs::path& folder, const SourceInfo& info) {
+  createEmpty(folder);
+  files_ = std::make_unique<Files>(folder);
+  if (info.camera) writeFileAtomically(folder / "calib.txt", formatCalibration(*info.camera));
+  writeFileAtomically(folder / "recording.json", formatRecordingJson(info));
+  files_->frames.append(frameTableHeader());
+}
+
+RecordingWriter::~RecordingWriter() = default;
+
+void RecordingWriter::add(const Observation& observation, const std::optional<Pose2>& truth) {
+  Files& files = *files_;
+  if (observation.frame <= files.last_frame || observation.time_s <= files.last_time_s) {
+    throw Error(ErrorCode::RunFailed,
+                fmt::format("{}: found frame {} at {} s after frame {} at {} s, expected both to "
+                            "increase",
+                            files.folder.string(), observation.frame, observation.time_s,
+                            files.last_frame, files.last_time_s));
+  }
+  files.last_frame = observation.frame;
+  files.last_time_s = observation.time_s;
+  // Poses first: a row without its pose could not be replayed, a pose without a row does no harm.
+  files.odometry.append(formatTum({{observation.time_s, observation.odometry}}));
+  if (truth) files.truth.append(formatTum({{observation.time_s, *truth}}));
+  for (std::size_t i = 0; i < observation.views.size(); ++i) {
+    const FrameRow row = files.writeView(observation, i);
+    if (row.left.empty() && row.points.empty()) continue;
+    files.frames.append(formatFrameRow(row));
+  }
+}
+
+}  // namespace handmap

@@ -1,0 +1,101 @@
+#include "core/recording/trajectory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr double kMaxCoordinate = 1e8;  // odometry may count from a distant origin
+constexpr double kMaxTime = 1e12;
+constexpr double kNormTolerance = 0.05;
+
+double yawOf(double qx, double qy, double qz, double qw) {
+  return std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
+}
+
+StampedPose parseTumLine(std::string_view line, const std::string& file, const std::string& place) {
+  const auto words = splitWords(line);
+  std::array<double, 8> v{};
+  if (words.size() != v.size()) {
+    throwBadInput(file, place, fmt::format("{} fields", words.size()), "8: time x y z qx qy qz qw");
+  }
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const auto value = parseFinite(words[i]);
+    const double limit = i == 0 ? kMaxTime : kMaxCoordinate;
+    if (!value || std::abs(*value) > limit) {
+      throwBadInput(file, place, fmt::format("\"{}\"", words[i].substr(0, 40)),
+                    fmt::format("a finite number, at most {}", formatNumber(limit)));
+    }
+    v[i] = *value;
+  }
+  const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
+  if (std::abs(norm - 1.0) > kNormTolerance) {
+    throwBadInput(file, place, fmt::format("a quaternion of length {:.3g}", norm), "length 1");
+  }
+  return {v[0], {v[1], v[2], yawOf(v[4], v[5], v[6], v[7])}};
+}
+
+void checkOrder(double previous, double time, const std::string& source, const std::string& place) {
+  if (time > previous) return;
+  throwBadInput(source, place,
+                fmt::format("time {} after {}", formatNumber(time), formatNumber(previous)),
+                "times that increase");
+}
+
+}  // namespace
+
+Trajectory::Trajectory(std::vector<StampedPose> poses, const std::string& source)
+    : poses_(std::move(poses)) {
+  for (std::size_t i = 1; i < poses_.size(); ++i) {
+    checkOrder(poses_[i - 1].time_s, poses_[i].time_s, source, fmt::format("pose {}", i));
+  }
+}
+
+std::optional<Pose2> Trajectory::at(double time_s, double tolerance_s) const {
+  if (poses_.empty() || !(time_s >= poses_.front().time_s - tolerance_s) ||
+      !(time_s <= poses_.back().time_s + tolerance_s)) {
+    return std::nullopt;
+  }
+  const auto after = std::upper_bound(
+      poses_.begin(), poses_.end(), time_s,
+      [](double time, const StampedPose& stamped) { return time < stamped.time_s; });
+  if (after == poses_.begin()) return poses_.front().pose;
+  if (after == poses_.end()) return poses_.back().pose;
+  const StampedPose& before = *std::prev(after);
+  const double t = (time_s - before.time_s) / (after->time_s - before.time_s);
+  return interpolated(before.pose, after->pose, t);
+}
+
+Trajectory readTum(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const std::string content = readFile(path, kMaxBytes);
+  std::vector<StampedPose> poses;
+  for (const TextLine& line : contentLines(content)) {
+    const std::string place = fmt::format("line {}", line.number);
+    const StampedPose stamped = parseTumLine(line.text, file, place);
+    if (!poses.empty()) checkOrder(poses.back().time_s, stamped.time_s, file, place);
+    poses.push_back(stamped);
+  }
+  if (poses.empty()) throwBadInput(file, "", "no pose", "lines of time x y z qx qy qz qw");
+  return {std::move(poses), file};
+}
+
+std::string formatTum(const std::vector<StampedPose>& poses) {
+  std::string text;
+  for (const auto& [time_s, pose] : poses) {
+    text += fmt::format("{} {:.6f} {:.6f} 0 0 0 {:.9f} {:.9f}\n", formatNumber(time_s), pose.x,
+                        pose.y, std::sin(pose.heading / 2.0), std::cos(pose.heading / 2.0));
+  }
+  return text;
+}
+
+}  // namespace handmap
