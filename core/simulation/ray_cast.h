@@ -1,0 +1,34 @@
+// Where a ray meets walls and round things. Metres; directions are unit vectors.
+#pragma once
+
+#include <limits>
+
+#include "core/geometry/polygon.h"
+
+namespace handmap {
+
+inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
+
+/// Distance from `origin` along `direction` to the segment; kNoHit where the ray misses it.
+inline double rayToSegment(const Vec2& origin, const Vec2& direction, const Segment& wall) {
+  const Vec2 along = wall.b - wall.a;
+  const double denominator = cross(direction, along);
+  if (denominator == 0.0) return kNoHit;
+  const Vec2 to_wall = wall.a - origin;
+  const double distance = cross(to_wall, along) / denominator;
+  const double share = cross(to_wall, direction) / denominator;
+  return distance >= 0.0 && share >= 0.0 && share <= 1.0 ? distance : kNoHit;
+}
+
+/// The same for the near side of a circle; kNoHit from inside.
+inline double rayToCircle(const Vec2& origin, const Vec2& direction, const Vec2& centre,
+                          double radius) {
+  const Vec2 to_centre = centre - origin;
+  const double nearest = to_centre.dot(direction);
+  const double squared = radius * radius - to_centre.squaredNorm() + nearest * nearest;
+  if (squared < 0.0) return kNoHit;
+  const double distance = nearest - std::sqrt(squared);
+  return distance >= 0.0 ? distance : kNoHit;
+}
+
+}  // namespace handmap

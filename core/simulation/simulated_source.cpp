@@ -1,0 +1,152 @@
+#include "core/simulation/simulated_source.h"
+
+#include <chrono>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/simulation/ray_cast.h"
+#include "core/simulation/route.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::uint32_t kOdometry = 5;
+constexpr std::uint32_t kRays = 6;
+constexpr double kLeastRange = 0.3;
+
+class SimulatedSource : public ObservationSource {
+ public:
+  SimulatedSource(const World& world, const SimulationOptions& options, std::uint64_t seed)
+      : options_(options), seed_(seed), obstacles_(world.obstacles) {
+    for (const Building& building : world.map.buildings) {
+      const Polygon corners = building.footprint();
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        walls_.push_back({corners[i], corners[(i + 1) % corners.size()]});
+      }
+    }
+    info_.name = world.map.name;
+    info_.range_limit_m = options.range_limit_m;
+    drive(world.map);
+    info_.observations = static_cast<int>(info_.truth.size());
+  }
+
+  const SourceInfo& info() const override { return info_; }
+
+  std::optional<Observation> next() override {
+    if (next_ == info_.truth.size()) return std::nullopt;
+    const auto began = std::chrono::steady_clock::now();
+    Observation observation;
+    observation.frame = static_cast<int>(next_);
+    observation.time_s = info_.truth[next_].time_s;
+    observation.standing = true;
+    observation.odometry = info_.odometry[next_].pose;
+    View& view = observation.views.emplace_back();
+    view.points = scan(info_.truth[next_].pose, static_cast<std::uint32_t>(next_));
+    ++next_;
+    observation.read_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+    return observation;
+  }
+
+ private:
+  struct Hit {
+    double distance = kNoHit;
+    bool wall = true;
+  };
+
+  void drive(const Map& map) {
+    const std::optional<Route> route = routeOf(map);
+    if (!route) throwBadInput("route", "", "no way to drive", "a route or a start");
+    RandomStream random(seed_, 0, 0, kOdometry);
+    const int steps = static_cast<int>(route->length() / options_.step_m + 1e-9);
+    Pose2 odometry;
+    for (int i = 0; i <= steps; ++i) {
+      Pose2 truth = route->poseAt(i * options_.step_m);
+      if (i == 0 && map.start) truth = *map.start;
+      if (i > 0) {
+        Pose2 step = between(info_.truth.back().pose, truth);
+        const double stretch = random.normal(1.0, options_.odometry_length);
+        step = {stretch * step.x, stretch * step.y,
+                step.heading + random.normal(0.0, options_.odometry_heading)};
+        odometry = odometry * step;
+      }
+      const double time_s = i * options_.step_m / options_.speed_m_s;
+      info_.truth.push_back({time_s, truth});
+      info_.odometry.push_back({time_s, odometry});
+    }
+  }
+
+  std::vector<RangePoint> scan(const Pose2& pose, std::uint32_t frame) const {
+    const std::vector<Segment> walls =
+        near(walls_, [&](const Segment& wall) { return distanceTo(wall, pose.position()); });
+    const std::vector<Obstacle> obstacles = near(obstacles_, [&](const Obstacle& obstacle) {
+      return (obstacle.centre - pose.position()).norm() - obstacle.radius;
+    });
+    RandomStream random(seed_, frame, 0, kRays);
+    std::vector<RangePoint> points;
+    for (int ray = 0; ray < options_.rays; ++ray) {
+      const double bearing = 2.0 * kPi * ray / options_.rays;
+      const Hit hit = measured(
+          cast(pose.position(), unitVector(pose.heading + bearing), walls, obstacles), random);
+      if (hit.distance < kLeastRange || hit.distance > options_.range_limit_m) continue;
+      const Vec2 point = hit.distance * unitVector(bearing);
+      const double recognised =
+          hit.wall ? 1.0 - options_.unrecognised : options_.obstacles_mistaken;
+      points.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
+                        static_cast<float>(options_.sensor_height_m),
+                        random.uniform() < recognised ? 1.0F : 0.0F});
+    }
+    return points;
+  }
+
+  template <typename Thing, typename Distance>
+  std::vector<Thing> near(const std::vector<Thing>& things, Distance distance) const {
+    std::vector<Thing> result;
+    for (const Thing& thing : things) {
+      if (distance(thing) <= options_.range_limit_m) result.push_back(thing);
+    }
+    return result;
+  }
+
+  static Hit cast(const Vec2& origin, const Vec2& direction, const std::vector<Segment>& walls,
+                  const std::vector<Obstacle>& obstacles) {
+    Hit hit;
+    for (const Segment& wall : walls) {
+      hit.distance = std::min(hit.distance, rayToSegment(origin, direction, wall));
+    }
+    for (const Obstacle& obstacle : obstacles) {
+      const double distance = rayToCircle(origin, direction, obstacle.centre, obstacle.radius);
+      if (distance < hit.distance) hit = {distance, false};
+    }
+    return hit;
+  }
+
+  /// An outlier looks like a wall: a false match is most likely where the texture repeats.
+  Hit measured(Hit hit, RandomStream& random) const {
+    if (random.uniform() < options_.outliers) {
+      return {random.uniform(kLeastRange, options_.range_limit_m), true};
+    }
+    if (hit.distance > options_.range_limit_m) return Hit{};
+    const double sigma =
+        options_.sigma_offset_m + options_.sigma_quadratic * hit.distance * hit.distance;
+    hit.distance += random.normal(0.0, sigma);
+    return hit;
+  }
+
+  SimulationOptions options_;
+  std::uint64_t seed_;
+  std::vector<Segment> walls_;
+  std::vector<Obstacle> obstacles_;
+  SourceInfo info_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<ObservationSource> simulate(const World& world, const SimulationOptions& options,
+                                            std::uint64_t seed) {
+  return std::make_unique<SimulatedSource>(world, options, seed);
+}
+
+}  // namespace handmap

@@ -1,0 +1,33 @@
+// A robot that drives through a World and reports range points and odometry.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/recording/observation.h"
+#include "core/simulation/world.h"
+
+namespace handmap {
+
+struct SimulationOptions {
+  double step_m = 5.0;  ///< between observations
+  double speed_m_s = 1.0;
+  int rays = 720;  ///< around the robot
+  double range_limit_m = 40.0;
+  double sigma_offset_m = 0.05;     ///< σ(d) = offset + quadratic · d²
+  double sigma_quadratic = 0.0021;  ///< 1/m
+  double outliers = 0.02;           ///< share of rays with a random range
+  double unrecognised = 0.15;       ///< share of the wall points with weight 0
+  double obstacles_mistaken = 0.1;  ///< share of the points on obstacles with weight 1
+  double sensor_height_m = 1.0;     ///< z of every point
+  double odometry_length = 0.03;    ///< σ of a step's length, as a share
+  double odometry_heading = 0.012;  ///< σ of a step's turn, radians
+};
+
+/// The robot stands at every observation, the first time at the start of the map; there the
+/// odometry is the identity. Deterministic by seed. Truth is in info().truth. Throws BadInput where
+/// the map has no way to drive.
+std::unique_ptr<ObservationSource> simulate(const World& world, const SimulationOptions& options,
+                                            std::uint64_t seed);
+
+}  // namespace handmap

@@ -1,0 +1,157 @@
+#include "core/simulation/world.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/simulation/trees.h"
+
+namespace handmap {
+
+namespace {
+
+// Purposes of random streams: one world does not share its numbers with another.
+constexpr std::uint32_t kTwoRows = 1;
+constexpr std::uint32_t kCampus = 2;
+constexpr std::uint32_t kFromMap = 3;
+
+constexpr double kRobotRadius = 0.3;
+constexpr double kMaxLength = 20e3;  // of a route from a file
+
+World worldOf(Map map, RandomStream& random) {
+  const std::optional<Route> route = routeOf(map);
+  std::vector<Obstacle> trees = treesAlong(*route, map, random);
+  return {std::move(map), std::move(trees)};
+}
+
+Polygon grown(const Rectangle& box, double margin) {
+  return Rectangle{box.centre, box.width + 2.0 * margin, box.depth + 2.0 * margin, box.heading}
+      .corners();
+}
+
+/// The rectangle without its far right or far left quarter, as shares of its sides.
+Polygon lShape(const Rectangle& box, double width_share, double depth_share, bool left) {
+  const Pose2 frame{box.centre.x(), box.centre.y(), box.heading};
+  const double x = box.width / 2.0;
+  const double y = box.depth / 2.0;
+  const double cut_x = x - width_share * box.width;
+  const double cut_y = y - depth_share * box.depth;
+  Polygon shape{{-x, -y}, {x, -y}, {x, cut_y}, {cut_x, cut_y}, {cut_x, y}, {-x, y}};
+  if (left) {
+    for (Vec2& corner : shape) corner.x() = -corner.x();
+    std::reverse(shape.begin(), shape.end());
+  }
+  for (Vec2& corner : shape) corner = frame.toOuter(corner);
+  return shape;
+}
+
+/// Legs that turn by turns to the left and to the right, so that the way never crosses itself.
+std::vector<Vec2> windingRoute(RandomStream& random) {
+  std::vector<Vec2> points{Vec2::Zero()};
+  for (int leg = 0; leg < 4; ++leg) {
+    const double heading = leg % 2 == 0 ? 0.0 : toRadians(random.uniform(50.0, 100.0));
+    points.push_back(points.back() + random.uniform(55.0, 85.0) * unitVector(heading));
+  }
+  return points;
+}
+
+void checkClear(const Route& route, const Building& building) {
+  const Polygon footprint = building.footprint();
+  if (route.distanceTo(footprint) > kRobotRadius + Route::kCut) return;
+  for (double s = 0.0; s <= route.length(); s += kRobotRadius) {
+    if (distanceTo(footprint, route.poseAt(s).position()) > kRobotRadius) continue;
+    throwBadInput("route", "", fmt::format("building {} in the way after {:.0f} m", building.id, s),
+                  "a way around the buildings");
+  }
+}
+
+}  // namespace
+
+World twoRowWorld(std::uint64_t seed) {
+  RandomStream random(seed, 0, 0, kTwoRows);
+  Map map;
+  map.name = fmt::format("Two rows of buildings, {}", seed);
+  map.start = Pose2{};
+  double end = 0.0;
+  for (const bool north : {true, false}) {
+    double x = random.uniform(0.0, 12.0);
+    for (int i = 1; i <= 3; ++i) {
+      Rectangle box;
+      box.width = random.uniform(45.0, 65.0);
+      box.depth = random.uniform(12.0, 20.0);
+      const double y = random.uniform(8.0, 14.0) + box.depth / 2.0;
+      box.centre = {x + box.width / 2.0, north ? y : -y};
+      end = std::max(end, x + box.width);
+      x += box.width + random.uniform(15.0, 30.0);
+      Building building;
+      building.id = fmt::format("{}{}", north ? 'N' : 'S', i);
+      building.shape = box;
+      map.buildings.push_back(building);
+    }
+  }
+  map.route = {Vec2::Zero(), {end, 0.0}};
+  return worldOf(std::move(map), random);
+}
+
+World campusWorld(std::uint64_t seed) {
+  constexpr double kSpacing = 12.0;
+  constexpr double kRouteMargin = 6.0;
+  constexpr double kBuildingMargin = 4.0;
+  RandomStream random(seed, 0, 0, kCampus);
+  Map map;
+  map.name = fmt::format("Campus, {}", seed);
+  map.start = Pose2{};
+  map.route = windingRoute(random);
+  const Route route(map.route);
+  std::vector<Polygon> taken;
+  for (double s = 0.0; s < route.length(); s += kSpacing) {
+    for (const double side : {1.0, -1.0}) {
+      const Pose2 beside = route.poseAt(s);
+      Rectangle box;
+      box.width = random.uniform(15.0, 40.0);
+      box.depth = random.uniform(10.0, 20.0);
+      box.centre = beside.toOuter({0.0, side * (random.uniform(8.0, 16.0) + box.depth / 2.0)});
+      box.heading = normalizedAngle(beside.heading + random.uniform(-kPi / 5.0, kPi / 5.0));
+      const bool l_shaped = random.uniform() < 0.3;
+      const Polygon ground = grown(box, kBuildingMargin);
+      const bool free = route.distanceTo(box.corners()) > kRouteMargin &&
+                        std::none_of(taken.begin(), taken.end(),
+                                     [&](const Polygon& other) { return overlap(ground, other); });
+      if (!free) continue;
+      taken.push_back(box.corners());
+      Building building;
+      building.id = fmt::format("B{}", taken.size());
+      building.shape = box;
+      if (l_shaped) {
+        building.shape = lShape(box, random.uniform(0.35, 0.65), random.uniform(0.35, 0.65),
+                                random.uniform() < 0.5);
+      }
+      map.buildings.push_back(building);
+    }
+  }
+  return worldOf(std::move(map), random);
+}
+
+World worldFromMap(const Map& map, std::uint64_t seed) {
+  const std::optional<Route> route = routeOf(map);
+  if (!route) {
+    throw Error(ErrorCode::BadInput, "route: found no way to drive, expected a route or a start",
+                "draw a route, or a start that looks along a free way");
+  }
+  if (route->length() > kMaxLength) {
+    throwBadInput("route", "", fmt::format("{:.0f} m", route->length()),
+                  fmt::format("at most {:.0f} m", kMaxLength));
+  }
+  for (const Building& building : map.buildings) checkClear(*route, building);
+  Map own = map;
+  if (!own.start) own.start = route->poseAt(0.0);
+  if (own.route.empty()) {
+    const Vec2 begin = own.start->position();
+    own.route = {begin, begin + route->length() * unitVector(own.start->heading)};
+  }
+  RandomStream random(seed, 0, 0, kFromMap);
+  return worldOf(std::move(own), random);
+}
+
+}  // namespace handmap

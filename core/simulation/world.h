@@ -1,0 +1,40 @@
+// Worlds to drive through: a true map, and what no one drew.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/map/map.h"
+
+namespace handmap {
+
+/// A round obstacle that is no building: a tree, a bush, a lamp post.
+struct Obstacle {
+  Vec2 centre = Vec2::Zero();
+  double radius = 0.0;
+};
+
+/// `map` has a start and a route for the robot.
+struct World {
+  Map map;
+  std::vector<Obstacle> obstacles;
+};
+
+/// The paper's kind of scene (Fig. 7): six buildings N1–N3, S1–S3 in two rows, 45–65 m wide, gaps
+/// of 15–30 m, the robot between them. The same seed gives the same world.
+World twoRowWorld(std::uint64_t seed);
+/// Buildings of any heading, some L-shaped, on both sides of a route with turns.
+World campusWorld(std::uint64_t seed);
+/// Any map with a route (or a start: the route then leads through between the buildings) becomes a
+/// world. Throws BadInput where there is neither, or where the route is endless or runs through a
+/// building.
+World worldFromMap(const Map& map, std::uint64_t seed);
+
+/// The map as one remembers it: centre and width (and depth) of every building off by a normal
+/// error of `sigma_m`; sizes stay positive, buildings do not come to overlap, neither each other
+/// nor the route, and keep their side of the route and their order along it. A building for which
+/// no such place is found stays where it is, and so does a fixed one. Throws BadInput for more than
+/// 5,000 buildings.
+Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed);
+
+}  // namespace handmap

@@ -1,0 +1,127 @@
+#include "core/simulation/world.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/simulation/route.h"
+
+namespace handmap {
+namespace {
+
+Building box(const std::string& id, double x, double y, double width, double depth) {
+  Building building;
+  building.id = id;
+  building.shape = Rectangle{{x, y}, width, depth, 0.0};
+  return building;
+}
+
+/// Buildings clear of each other and of the route, trees clear of both.
+void expectPossible(const World& world, double way_m) {
+  const Map& map = world.map;
+  const std::optional<Route> route = routeOf(map);
+  ASSERT_TRUE(route);
+  for (std::size_t i = 0; i < map.buildings.size(); ++i) {
+    const Polygon footprint = map.buildings[i].footprint();
+    EXPECT_TRUE(isSimple(footprint));
+    EXPECT_GT(signedArea(footprint), 0.0);
+    EXPECT_GT(route->distanceTo(footprint), way_m) << map.buildings[i].id;
+    for (std::size_t j = i + 1; j < map.buildings.size(); ++j) {
+      EXPECT_FALSE(overlap(footprint, map.buildings[j].footprint()));
+    }
+    for (const Obstacle& tree : world.obstacles) {
+      EXPECT_GT(distanceTo(footprint, tree.centre), tree.radius);
+    }
+  }
+  for (const Obstacle& tree : world.obstacles) {
+    EXPECT_GT(std::abs(route->project(tree.centre).offset), tree.radius + 2.0);
+  }
+}
+
+TEST(World, TwoRowsAreThePapersScene) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const World world = twoRowWorld(seed);
+    expectPossible(world, 5.0);
+    EXPECT_EQ(*world.map.start, Pose2{});
+    ASSERT_EQ(world.map.buildings.size(), 6U);
+    EXPECT_FALSE(world.obstacles.empty());
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Rectangle own = world.map.buildings[i].box();
+      EXPECT_EQ(world.map.buildings[i].id, std::string(i < 3 ? "N" : "S") + char('1' + i % 3));
+      EXPECT_EQ(own.centre.y() > 0.0, i < 3);
+      EXPECT_GE(own.width, 45.0);
+      EXPECT_LE(own.width, 65.0);
+      if (i % 3 == 2) continue;
+      const Rectangle next = world.map.buildings[i + 1].box();
+      const double gap = next.centre.x() - own.centre.x() - (next.width + own.width) / 2.0;
+      EXPECT_GE(gap, 15.0);
+      EXPECT_LE(gap, 30.0);
+    }
+  }
+}
+
+TEST(World, CampusesAreVariedAndPossible) {
+  int l_shaped = 0;
+  int turned = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const World world = campusWorld(seed);
+    expectPossible(world, 6.0);
+    EXPECT_GE(world.map.buildings.size(), 8U);
+    EXPECT_GE(world.map.route.size(), 4U);
+    const std::optional<Route> route = routeOf(world.map);
+    bool left = false;
+    bool right = false;
+    for (const Building& building : world.map.buildings) {
+      l_shaped += building.footprint().size() == 6 ? 1 : 0;
+      turned += std::abs(std::sin(2.0 * building.box().heading)) > 0.1 ? 1 : 0;
+      const bool on_left = route->project(building.box().centre).offset > 0.0;
+      left = left || on_left;
+      right = right || !on_left;
+    }
+    EXPECT_TRUE(left && right);
+  }
+  EXPECT_GT(l_shaped, 20);
+  EXPECT_GT(turned, 100);
+}
+
+TEST(World, FollowsFromItsSeed) {
+  EXPECT_EQ(twoRowWorld(7).map, twoRowWorld(7).map);
+  EXPECT_NE(twoRowWorld(7).map.buildings, twoRowWorld(8).map.buildings);
+  EXPECT_EQ(campusWorld(7).map, campusWorld(7).map);
+}
+
+TEST(World, FromAMapKeepsWhatIsDrawn) {
+  Map map;
+  map.buildings = {box("A", 50, 20, 40, 10), box("B", 80, -20, 40, 10)};
+  EXPECT_THROW(worldFromMap(map, 1), Error);
+  map.start = Pose2{};
+  const World straight = worldFromMap(map, 1);
+  EXPECT_EQ(straight.map.buildings, map.buildings);
+  EXPECT_EQ(straight.map.route, (std::vector<Vec2>{{0, 0}, {100, 0}}));
+  expectPossible(straight, 5.0);
+
+  map.start.reset();
+  map.route = {{0, 0}, {0, 30}};
+  EXPECT_DOUBLE_EQ(worldFromMap(map, 1).map.start->heading, kPi / 2.0);
+}
+
+TEST(World, FromAMapRefusesAnEndlessRoute) {
+  Map map;
+  map.route = {{0, 0}, {1e6, 0}};
+  EXPECT_THROW(worldFromMap(map, 1), Error);
+}
+
+TEST(World, FromAMapRefusesARouteThroughABuilding) {
+  Map map;
+  map.buildings = {box("A", 50, 0, 40, 10)};
+  map.route = {{0, 0}, {100, 0}};
+  try {
+    worldFromMap(map, 1);
+    FAIL() << "expected an error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::BadInput);
+    EXPECT_NE(std::string(error.what()).find("building A"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace handmap
