@@ -1,0 +1,208 @@
+#include "core/localization/fastslam_psom.h"
+
+#include <atomic>
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "core/base/error.h"
+
+namespace handmap {
+namespace {
+
+Building rectangle(const std::string& id, double x, double y, double width, double depth) {
+  Building building;
+  building.id = id;
+  building.shape = Rectangle{{x, y}, width, depth, 0.0};
+  return building;
+}
+
+/// A street with two houses on either side; the robot starts between them and looks along +x.
+Map street() {
+  Map map;
+  map.start = Pose2{0.0, 0.0, 0.0};
+  map.uncertainty = {1.5, 1.5};
+  map.buildings = {rectangle("N1", 0.0, 14.0, 16.0, 10.0), rectangle("N2", 26.0, 14.0, 20.0, 10.0),
+                   rectangle("S1", 2.0, -13.0, 20.0, 8.0), rectangle("S2", 28.0, -13.0, 16.0, 8.0)};
+  return map;
+}
+
+/// What a sensor without noise would see of the walls that face the robot.
+LocalMap seen(const Map& truth, const Pose2& robot) {
+  std::vector<WallPoint> points;
+  for (const Building& building : truth.buildings) {
+    const Polygon corners = building.footprint();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2 a = robot.toOwn(corners[i]);
+      const Vec2 b = robot.toOwn(corners[(i + 1) % corners.size()]);
+      if (cross(a, b) >= 0.0) continue;
+      for (double s = 0.0; s < (b - a).norm(); s += 0.05) {
+        const Vec2 p = a + (b - a).normalized() * s;
+        points.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 0.05F, 1.0F});
+      }
+    }
+  }
+  return LocalMapBuilder(40.0, LocalMapOptions{}).add(robot, true, points);
+}
+
+double errorSum(const Map& map, const Map& truth) {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < truth.buildings.size(); ++b) {
+    const Rectangle found = map.buildings[b].box();
+    const Rectangle real = truth.buildings[b].box();
+    sum += (found.centre - real.centre).cwiseAbs().sum() + std::abs(found.width - real.width);
+  }
+  return sum;
+}
+
+Map drawnWrong(Map map) {
+  const double shifts[][3] = {
+      {1.2, -0.8, 1.5}, {-1.5, 1.0, -1.2}, {0.9, 1.1, 1.0}, {1.4, -1.0, -1.5}};
+  for (std::size_t b = 0; b < map.buildings.size(); ++b) {
+    Rectangle box = map.buildings[b].box();
+    box.centre += Vec2(shifts[b][0], shifts[b][1]);
+    box.width += shifts[b][2];
+    map.buildings[b] = map.buildings[b].fitted(box);
+  }
+  return map;
+}
+
+SlamOptions few() {
+  SlamOptions options;
+  options.slam_particles = 20;
+  return options;
+}
+
+std::string bytesOf(const FastSlamPsom& slam) {
+  std::string bytes;
+  const auto append = [&](double value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  for (const Particle& particle : slam.particles()) {
+    for (const double value :
+         {particle.pose.x, particle.pose.y, particle.pose.heading, particle.weight}) {
+      append(value);
+    }
+    for (const auto& swarm : particle.map) {
+      if (!swarm) continue;
+      for (const SwarmMember& member : swarm->members) append(member.position.width);
+    }
+  }
+  return bytes;
+}
+
+std::string bytesOfRun(int threads) {
+  FastSlamPsom slam(drawnWrong(street()), {}, few(), 4);
+  tbb::task_arena arena(threads);
+  for (int i = 0; i < 4; ++i) {
+    const Pose2 pose{4.0 * i, 0.0, 0.0};
+    const LocalMap local_map = seen(street(), pose);
+    arena.execute([&] { slam.step(i, pose, local_map); });
+  }
+  return bytesOf(slam);
+}
+
+TEST(FastSlamPsom, CorrectsTheDrawing) {
+  const Map truth = street();
+  const Map drawing = drawnWrong(truth);
+  FastSlamPsom slam(drawing, {}, few(), 1);
+  for (int i = 0; i < 7; ++i) {
+    const Pose2 pose{4.0 * i, 0.0, 0.0};
+    ASSERT_TRUE(slam.step(i, pose, seen(truth, pose)));
+  }
+  const Map refined = slam.refinedMap();
+  EXPECT_LT(errorSum(refined, truth), 0.5 * errorSum(drawing, truth));
+  for (const Building& building : refined.buildings) {
+    ASSERT_TRUE(building.estimate);
+    EXPECT_EQ(building.estimate->observations, 7);
+  }
+  EXPECT_EQ(slam.best().path.poses().size(), 7U);
+}
+
+TEST(FastSlamPsom, OnAFixedMapLocalizesBetterThanOdometry) {
+  SlamOptions options = few();
+  options.slam_particles = 300;
+  options.refine = false;
+  options.motion = {0.1, 0.01, 0.05, 0.01, 0.001};
+  FastSlamPsom slam(street(), {}, options, 2);
+  Pose2 odometry;
+  Pose2 pose;
+  for (int i = 0; i < 10; ++i) {
+    if (i > 0) {
+      pose = pose * Pose2{3.0, 0.0, 0.0};
+      odometry = odometry * Pose2{3.3, 0.0, 0.01};
+    }
+    slam.step(i, odometry, seen(street(), pose));
+  }
+  const double odometry_error = (odometry.position() - pose.position()).norm();
+  EXPECT_LT((slam.best().pose.position() - pose.position()).norm(), odometry_error / 2.5);
+  for (std::size_t b = 0; b < 4; ++b) {
+    EXPECT_EQ(slam.refinedMap().buildings[b].shape, street().buildings[b].shape);
+  }
+}
+
+TEST(FastSlamPsom, AFixedBuildingStays) {
+  Map drawing = drawnWrong(street());
+  drawing.buildings[1].fixed = true;
+  FastSlamPsom slam(drawing, {}, few(), 3);
+  slam.step(0.0, {}, seen(street(), {}));
+  EXPECT_EQ(slam.refinedMap().buildings[1].shape, drawing.buildings[1].shape);
+  EXPECT_NE(slam.refinedMap().buildings[0].shape, drawing.buildings[0].shape);
+}
+
+TEST(FastSlamPsom, TheNumberOfThreadsChangesNothing) {
+  const std::string one = bytesOfRun(1);
+  EXPECT_EQ(one, bytesOfRun(2));
+  EXPECT_EQ(one, bytesOfRun(4));
+}
+
+TEST(FastSlamPsom, CancelledInsideAStepTheStateIsTheOneBefore) {
+  FastSlamPsom slam(drawnWrong(street()), {}, few(), 5);
+  slam.step(0.0, {}, seen(street(), {}));
+  const std::string before = bytesOf(slam);
+  std::stop_source stop;
+  std::atomic<int> calls = 0;
+  const bool done = slam.step(1.0, {4.0, 0.0, 0.0}, seen(street(), {4.0, 0.0, 0.0}),
+                              stop.get_token(), [&](double) {
+                                ++calls;
+                                stop.request_stop();
+                              });
+  EXPECT_FALSE(done);
+  EXPECT_GE(calls.load(), 1);
+  EXPECT_LT(calls.load(), 20);
+  EXPECT_EQ(bytesOf(slam), before);
+}
+
+TEST(FastSlamPsom, ParticlesInsideABuildingAreRefused) {
+  // The robot drives at a fixed wall: particles that the noise puts behind it must not survive.
+  Map drawing = street();
+  drawing.buildings.push_back(rectangle("E", 10.0, 0.0, 4.0, 10.0));
+  for (Building& building : drawing.buildings) building.fixed = true;
+  SlamOptions options = few();
+  options.slam_particles = 200;
+  options.resample_below = 1.1;
+  options.motion = {0.3, 0.0, 0.0, 0.0, 0.0};
+  FastSlamPsom slam(drawing, {}, options, 6);
+  slam.step(0.0, {}, seen(drawing, {}));
+  slam.step(1.0, {7.0, 0.0, 0.0}, seen(drawing, {7.0, 0.0, 0.0}));
+  const Polygon wall = drawing.buildings.back().footprint();
+  for (const Particle& particle : slam.particles()) {
+    EXPECT_FALSE(contains(wall, particle.pose.position())) << particle.pose.x;
+  }
+}
+
+TEST(FastSlamPsom, RefusesAMapWithoutBuildingsOrStart) {
+  EXPECT_THROW(FastSlamPsom(Map{}, {}, {}, 1), Error);
+  Map map = street();
+  map.start.reset();
+  EXPECT_THROW(FastSlamPsom(map, {}, {}, 1), Error);
+}
+
+TEST(Path, LongPathsAreReleasedWithoutRecursion) {
+  Path path;
+  for (int i = 0; i < 500000; ++i) path = path.extended({static_cast<double>(i), {}});
+  EXPECT_EQ(path.poses().size(), 500000U);
+}
+
+}  // namespace
+}  // namespace handmap
