@@ -1,0 +1,65 @@
+// The robot-centred grid of votes for walls (paper, II-B).
+#pragma once
+
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/perception/wall_points.h"
+
+namespace handmap {
+
+/// Square grid in the robot frame, robot at the centre; row = y, column = x; values 0 … 1.
+class LocalMap {
+ public:
+  LocalMap(double cell_m, double range_m);
+
+  double cell() const { return cell_; }
+  double range() const { return range_; }  ///< half the side, metres
+  const cv::Mat1f& cells() const { return cells_; }
+  cv::Mat1f& cells() { return cells_; }
+  int columnOf(double x) const { return static_cast<int>(std::floor((x + range_) / cell_)); }
+  /// Value of the cell around a point of the robot frame; 0 outside the grid.
+  float at(double x, double y) const {
+    const int column = columnOf(x);
+    const int row = columnOf(y);
+    if (column < 0 || row < 0 || column >= cells_.cols || row >= cells_.rows) return 0.0F;
+    return cells_(row, column);
+  }
+
+ private:
+  double cell_;
+  double range_;
+  cv::Mat1f cells_;
+};
+
+struct LocalMapOptions {
+  double cell_m = 0.1;
+  double smoothing_sigma_m = 0.2;  ///< Gaussian; so wide as the noise of near points
+  double saturation_votes = 3.0;   ///< a cell with this many votes is as sure as can be
+  double path_m = 30.0;            ///< a moving robot's map holds the points of its last metres
+};
+
+/// Collects wall points and renders the local map. A standing robot's map holds the points of that
+/// stop alone; a moving robot's those of its last metres, placed by odometry.
+class LocalMapBuilder {
+ public:
+  LocalMapBuilder(double range_m, const LocalMapOptions& options);
+
+  /// `walls` in the robot frame at `odometry`.
+  LocalMap add(const Pose2& odometry, bool standing, std::vector<WallPoint> walls);
+
+ private:
+  struct Scan {
+    Pose2 odometry;
+    double travelled_m;
+    std::vector<WallPoint> walls;
+  };
+  double range_;
+  LocalMapOptions options_;
+  std::deque<Scan> scans_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,46 @@
+#include "core/perception/perception.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/perception/stopwatch.h"
+
+namespace handmap {
+
+Perception::Perception(const SourceInfo& source, const PerceptionOptions& options)
+    : range_limit_m_(source.range_limit_m),
+      points_filter_(options.points),
+      builder_(source.range_limit_m, options.local_map) {
+  if (source.camera) stereo_.emplace(*source.camera, options.stereo);
+}
+
+Percept Perception::operator()(const Observation& observation) {
+  std::vector<WallPoint> walls;
+  StereoResult seen;
+  cv::Mat image;
+  double stereo_ms = 0.0;
+  double classify_ms = 0.0;
+  for (const View& view : observation.views) {
+    std::vector<WallPoint> found;
+    if (!view.left.empty() || !view.right.empty()) {
+      if (!stereo_) throwBadInput("observation", "images", "no camera calibration", "one");
+      seen = (*stereo_)(view.left, view.right, view.pan, range_limit_m_);
+      image = view.left;
+      stereo_ms += seen.stereo_ms;
+      classify_ms += seen.walls_ms;
+      found = std::move(seen.walls);
+    } else if (view.points) {
+      const Stopwatch stopwatch;
+      found = wallPoints(*view.points, range_limit_m_, points_filter_);
+      classify_ms += stopwatch.ms();
+    } else {
+      throwBadInput("observation", "view", "neither images nor points", "one of them");
+    }
+    walls.insert(walls.end(), found.begin(), found.end());
+  }
+  const Stopwatch stopwatch;
+  LocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
+  return {std::move(map), image, seen.disparity, stereo_ms, classify_ms, stopwatch.ms()};
+}
+
+}  // namespace handmap

@@ -1,0 +1,40 @@
+// From an observation to a local map: the pipeline of section II.
+#pragma once
+
+#include <optional>
+
+#include "core/perception/local_map.h"
+#include "core/perception/stereo_walls.h"
+
+namespace handmap {
+
+struct PerceptionOptions {
+  StereoOptions stereo;
+  WallFilter points;  ///< for range points
+  LocalMapOptions local_map;
+};
+
+struct Percept {
+  LocalMap local_map;
+  cv::Mat image;        ///< left image of the last view, empty without images
+  cv::Mat1f disparity;  ///< of the last view
+  double stereo_ms = 0.0;
+  double classify_ms = 0.0;
+  double local_map_ms = 0.0;
+};
+
+class Perception {
+ public:
+  Perception(const SourceInfo& source, const PerceptionOptions& options);
+
+  /// Throws BadInput for a view that cannot be used (sizes, channels): the frame is then skipped.
+  Percept operator()(const Observation& observation);
+
+ private:
+  double range_limit_m_;
+  WallFilter points_filter_;
+  std::optional<StereoWalls> stereo_;
+  LocalMapBuilder builder_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,219 @@
+#include "core/perception/stereo_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/perception/stopwatch.h"
+#include "core/perception/wall_columns.h"
+
+namespace handmap {
+namespace {
+
+constexpr double kNearest_m = 4.0;       ///< that near a wall should still be seen
+constexpr int kUniqueness_percent = 10;  ///< by which a match must beat the second best
+constexpr int kPreFilterCap = 31;
+constexpr int kTextureWindow_px = 9;
+constexpr float kMinTexture = 0.3F;
+constexpr int kMinSide_px = 32;
+constexpr float kUnknown = -1.0F;
+constexpr double kSureExtent_m = 2.0;  ///< a column with this extent has the whole weight
+
+void require(bool good, const std::string& place, const std::string& found,
+             const std::string& expected) {
+  if (!good) throwBadInput("stereo", place, found, expected);
+}
+
+void check(const StereoCamera& camera) {
+  const auto positive = [](double value, const char* what) {
+    require(std::isfinite(value) && value > 0.0, what, formatNumber(value), "a positive number");
+  };
+  positive(camera.fx, "focal length fx");
+  positive(camera.fy, "focal length fy");
+  positive(camera.baseline, "baseline");
+  for (const double value :
+       {camera.cx, camera.cy, camera.mount.x, camera.mount.y, camera.mount.z, camera.mount.yaw}) {
+    require(std::isfinite(value), "camera", formatNumber(value), "finite numbers");
+  }
+  require(std::abs(camera.mount.pitch) < toRadians(60.0), "camera mount",
+          formatNumber(toDegrees(camera.mount.pitch)) + "° of pitch", "less than 60°");
+}
+
+void check(const StereoOptions& options) {
+  require(options.scale > 0.0 && options.scale <= 1.0, "scale", formatNumber(options.scale),
+          "a number above 0, at most 1");
+  require(options.num_disparities >= 0 && options.num_disparities <= 512 &&
+              options.num_disparities % 16 == 0,
+          "num_disparities", std::to_string(options.num_disparities),
+          "a multiple of 16, at most 512");
+  require(options.block_size >= 1 && options.block_size <= 31 && options.block_size % 2 == 1,
+          "block_size", std::to_string(options.block_size), "an odd number, at most 31");
+}
+
+std::string describe(const cv::Mat& image) {
+  if (image.empty()) return "no image";
+  return std::to_string(image.cols) + "×" + std::to_string(image.rows) + ", " +
+         std::to_string(image.channels()) + " channels, " + std::to_string(8 * image.elemSize1()) +
+         " bits";
+}
+
+void check(const cv::Mat& left, const cv::Mat& right) {
+  for (const cv::Mat* image : {&left, &right}) {
+    require(!image->empty() && image->depth() == CV_8U &&
+                (image->channels() == 1 || image->channels() == 3),
+            image == &left ? "left image" : "right image", describe(*image),
+            "8 bits, one or three channels");
+  }
+  require(left.size() == right.size(), "right image", describe(right),
+          "the size of the left image: " + describe(left));
+}
+
+/// Mean step between neighbours in a row, grey levels. Where there is none, nothing can be matched
+/// and what the matcher says comes from elsewhere: sky, saturated walls.
+cv::Mat1f textureOf(const cv::Mat& image) {
+  cv::Mat steps;
+  cv::absdiff(image.colRange(1, image.cols), image.colRange(0, image.cols - 1), steps);
+  cv::copyMakeBorder(steps, steps, 0, 0, 1, 0, cv::BORDER_REPLICATE);
+  cv::Mat1f texture;
+  cv::boxFilter(steps, texture, CV_32F, {kTextureWindow_px, kTextureWindow_px});
+  return texture;
+}
+
+int disparitiesFor(const StereoCamera& reduced) {
+  const double nearest = reduced.fx * reduced.baseline / kNearest_m;
+  return 16 * static_cast<int>(std::clamp(std::ceil(nearest / 16.0), 1.0, 16.0));
+}
+
+}  // namespace
+
+struct StereoWalls::Matcher {
+  StereoCamera camera;
+  StereoOptions options;
+  cv::Ptr<cv::StereoSGBM> sgbm = cv::StereoSGBM::create();
+  cv::Mat left;
+  cv::Mat right;
+  cv::Mat1s sixteenths;
+
+  void prepare(const cv::Mat& image, cv::Size size, int padding, cv::Mat& prepared) const;
+  cv::Mat1f match(const cv::Mat& left_image, const cv::Mat& right_image, cv::Size size,
+                  int disparities);
+  std::vector<WallPoint> inRobotFrame(const std::vector<WallColumn>& columns,
+                                      const StereoCamera& reduced, double pan_rad,
+                                      double range_limit_m) const;
+};
+
+/// Grey, reduced, and padded on the left, or the search for large disparities would cost the view.
+void StereoWalls::Matcher::prepare(const cv::Mat& image, cv::Size size, int padding,
+                                   cv::Mat& prepared) const {
+  cv::Mat grey = image;
+  if (image.channels() == 3) cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  cv::Mat small = grey;
+  if (size != grey.size()) cv::resize(grey, small, size, 0.0, 0.0, cv::INTER_AREA);
+  cv::copyMakeBorder(small, prepared, 0, 0, padding, 0, cv::BORDER_REPLICATE);
+}
+
+cv::Mat1f StereoWalls::Matcher::match(const cv::Mat& left_image, const cv::Mat& right_image,
+                                      cv::Size size, int disparities) {
+  prepare(left_image, size, disparities, left);
+  prepare(right_image, size, disparities, right);
+  sgbm->setNumDisparities(disparities);
+  sgbm->compute(left, right, sixteenths);
+  const cv::Mat1f texture = textureOf(left);
+  cv::Mat1f disparity(size);
+  for (int row = 0; row < size.height; ++row) {
+    const short* in = sixteenths[row] + disparities;
+    const float* contrast = texture[row] + disparities;
+    float* out = disparity[row];
+    for (int column = 0; column < size.width; ++column) {
+      const float d = static_cast<float>(in[column]) / 16.0F;
+      // Farther left the match would lie in the padding.
+      const bool known =
+          d > 0.0F && d <= static_cast<float>(column) && contrast[column] >= kMinTexture;
+      out[column] = known ? d : kUnknown;
+    }
+  }
+  return disparity;
+}
+
+std::vector<WallPoint> StereoWalls::Matcher::inRobotFrame(const std::vector<WallColumn>& columns,
+                                                          const StereoCamera& reduced,
+                                                          double pan_rad,
+                                                          double range_limit_m) const {
+  const CameraMount& mount = reduced.mount;
+  const Pose2 placed{mount.x, mount.y, mount.yaw + pan_rad};
+  std::vector<WallPoint> walls;
+  walls.reserve(columns.size());
+  for (const WallColumn& column : columns) {
+    const double range = std::hypot(column.x, column.y);
+    // Along the ray, which is longer than the depth by the factor range / x.
+    const double sigma =
+        column.x * range * options.sigma_disparity / (reduced.fx * reduced.baseline);
+    const Vec2 point = placed.toOuter({column.x, column.y});
+    const double robot_range = point.norm();
+    if (sigma > options.max_sigma_m || robot_range > range_limit_m ||
+        robot_range < options.filter.min_range_m) {
+      continue;
+    }
+    walls.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
+                     static_cast<float>(sigma),
+                     static_cast<float>(std::min(1.0, column.extent_m / kSureExtent_m))});
+  }
+  return walls;
+}
+
+StereoWalls::StereoWalls(const StereoCamera& camera, const StereoOptions& options) {
+  check(camera);
+  check(options);
+  matcher_ = std::make_unique<Matcher>();
+  matcher_->camera = camera;
+  matcher_->options = options;
+  const int area = options.block_size * options.block_size;
+  cv::StereoSGBM& sgbm = *matcher_->sgbm;
+  sgbm.setMode(cv::StereoSGBM::MODE_SGBM_3WAY);
+  sgbm.setBlockSize(options.block_size);
+  sgbm.setP1(8 * area);
+  sgbm.setP2(32 * area);
+  sgbm.setPreFilterCap(kPreFilterCap);
+  sgbm.setUniquenessRatio(kUniqueness_percent);
+  sgbm.setDisp12MaxDiff(static_cast<int>(std::lround(options.left_right_px)));
+  sgbm.setSpeckleWindowSize(options.speckle_window);
+  sgbm.setSpeckleRange(static_cast<int>(std::lround(options.speckle_range)));
+}
+
+StereoWalls::~StereoWalls() = default;
+
+StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, double pan_rad,
+                                     double range_limit_m) {
+  check(left, right);
+  const StereoOptions& options = matcher_->options;
+  const cv::Size size(static_cast<int>(std::lround(left.cols * options.scale)),
+                      static_cast<int>(std::lround(left.rows * options.scale)));
+  require(std::min(size.width, size.height) >= kMinSide_px, "left image", describe(left),
+          "at least " + std::to_string(kMinSide_px) + " pixels a side at the reduced size");
+  const StereoCamera reduced =
+      reducedCamera(matcher_->camera, static_cast<double>(left.cols) / size.width,
+                    static_cast<double>(left.rows) / size.height);
+
+  StereoResult result;
+  const Stopwatch matching;
+  result.disparity = matcher_->match(
+      left, right, size,
+      options.num_disparities > 0 ? options.num_disparities : disparitiesFor(reduced));
+  result.stereo_ms = matching.ms();
+
+  const Stopwatch rest;
+  const CameraRays rays(reduced, size);
+  const GroundPlane ground = fitGround(result.disparity, reduced, rays);
+  const std::vector<WallColumn> columns =
+      wallColumns(result.disparity, reduced, rays, ground, options.filter, range_limit_m);
+  result.walls = matcher_->inRobotFrame(columns, reduced, pan_rad, range_limit_m);
+  result.walls_ms = rest.ms();
+  return result;
+}
+
+}  // namespace handmap

@@ -1,0 +1,51 @@
+// Rectified stereo pairs to points on walls (paper, II-A without the classifier).
+#pragma once
+
+#include <memory>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/perception/wall_points.h"
+
+namespace handmap {
+
+struct StereoOptions {
+  double scale = 0.5;             ///< images are reduced by this before matching
+  int num_disparities = 0;        ///< at the reduced size, a multiple of 16; 0: to see 4 m
+  int block_size = 7;             ///< odd
+  double left_right_px = 1.0;     ///< consistency, at the reduced size; rounded, at least 1
+  int speckle_window = 100;       ///< pixels
+  double speckle_range = 1.0;     ///< pixels of disparity
+  double sigma_disparity = 0.25;  ///< σ_d at the reduced size, pixels: σ_z = z² σ_d / (f B)
+  double max_sigma_m = 1.0;       ///< points noisier than this are dropped
+  WallFilter filter;
+};
+
+/// What one pair gave, for the panel and for pictures.
+struct StereoResult {
+  cv::Mat1f disparity;  ///< pixels at the reduced size; < 0 where unknown
+  std::vector<WallPoint> walls;
+  double stereo_ms = 0.0;  ///< matching
+  double walls_ms = 0.0;   ///< the rest
+};
+
+/// cv::StereoSGBM with left-right check and speckle filter, then per image column the vertical
+/// extent over disparity. Holds buffers: one object a thread.
+class StereoWalls {
+ public:
+  /// Throws BadInput for a camera or options that cannot be.
+  StereoWalls(const StereoCamera& camera, const StereoOptions& options);
+  ~StereoWalls();
+  StereoWalls(const StereoWalls&) = delete;
+  StereoWalls& operator=(const StereoWalls&) = delete;
+
+  /// Left and right: 8 bit, one or three channels, of one size. Throws BadInput otherwise.
+  StereoResult operator()(const cv::Mat& left, const cv::Mat& right, double pan_rad,
+                          double range_limit_m);
+
+ private:
+  struct Matcher;
+  std::unique_ptr<Matcher> matcher_;
+};
+
+}  // namespace handmap
