@@ -1,0 +1,84 @@
+#include "core/perception/perception.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/base/expect_error.h"
+#include "tests/core/perception/rendered_scene.h"
+
+namespace handmap {
+namespace {
+
+using test::expectBadInput;
+using test::render;
+using test::streetCamera;
+
+Observation observed(std::vector<View> views) {
+  Observation observation;
+  observation.views = std::move(views);
+  return observation;
+}
+
+View pointsView(std::vector<RangePoint> points) {
+  View view;
+  view.points = std::move(points);
+  return view;
+}
+
+View imageView(const test::Scene& scene, double pan) {
+  const test::StereoPair pair = render(scene, streetCamera(), pan);
+  View view;
+  view.pan = pan;
+  view.left = pair.left;
+  view.right = pair.right;
+  return view;
+}
+
+TEST(Perception, MapsRangePoints) {
+  Perception perception(SourceInfo{}, {});
+  const Percept percept = perception(
+      observed({pointsView({{5.05F, 1.05F, 0, 1}}), pointsView({{-4.05F, 0.05F, 0, 1}})}));
+  EXPECT_GT(percept.local_map.at(5.05, 1.05), 0.0F);
+  EXPECT_GT(percept.local_map.at(-4.05, 0.05), 0.0F);
+  EXPECT_EQ(percept.local_map.range(), 40.0);
+  EXPECT_TRUE(percept.image.empty());
+  EXPECT_TRUE(percept.disparity.empty());
+  EXPECT_EQ(percept.stereo_ms, 0.0);
+  EXPECT_GT(percept.local_map_ms, 0.0);
+}
+
+TEST(Perception, APanoramaIsOneMap) {
+  SourceInfo source;
+  source.camera = streetCamera();
+  Perception perception(source, {});
+  const test::Scene scene{{{{{-3, 9}, {3, 9}}, 6.0}, {{{-3, -9}, {3, -9}}, 6.0}}, 0.0};
+  Observation observation =
+      observed({imageView(scene, toRadians(90.0)), imageView(scene, toRadians(-90.0))});
+  observation.standing = true;
+  const Percept percept = perception(observation);
+  for (const double y : {-9.0, 9.0}) {
+    float best = 0.0F;
+    for (double d = -0.3; d <= 0.3; d += 0.1) {
+      best = std::max(best, percept.local_map.at(0.0, y + d));
+    }
+    EXPECT_GT(best, 0.2F) << "wall at y = " << y;
+  }
+  EXPECT_EQ(percept.image.data, observation.views.back().left.data);
+  EXPECT_EQ(percept.disparity.cols, 621);
+  EXPECT_GT(percept.stereo_ms, 0.0);
+  EXPECT_GT(percept.classify_ms, 0.0);
+}
+
+TEST(Perception, RefusesViewsThatCannotBeUsed) {
+  Perception perception(SourceInfo{}, {});
+  expectBadInput([&] { perception(observed({View{}})); }, {"view", "neither"});
+  View images;
+  images.left = images.right = cv::Mat(375, 1242, CV_8UC1, cv::Scalar(0));
+  expectBadInput([&] { perception(observed({images})); }, {"images", "calibration"});
+  SourceInfo source;
+  source.camera = streetCamera();
+  images.right = cv::Mat();
+  expectBadInput([&] { Perception(source, {})(observed({images})); }, {"right image"});
+}
+
+}  // namespace
+}  // namespace handmap
