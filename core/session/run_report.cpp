@@ -1,0 +1,95 @@
+#include "core/session/run_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handmap {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json settingsJson(const RunSettings& settings) {
+  const SlamOptions& slam = settings.slam;
+  const StereoOptions& stereo = settings.perception.stereo;
+  const LocalMapOptions& local_map = settings.perception.local_map;
+  return {
+      {"method", slam.refine ? "paper" : "localization"},
+      {"slam_particles", slam.slam_particles},
+      {"pso_particles", slam.pso_particles},
+      {"pso_iterations", slam.pso_iterations},
+      {"inertia", slam.inertia},
+      {"cognitive", slam.cognitive},
+      {"social", slam.social},
+      {"effective_ratio", slam.effective_ratio == EffectiveRatio::ToAll ? "to-all" : "to-zero"},
+      {"resample_below", slam.resample_below},
+      {"motion",
+       {{"length_per_m", slam.motion.length_per_m},
+        {"heading_per_m", slam.motion.heading_per_m},
+        {"heading_per_rad", slam.motion.heading_per_rad},
+        {"min_length_m", slam.motion.min_length_m},
+        {"min_heading_rad", slam.motion.min_heading_rad}}},
+      {"stereo",
+       {{"scale", stereo.scale},
+        {"num_disparities", stereo.num_disparities},
+        {"block_size", stereo.block_size},
+        {"sigma_disparity", stereo.sigma_disparity}}},
+      {"local_map",
+       {{"cell_m", local_map.cell_m},
+        {"smoothing_sigma_m", local_map.smoothing_sigma_m},
+        {"saturation_votes", local_map.saturation_votes},
+        {"path_m", local_map.path_m}}},
+  };
+}
+
+Json frameJson(const FrameReport& frame) {
+  const StageTimes& ms = frame.ms;
+  return {{"frame", frame.frame},
+          {"time_s", frame.time_s},
+          {"ms",
+           {{"read", ms.read},
+            {"stereo", ms.stereo},
+            {"classify", ms.classify},
+            {"local_map", ms.local_map},
+            {"slam", ms.slam},
+            {"total", ms.total}}},
+          {"effective_sample_size", frame.effective_sample_size},
+          {"visible_buildings", frame.visible_buildings},
+          {"pose", {frame.pose.x, frame.pose.y, frame.pose.heading}},
+          {"pose_sigma", frame.pose_sigma}};
+}
+
+}  // namespace
+
+std::string refinementJson(const RunSettings& settings, const SourceInfo& source,
+                           const std::vector<FrameReport>& frames) {
+  return Json{{"program", "handmap " HANDMAP_VERSION},
+              {"recording", source.name},
+              {"seed", settings.seed},
+              {"first_frame", frames.empty() ? 0 : frames.front().frame},
+              {"last_frame", frames.empty() ? 0 : frames.back().frame},
+              {"observations", frames.size()},
+              {"settings", settingsJson(settings)}}
+      .dump();
+}
+
+std::string runReportJson(const RunSettings& settings, const SourceInfo& source,
+                          const std::vector<FrameReport>& frames,
+                          const std::vector<SkippedFrame>& skipped, double wall_s,
+                          double peak_memory_mb) {
+  Json report{{"program", "handmap " HANDMAP_VERSION},
+              {"recording", source.name},
+              {"settings", settingsJson(settings)},
+              {"wall_s", wall_s},
+              {"peak_memory_mb", peak_memory_mb},
+              {"skipped", Json::array()},
+              {"frames", Json::array()}};
+  report["settings"]["seed"] = settings.seed;
+  report["settings"]["threads"] = settings.threads;
+  for (const SkippedFrame& frame : skipped) {
+    report["skipped"].push_back({{"frame", frame.frame}, {"reason", frame.reason}});
+  }
+  for (const FrameReport& frame : frames) report["frames"].push_back(frameJson(frame));
+  return report.dump(1) + "\n";
+}
+
+}  // namespace handmap

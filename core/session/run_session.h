@@ -1,0 +1,61 @@
+// One run: a drawing, a source and settings in; snapshots, a refined map and a report out. The
+// same for handmap-cli, the worker of the desktop program and the tests.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/localization/slam_options.h"
+#include "core/perception/perception.h"
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+struct RunSettings {
+  SlamOptions slam;
+  PerceptionOptions perception;
+  std::uint64_t seed = 1;
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+struct SkippedFrame {
+  int frame;
+  std::string reason;
+};
+
+class RunSession {
+ public:
+  /// Throws BadInput for a map without buildings or without a start pose.
+  RunSession(Map drawing, std::unique_ptr<ObservationSource> source, RunSettings settings);
+  ~RunSession();
+  RunSession(const RunSession&) = delete;
+  RunSession& operator=(const RunSession&) = delete;
+
+  const SourceInfo& source() const;
+
+  /// Takes the next observation that can be read and works it in. nullptr at the end of the source
+  /// and when `stop` was requested: the observation is then dropped and the state is the one
+  /// before it. `progress` is told the share done of the step, 0 … 1, from this thread.
+  std::shared_ptr<const Snapshot> step(std::stop_token stop = {},
+                                       const std::function<void(double)>& progress = {});
+
+  const std::vector<SkippedFrame>& skipped() const;
+  const std::vector<FrameReport>& frames() const;
+
+  /// The best map with estimates and the "refinement" object: enough to make it again.
+  Map refinedMap() const;
+  std::vector<StampedPose> trajectory() const;
+  /// FORMATS 3, --report.
+  std::string reportJson() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace handmap

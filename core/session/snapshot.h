@@ -1,0 +1,54 @@
+// What a run shows after an observation. Immutable once made; shared between threads.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/map/map.h"
+#include "core/perception/local_map.h"
+#include "core/recording/trajectory.h"
+
+namespace handmap {
+
+struct ParticleView {
+  Pose2 pose;
+  double weight = 0.0;  ///< normalized: the sum over the particles is 1
+};
+
+/// Milliseconds of one observation, by stage; the same stages as in --report.
+struct StageTimes {
+  double read = 0.0;
+  double stereo = 0.0;
+  double classify = 0.0;
+  double local_map = 0.0;
+  double slam = 0.0;
+  double total = 0.0;
+};
+
+struct FrameReport {
+  int frame = 0;
+  double time_s = 0.0;
+  StageTimes ms;
+  double effective_sample_size = 0.0;
+  int visible_buildings = 0;
+  Pose2 pose;
+  std::array<double, 3> pose_sigma{};  ///< x, y in metres, heading in radians
+};
+
+struct Snapshot {
+  int index = 0;  ///< observations done
+  int count = 0;  ///< observations in all
+  FrameReport report;
+  std::vector<ParticleView> particles;
+  Map map;  ///< best so far; every refined building has its estimate
+  std::shared_ptr<const std::vector<StampedPose>> trajectory;  ///< best so far, map frame
+  std::shared_ptr<const std::vector<StampedPose>> odometry;    ///< alone, from the same start
+  std::optional<Pose2> truth;  ///< for drawing; never read by the estimator
+  std::shared_ptr<const LocalMap> local_map;  ///< around report.pose
+  cv::Mat image;        ///< left image, not to be written to; empty without a camera
+  cv::Mat1f disparity;  ///< the same
+};
+
+}  // namespace handmap

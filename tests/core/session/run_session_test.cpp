@@ -1,0 +1,172 @@
+#include "core/session/run_session.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/map/map_io.h"
+
+namespace handmap {
+namespace {
+
+Map street() {
+  Map map;
+  map.start = Pose2{0.0, 0.0, 0.0};
+  Building north;
+  north.id = "N";
+  north.shape = Rectangle{{10.0, 14.0}, 20.0, 10.0, 0.0};
+  Building south = north;
+  south.id = "S";
+  south.shape = Rectangle{{12.0, -14.0}, 18.0, 10.0, 0.0};
+  map.buildings = {north, south};
+  return map;
+}
+
+/// The two fronts as planar range points, one observation every 2 m; chosen frames are broken.
+class FrontsSource : public ObservationSource {
+ public:
+  explicit FrontsSource(int count, std::vector<int> unreadable = {}, std::vector<int> unusable = {})
+      : unreadable_(std::move(unreadable)), unusable_(std::move(unusable)) {
+    info_.name = "fronts";
+    info_.observations = count;
+    for (int i = 0; i < count; ++i) info_.truth.push_back({static_cast<double>(i), poseAt(i)});
+  }
+
+  const SourceInfo& info() const override { return info_; }
+
+  std::optional<Observation> next() override {
+    if (next_ == info_.observations) return std::nullopt;
+    const int frame = next_++;
+    if (isIn(unreadable_, frame)) throw FrameError(frame, "points/000.bin: no such file");
+    Observation observation;
+    observation.frame = frame;
+    observation.time_s = frame;
+    observation.standing = true;
+    observation.odometry = poseAt(frame);
+    observation.views.resize(1);
+    // Images without a camera cannot be used.
+    if (isIn(unusable_, frame)) {
+      observation.views[0].left = cv::Mat1b::zeros(10, 10);
+      observation.views[0].right = cv::Mat1b::zeros(10, 10);
+      return observation;
+    }
+    auto& points = observation.views[0].points.emplace();
+    for (float x = 0.0F; x < 20.0F; x += 0.05F) {
+      points.push_back({x - 2.0F * static_cast<float>(frame), 8.5F, 1.0F, 1.0F});
+      points.push_back({x - 2.0F * static_cast<float>(frame), -9.5F, 1.0F, 1.0F});
+    }
+    return observation;
+  }
+
+ private:
+  static Pose2 poseAt(int frame) { return {2.0 * frame, 0.0, 0.0}; }
+  static bool isIn(const std::vector<int>& frames, int frame) {
+    return std::find(frames.begin(), frames.end(), frame) != frames.end();
+  }
+
+  SourceInfo info_;
+  std::vector<int> unreadable_;
+  std::vector<int> unusable_;
+  int next_ = 0;
+};
+
+RunSettings settings(int threads = 1) {
+  RunSettings settings;
+  settings.slam.slam_particles = 12;
+  settings.threads = threads;
+  return settings;
+}
+
+TEST(RunSession, StreamsSnapshotsAndEnds) {
+  RunSession session(street(), std::make_unique<FrontsSource>(4), settings());
+  std::vector<double> progress;
+  for (int i = 1; i <= 4; ++i) {
+    const auto snapshot = session.step({}, [&](double share) { progress.push_back(share); });
+    ASSERT_TRUE(snapshot);
+    EXPECT_EQ(snapshot->index, i);
+    EXPECT_EQ(snapshot->count, 4);
+    EXPECT_EQ(snapshot->particles.size(), 12U);
+    EXPECT_EQ(snapshot->trajectory->size(), static_cast<std::size_t>(i));
+    EXPECT_EQ(snapshot->odometry->size(), static_cast<std::size_t>(i));
+    ASSERT_TRUE(snapshot->truth);
+    EXPECT_EQ(snapshot->truth->x, 2.0 * (i - 1));
+    EXPECT_GT(snapshot->report.ms.total, 0.0);
+  }
+  EXPECT_EQ(progress.back(), 1.0);
+  EXPECT_FALSE(session.step());
+  // The fronts are 0.5 m nearer than drawn.
+  const Map refined = session.refinedMap();
+  EXPECT_NEAR(refined.buildings[0].box().centre.y(), 13.5, 0.3);
+  EXPECT_NEAR(refined.buildings[1].box().centre.y(), -14.5, 0.3);
+}
+
+TEST(RunSession, BadFramesAreReportedAndSkipped) {
+  RunSession session(street(), std::make_unique<FrontsSource>(5, std::vector{1}, std::vector{3}),
+                     settings());
+  int steps = 0;
+  while (session.step()) ++steps;
+  EXPECT_EQ(steps, 3);
+  ASSERT_EQ(session.skipped().size(), 2U);
+  EXPECT_EQ(session.skipped()[0].frame, 1);
+  EXPECT_EQ(session.skipped()[0].reason, "points/000.bin: no such file");
+  EXPECT_EQ(session.skipped()[1].frame, 3);
+  const auto report = nlohmann::json::parse(session.reportJson());
+  EXPECT_EQ(report["skipped"].size(), 2U);
+  EXPECT_EQ(report["frames"].size(), 3U);
+}
+
+TEST(RunSession, FailsWhenNoFrameCanBeRead) {
+  RunSession session(street(), std::make_unique<FrontsSource>(2, std::vector{0, 1}), settings());
+  try {
+    session.step();
+    FAIL() << "did not throw";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::RunFailed);
+    EXPECT_NE(std::string(error.what()).find("points/000.bin"), std::string::npos);
+  }
+}
+
+TEST(RunSession, RefusesAMapThatCannotBeRunOn) {
+  EXPECT_THROW(RunSession({}, std::make_unique<FrontsSource>(2), settings()), Error);
+}
+
+TEST(RunSession, AStopRequestEndsTheStep) {
+  RunSession session(street(), std::make_unique<FrontsSource>(3), settings());
+  ASSERT_TRUE(session.step());
+  std::stop_source stop;
+  EXPECT_FALSE(session.step(stop.get_token(), [&](double) { stop.request_stop(); }));
+  EXPECT_EQ(session.frames().size(), 1U);
+}
+
+TEST(RunSession, SameSeedSameBytesOnAnyNumberOfThreads) {
+  const auto bytes = [](int threads) {
+    RunSession session(street(), std::make_unique<FrontsSource>(4), settings(threads));
+    while (session.step()) {
+    }
+    return formatMap(session.refinedMap()) + formatTum(session.trajectory());
+  };
+  const std::string one = bytes(1);
+  EXPECT_EQ(one, bytes(2));
+  EXPECT_EQ(one, bytes(1));
+}
+
+TEST(RunSession, ReportHasWhatTheFormatSays) {
+  RunSession session(street(), std::make_unique<FrontsSource>(2), settings());
+  while (session.step()) {
+  }
+  const auto report = nlohmann::json::parse(session.reportJson());
+  for (const char* key : {"program", "settings", "wall_s", "peak_memory_mb", "skipped", "frames"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  const auto& frame = report["frames"][0];
+  for (const char* key : {"frame", "time_s", "ms", "effective_sample_size", "visible_buildings",
+                          "pose", "pose_sigma"}) {
+    EXPECT_TRUE(frame.contains(key)) << key;
+  }
+  for (const char* key : {"read", "stereo", "classify", "local_map", "slam", "total"}) {
+    EXPECT_TRUE(frame["ms"].contains(key)) << key;
+  }
+}
+
+}  // namespace
+}  // namespace handmap
