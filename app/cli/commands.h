@@ -1,0 +1,19 @@
+// The commands of handmap-cli. Each declares its options; one a file.
+#pragma once
+
+#include <functional>
+
+#include <CLI/App.hpp>
+
+namespace handmap {
+
+/// What the command line asked for; gives the exit status.
+using ChosenCommand = std::function<int()>;
+
+void addRunCommand(CLI::App& app, ChosenCommand& chosen);
+void addSimulateCommand(CLI::App& app, ChosenCommand& chosen);
+void addPerturbCommand(CLI::App& app, ChosenCommand& chosen);
+void addCompareCommand(CLI::App& app, ChosenCommand& chosen);
+void addValidateCommand(CLI::App& app, ChosenCommand& chosen);
+
+}  // namespace handmap

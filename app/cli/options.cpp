@@ -1,0 +1,68 @@
+#include "app/cli/options.h"
+
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace handmap {
+
+namespace fs = std::filesystem;
+
+CLI::Validator inRange(double low, double high) {
+  const std::string range = fmt::format("{} to {}", low, high);
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        const std::optional<double> value = parseFinite(text);
+        if (value && *value >= low && *value <= high) return {};
+        return fmt::format("found {}, expected a number from {}", text, range);
+      },
+      range);
+}
+
+CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text) {
+  const auto check = [](const std::string& word) -> std::string {
+    const bool whole = word.find_first_not_of("0123456789") == std::string::npos;
+    return whole ? "" : fmt::format("found {}, expected a whole number from 0", word);
+  };
+  return command.add_option("--seed", seed, fmt::format("{} (default {})", text, seed))
+      ->check(CLI::Validator(check, "N"))
+      ->option_text("N");
+}
+
+void checkOutputFiles(const std::vector<std::string>& outputs,
+                      const std::vector<std::string>& inputs) {
+  std::error_code error;
+  std::set<fs::path> taken;
+  for (const std::string& path : outputs) {
+    if (path.empty()) continue;
+    const auto refuse = [&](const std::string& reason) {
+      throw Error(ErrorCode::Usage, fmt::format("{}: cannot be written: {}", path, reason));
+    };
+    const fs::path folder = fs::absolute(path).parent_path();
+    if (!fs::is_directory(folder, error)) refuse("no such folder");
+    if (fs::is_directory(path, error)) refuse("it is a folder");
+    if (access(folder.c_str(), W_OK) != 0) refuse("no permission to write to the folder");
+    for (const std::string& input : inputs) {
+      if (fs::equivalent(path, input, error)) refuse("it is an input, and inputs are kept");
+    }
+    if (!taken.insert(fs::weakly_canonical(fs::absolute(path), error)).second) {
+      refuse("another output goes there");
+    }
+  }
+}
+
+void checkOutputFolder(const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return;
+  if (fs::is_directory(path, error) && fs::is_empty(path, error)) return;
+  throw Error(
+      ErrorCode::Usage,
+      fmt::format("{}: found something there, expected a new folder or an empty one", path));
+}
+
+}  // namespace handmap

@@ -1,0 +1,62 @@
+// Kinds of options that CLI11 does not have, and checks of outputs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+
+namespace handmap {
+
+/// A finite number within the bounds, in C notation whatever the locale.
+CLI::Validator inRange(double low, double high);
+
+/// An option that takes such a number. The help tells the bounds and the default, which is the
+/// value now (none for a std::optional).
+template <typename Number>
+CLI::Option* addNumber(CLI::App& command, const std::string& name, Number& value, double low,
+                       double high, const std::string& text) {
+  std::string range = fmt::format("{} to {}", low, high);
+  if constexpr (std::is_arithmetic_v<Number>) range += fmt::format(", default {}", value);
+  return command.add_option(name, value, fmt::format("{} ({})", text, range))
+      ->check(inRange(low, high))
+      ->option_text("N");
+}
+
+/// --seed.
+CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text);
+
+/// An option that takes one of some words. The help tells the default, which is the value now.
+template <typename Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& value,
+                       const std::vector<std::pair<std::string, Value>>& choices,
+                       const std::string& text) {
+  std::string words;
+  std::string now;
+  for (const auto& [word, meaning] : choices) {
+    words += (words.empty() ? "" : "|") + word;
+    if (meaning == value) now = word;
+  }
+  const auto choose = [=, &value](const std::string& word) {
+    for (const auto& [known, meaning] : choices) {
+      if (word == known) return void(value = meaning);
+    }
+    throw CLI::ValidationError(name, fmt::format("found {}, expected {}", word, words));
+  };
+  return command
+      .add_option_function<std::string>(name, choose, fmt::format("{} (default {})", text, now))
+      ->option_text(words);
+}
+
+/// Throws Usage, before any work is done, where an output could not be written: no folder there, no
+/// permission, two to one place, or over an input. Empty paths are fine.
+void checkOutputFiles(const std::vector<std::string>& outputs,
+                      const std::vector<std::string>& inputs);
+/// The same for a folder that is to be filled: it must be new or empty.
+void checkOutputFolder(const std::string& path);
+
+}  // namespace handmap

@@ -1,0 +1,44 @@
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "core/map/map_io.h"
+#include "core/simulation/world.h"
+
+namespace handmap {
+
+namespace {
+
+struct PerturbArguments {
+  std::string map;
+  std::optional<double> sigma_m;
+  std::uint64_t seed = 1;
+  std::string out;
+};
+
+int perturb(const PerturbArguments& arguments) {
+  checkOutputFiles({arguments.out}, {arguments.map});
+  writeMap(perturbed(readMap(arguments.map), *arguments.sigma_m, arguments.seed), arguments.out);
+  return 0;
+}
+
+}  // namespace
+
+void addPerturbCommand(CLI::App& app, ChosenCommand& chosen) {
+  const auto arguments = std::make_shared<PerturbArguments>();
+  PerturbArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand("perturb", "Make a map as one would remember it");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return perturb(*arguments); }; });
+  command->add_option("--map", a.map, "The true map (required)")
+      ->required()
+      ->option_text("TRUTH.handmap");
+  addNumber(*command, "--sigma", a.sigma_m, 0.01, 1000,
+            "Error of centres and sizes, metres, required")
+      ->required();
+  addSeed(*command, a.seed, "Of the random numbers");
+  command->add_option("--out", a.out, "The sketch (required)")
+      ->required()
+      ->option_text("SKETCH.handmap");
+}
+
+}  // namespace handmap

@@ -1,0 +1,144 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/options.h"
+#include "app/cli/progress.h"
+#include "app/cli/run_summary.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/map/map_io.h"
+#include "core/recording/recording.h"
+#include "core/session/run_session.h"
+
+namespace handmap {
+
+namespace {
+
+enum class Method { Paper, Handmap };
+
+struct RunArguments {
+  std::string map;
+  std::string recording;
+  ReplayOptions replay;
+  std::string odometry;
+  Method method = Method::Paper;
+  RunSettings settings;
+  bool localize_only = false;
+  std::string out;
+  std::string trajectory;
+  std::string report;
+};
+
+void check(const RunArguments& arguments) {
+  if (arguments.method == Method::Handmap) {
+    throw Error(ErrorCode::Usage, "--method handmap: not in this version",
+                "--method paper, the default");
+  }
+  if (arguments.replay.to && *arguments.replay.to < arguments.replay.from) {
+    throw Error(ErrorCode::Usage, fmt::format("--to: found {}, expected {} (--from) or more",
+                                              *arguments.replay.to, arguments.replay.from));
+  }
+  checkOutputFiles({arguments.out, arguments.trajectory, arguments.report},
+                   {arguments.map, arguments.odometry});
+}
+
+Map readDrawing(const std::string& path) {
+  Map drawing = readMap(path);
+  if (drawing.buildings.empty()) throwBadInput(path, "buildings", "none", "at least one");
+  if (!drawing.start) throwBadInput(path, "start", "none", "where the robot starts");
+  return drawing;
+}
+
+/// Returns whether the run came to its end.
+bool runToEnd(RunSession& session, const Interrupt& interrupt) {
+  Progress progress(session.source().observations);
+  std::size_t skipped = 0;
+  const auto done = [&] {
+    return static_cast<int>(session.frames().size() + session.skipped().size());
+  };
+  for (bool more = true; more;) {
+    const int before = done();
+    more = session.step(interrupt.token(), [&](double share) { progress.update(before, share); }) !=
+           nullptr;
+    for (; skipped < session.skipped().size(); ++skipped) {
+      const SkippedFrame& frame = session.skipped()[skipped];
+      progress.message(fmt::format("frame {} skipped: {}", frame.frame, frame.reason));
+    }
+  }
+  progress.finish(done());
+  if (!interrupt.requested()) return true;
+  progress.message("interrupted, nothing written");
+  return false;
+}
+
+void writeOutputs(const RunArguments& arguments, const RunSession& session) {
+  if (!arguments.out.empty()) writeMap(session.refinedMap(), arguments.out);
+  if (!arguments.trajectory.empty()) {
+    writeFileAtomically(arguments.trajectory, formatTum(session.trajectory()));
+  }
+  if (!arguments.report.empty()) writeFileAtomically(arguments.report, session.reportJson());
+}
+
+int run(RunArguments arguments) {
+  check(arguments);
+  arguments.replay.odometry = arguments.odometry;
+  arguments.settings.slam.refine = !arguments.localize_only;
+  Map drawing = readDrawing(arguments.map);
+  auto source = replay(openRecording(arguments.recording), arguments.replay);
+
+  const Interrupt interrupt;
+  RunSession session(std::move(drawing), std::move(source), arguments.settings);
+  if (!runToEnd(session, interrupt)) return Interrupt::kExitStatus;
+  writeOutputs(arguments, session);
+  fmt::print("{}", runSummary(session));
+  return 0;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
+  const auto arguments = std::make_shared<RunArguments>();
+  RunArguments& a = *arguments;
+  SlamOptions& slam = a.settings.slam;
+  CLI::App* command = app.add_subcommand("run", "Localize a recording on a drawing and correct it");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+
+  constexpr double kLastFrame = 2147483647;
+  command->add_option("--map", a.map, "The drawing (required)")
+      ->required()
+      ->option_text("M.handmap");
+  command->add_option("--recording", a.recording, "What the robot met (required)")
+      ->required()
+      ->option_text("DIR");
+  addNumber(*command, "--from", a.replay.from, 0, kLastFrame, "First frame number");
+  addNumber(*command, "--to", a.replay.to, 0, kLastFrame, "Last frame number");
+  addNumber(*command, "--every", a.replay.every, 1, 1e6, "Take each Nth observation of the source");
+  addChoice(
+      *command, "--source", a.replay.kind,
+      {{"auto", SourceKind::Auto}, {"images", SourceKind::Images}, {"points", SourceKind::Points}},
+      "What to see with; auto takes images where there are any");
+  command->add_option("--odometry", a.odometry, "In place of the recording's own")
+      ->option_text("FILE.tum");
+  addChoice(*command, "--method", a.method,
+            {{"paper", Method::Paper}, {"handmap", Method::Handmap}},
+            "The published FastSLAM/PSOM (paper) or ours (handmap)");
+  addNumber(*command, "--slam-particles", slam.slam_particles, 1, 1e5,
+            "Hypotheses of pose and map");
+  addNumber(*command, "--pso-particles", slam.pso_particles, 1, 1e4, "Swarm of a building");
+  addNumber(*command, "--pso-iterations", slam.pso_iterations, 0, 1e4, "At most, a frame");
+  addChoice(*command, "--effective-ratio", slam.effective_ratio,
+            {{"to-all", EffectiveRatio::ToAll}, {"to-zero", EffectiveRatio::ToZero}},
+            "Hit cells of a wall against all, or against those not hit");
+  command->add_flag("--localize-only", a.localize_only, "Leave the buildings as they are drawn");
+  addSeed(*command, a.settings.seed, "Of the random numbers");
+  addNumber(*command, "--threads", a.settings.threads, 0, 1024,
+            "0 for all; the result is the same");
+  command->add_option("--out", a.out, "The corrected map")->option_text("refined.handmap");
+  command->add_option("--trajectory", a.trajectory, "Where the robot was")->option_text("out.tum");
+  command->add_option("--report", a.report, "Times and figures a frame")
+      ->option_text("report.json");
+}
+
+}  // namespace handmap

@@ -1,0 +1,13 @@
+// The result of a run in words.
+#pragma once
+
+#include <string>
+
+#include "core/session/run_session.h"
+
+namespace handmap {
+
+/// The last pose and a row a building; equal runs give equal bytes.
+std::string runSummary(const RunSession& session);
+
+}  // namespace handmap

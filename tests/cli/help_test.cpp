@@ -1,0 +1,34 @@
+#include "tests/cli/program.h"
+
+namespace handmap {
+namespace {
+
+using Help = CliTest;
+
+TEST_F(Help, TellsTheVersion) { expectDone(run({"--version"}), "handmap-cli 0.1.0\n"); }
+
+TEST_F(Help, OfTheProgramAndOfEveryCommand) {
+  const std::filesystem::path expected = HANDMAP_CLI_EXPECTED;
+  expectDone(run({"--help"}), contentOf(expected / "help.txt"));
+  for (const std::string command : {"run", "simulate", "perturb", "compare", "validate"}) {
+    expectDone(run({command, "--help"}), contentOf(expected / ("help-" + command + ".txt")));
+  }
+}
+
+TEST_F(Help, IsPointedToAfterWrongUsage) {
+  expectFailed(run({}), 1,
+               "handmap-cli: error: A subcommand is required\n"
+               "hint: handmap-cli --help\n");
+  expectFailed(run({"fly"}), 1,
+               "handmap-cli: error: A subcommand is required\n"
+               "hint: handmap-cli --help\n");
+  expectFailed(run({"run"}), 1,
+               "handmap-cli: error: --map is required\n"
+               "hint: handmap-cli run --help\n");
+  expectFailed(run({"validate", "row-truth.handmap", "--fast"}), 1,
+               "handmap-cli: error: The following argument was not expected: --fast\n"
+               "hint: handmap-cli validate --help\n");
+}
+
+}  // namespace
+}  // namespace handmap

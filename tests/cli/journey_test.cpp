@@ -1,0 +1,159 @@
+// From a world to its corrected map.
+#include <csignal>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace handmap {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Journey : public CliTest {
+ protected:
+  /// Sets out in the two-row world of seed 1.
+  Journey() {
+    expectDone(run({"simulate", "--seed", "1", "--sigma", "3", "--out", "rec"}),
+               "rec: 40 observations, truth.handmap and sketch.handmap of 6 buildings\n");
+  }
+
+  static std::vector<std::string> slam(std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "--map", "rec/sketch.handmap", "--recording", "rec",
+                               "--slam-particles", "20", "--pso-particles", "10"});
+    return more;
+  }
+
+  /// stderr without the progress that a slow machine sees.
+  static std::string complaints(const std::string& err) {
+    std::string kept;
+    for (std::size_t begin = 0; begin < err.size();) {
+      const std::size_t end = std::min(err.find('\n', begin), err.size() - 1) + 1;
+      const std::string line = err.substr(begin, end - begin);
+      if (line.find("frames/s") == std::string::npos) kept += line;
+      begin = end;
+    }
+    return kept;
+  }
+
+  static double meanError(const std::string& map, const char* measure) {
+    const Outcome outcome = run({"compare", map, "rec/truth.handmap", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out)["as_it_is"]["mean"][measure];
+  }
+};
+
+TEST_F(Journey, CorrectsTheSketch) {
+  expectDone(run({"validate", "rec", "rec/truth.handmap", "rec/sketch.handmap", "rec/truth.tum"}),
+             "ok: rec: recording of 40 frames\n"
+             "ok: rec/truth.handmap: map of 6 buildings\n"
+             "ok: rec/sketch.handmap: map of 6 buildings\n"
+             "ok: rec/truth.tum: trajectory of 40 poses\n");
+  const Outcome outcome = run(
+      slam({"--out", "refined.handmap", "--trajectory", "refined.tum", "--report", "report.json"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(complaints(outcome.err), "");
+  EXPECT_EQ(outcome.out.find("40 observations used, 0 skipped\nrobot at "), 0U) << outcome.out;
+  EXPECT_LT(meanError("refined.handmap", "front"), meanError("rec/sketch.handmap", "front"));
+  EXPECT_LT(meanError("refined.handmap", "x"), meanError("rec/sketch.handmap", "x"));
+
+  const auto report = nlohmann::json::parse(contentOf("report.json"));
+  EXPECT_EQ(report["frames"].size(), 40U);
+  EXPECT_TRUE(report["skipped"].empty());
+  const auto refined = nlohmann::json::parse(contentOf("refined.handmap"));
+  EXPECT_EQ(refined["refinement"]["seed"], 1);
+  EXPECT_TRUE(refined["buildings"][0].contains("estimate"));
+
+  const Outcome compared = run({"compare", "refined.handmap", "rec/truth.handmap", "--trajectory",
+                                "refined.tum", "--truth", "rec/truth.tum", "--json"});
+  const auto error = nlohmann::json::parse(compared.out)["trajectory"];
+  EXPECT_EQ(error["poses"], 40);
+  EXPECT_NEAR(error["length_m"].get<double>(), 195.0, 0.1);
+  EXPECT_LT(error["rms_m"].get<double>(), 6.0);
+}
+
+TEST_F(Journey, IsTheSameOnOneThreadAndOnTwo) {
+  std::vector<std::string> bytes;
+  for (const std::string threads : {"1", "2", "2"}) {
+    const Outcome outcome = run(slam(
+        {"--every", "2", "--threads", threads, "--out", "m.handmap", "--trajectory", "t.tum"}));
+    EXPECT_EQ(outcome.status, 0);
+    bytes.push_back(outcome.out + contentOf("m.handmap") + contentOf("t.tum"));
+  }
+  EXPECT_GT(bytes[0].size(), 2000U);
+  EXPECT_EQ(bytes[0], bytes[1]);
+  EXPECT_EQ(bytes[1], bytes[2]);
+  run(slam({"--every", "2", "--seed", "2", "--out", "other.handmap"}));
+  EXPECT_NE(contentOf("m.handmap"), contentOf("other.handmap"));
+}
+
+TEST_F(Journey, LocalizesWithoutTouchingTheDrawing) {
+  EXPECT_EQ(run(slam({"--localize-only", "--to", "10", "--out", "same.handmap"})).status, 0);
+  const auto drawn = nlohmann::json::parse(contentOf("rec/sketch.handmap"));
+  const auto same = nlohmann::json::parse(contentOf("same.handmap"));
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (const char* key : {"x", "y", "width", "depth"}) {
+      EXPECT_EQ(drawn["buildings"][i][key], same["buildings"][i][key]);
+    }
+  }
+}
+
+TEST_F(Journey, SimulatesAMapOfOnesOwn) {
+  expectDone(run({"simulate", "--world", "row-truth.handmap", "--out", "row"}),
+             "row: 17 observations, truth.handmap and sketch.handmap of 3 buildings\n");
+  expectDone(run({"simulate", "--scene", "campus", "--seed", "4", "--out", "campus"}),
+             "campus: 54 observations, truth.handmap and sketch.handmap of 15 buildings\n");
+  EXPECT_EQ(run({"validate", "row", "campus", "row/sketch.handmap", "campus/sketch.handmap"}).err,
+            "");
+  writeText("blocked.handmap",
+            R"({"format": "handmap", "version": 1, "route": [[0, 0], [80, 0]], "buildings": [
+                {"id": "A", "shape": "rectangle", "x": 50, "y": 0, "width": 20, "depth": 10,
+                 "heading_deg": 0}]})");
+  expectFailed(run({"simulate", "--world", "blocked.handmap", "--out", "blocked"}), 2,
+               "handmap-cli: error: blocked.handmap: route: found building A in the way after 40 "
+               "m, expected a way "
+               "around the buildings\n");
+  EXPECT_FALSE(fs::exists("blocked"));
+}
+
+TEST_F(Journey, SkipsAFrameThatCannotBeRead) {
+  writeText("rec/points/000003.bin", "7 bytes");
+  const Outcome outcome = run(slam({"--to", "6", "--report", "report.json"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(complaints(outcome.err),
+            "handmap-cli: frame 3 skipped: rec/points/000003.bin: found 7 bytes, expected 16 "
+            "bytes a point, at least one point\n");
+  EXPECT_EQ(outcome.out.find("6 observations used, 1 skipped\n"), 0U) << outcome.out;
+  EXPECT_EQ(nlohmann::json::parse(contentOf("report.json"))["skipped"][0]["frame"], 3);
+  const Outcome checked = run({"validate", "rec"});
+  EXPECT_EQ(checked.status, 2);
+  EXPECT_EQ(checked.out, "");
+}
+
+TEST_F(Journey, FailsWithoutAReadableFrame) {
+  for (const auto& entry : fs::directory_iterator("rec/points")) writeText(entry.path(), "");
+  const Outcome outcome = run(slam({"--to", "1", "--out", "refined.handmap"}));
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_FALSE(fs::exists("refined.handmap"));
+}
+
+TEST_F(Journey, StopsWhenInterruptedAndWritesNothing) {
+  const pid_t program = start({"run", "--map", "rec/sketch.handmap", "--recording", "rec",
+                               "--slam-particles", "20000", "--out", "refined.handmap"});
+  for (int i = 0; i < 600 && contentOf("stderr").empty(); ++i) {  // until it tells its progress
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_EQ(kill(program, SIGINT), 0);
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = finish(program);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(complaints(outcome.err), "handmap-cli: interrupted, nothing written\n");
+  EXPECT_FALSE(fs::exists("refined.handmap"));
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,102 @@
+#include "tests/cli/program.h"
+
+namespace handmap {
+namespace {
+
+struct Case {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string message;
+  std::string hint;
+};
+
+void PrintTo(const Case& wrong, std::ostream* stream) { *stream << wrong.name; }
+
+class WrongUsage : public CliTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(WrongUsage, IsToldBeforeAnyWork) {
+  const Case& wrong = GetParam();
+  expectFailed(run(wrong.arguments), 1,
+               "handmap-cli: error: " + wrong.message + "\n" +
+                   (wrong.hint.empty() ? "" : "hint: " + wrong.hint + "\n"));
+}
+
+/// A run that would work but for `more`.
+std::vector<std::string> runWith(std::vector<std::string> more) {
+  more.insert(more.begin(), {"run", "--map", "row-drawn.handmap", "--recording", "rec"});
+  return more;
+}
+
+std::vector<std::string> perturbWith(std::vector<std::string> more) {
+  more.insert(more.begin(), {"perturb", "--map", "row-truth.handmap"});
+  return more;
+}
+
+const std::string kRunHelp = "handmap-cli run --help";
+const std::string kPerturbHelp = "handmap-cli perturb --help";
+
+INSTANTIATE_TEST_SUITE_P(
+    Cli, WrongUsage,
+    testing::Values(
+        Case{"OurMethod", runWith({"--method", "handmap"}), "--method handmap: not in this version",
+             "--method paper, the default"},
+        Case{"UnknownMethod", runWith({"--method", "magic"}),
+             "--method: found magic, expected paper|handmap", kRunHelp},
+        Case{"UnknownSource", runWith({"--source", "smell"}),
+             "--source: found smell, expected auto|images|points", kRunHelp},
+        Case{"UnknownRatio", runWith({"--effective-ratio", "1"}),
+             "--effective-ratio: found 1, expected to-all|to-zero", kRunHelp},
+        Case{"EveryNone", runWith({"--every", "0"}),
+             "--every: found 0, expected a number from 1 to 1000000", kRunHelp},
+        Case{"FromBefore", runWith({"--from", "-3"}),
+             "--from: found -3, expected a number from 0 to 2147483647", kRunHelp},
+        Case{"ToBeforeFrom", runWith({"--from", "5", "--to", "4"}),
+             "--to: found 4, expected 5 (--from) or more", ""},
+        Case{"NoParticle", runWith({"--slam-particles", "0"}),
+             "--slam-particles: found 0, expected a number from 1 to 100000", kRunHelp},
+        Case{"NoSwarm", runWith({"--pso-particles", "none"}),
+             "--pso-particles: found none, expected a number from 1 to 10000", kRunHelp},
+        Case{"HalfAThread", runWith({"--threads", "0.5"}), "Could not convert: --threads = 0.5",
+             kRunHelp},
+        Case{"SeedBelowZero", runWith({"--seed", "-1"}),
+             "--seed: found -1, expected a whole number from 0", kRunHelp},
+        Case{"NoFolderForOut", runWith({"--out", "gone/refined.handmap"}),
+             "gone/refined.handmap: cannot be written: no such folder", ""},
+        Case{"FolderForReport", runWith({"--report", "."}), ".: cannot be written: it is a folder",
+             ""},
+        Case{"OutOverTheDrawing", runWith({"--out", "./row-drawn.handmap"}),
+             "./row-drawn.handmap: cannot be written: it is an input, and inputs are kept", ""},
+        Case{"OutTwice", runWith({"--out", "same", "--report", "./same"}),
+             "./same: cannot be written: another output goes there", ""},
+        Case{"SigmaNotANumber", perturbWith({"--sigma", "nan", "--out", "s.handmap"}),
+             "--sigma: found nan, expected a number from 0.01 to 1000", kPerturbHelp},
+        Case{"SigmaZero", perturbWith({"--sigma", "0", "--out", "s.handmap"}),
+             "--sigma: found 0, expected a number from 0.01 to 1000", kPerturbHelp},
+        Case{"NoSigma", perturbWith({"--out", "s.handmap"}), "--sigma is required", kPerturbHelp},
+        Case{"SketchOverTruth", perturbWith({"--sigma", "1", "--out", "row-truth.handmap"}),
+             "row-truth.handmap: cannot be written: it is an input, and inputs are kept", ""},
+        Case{"Images",
+             {"simulate", "--images", "--out", "rec"},
+             "--images: rendered images are not in this version",
+             "leave it out: the recording then holds range points"},
+        Case{"FolderInUse",
+             {"simulate", "--out", "."},
+             ".: found something there, expected a new folder or an empty one",
+             ""},
+        Case{"TwoWorlds",
+             {"simulate", "--world", "row-truth.handmap", "--scene", "campus", "--out", "rec"},
+             "--world excludes --scene",
+             "handmap-cli simulate --help"},
+        Case{"OnlyUnknown",
+             {"compare", "row-drawn.handmap", "row-truth.handmap", "--only", "N1,N7"},
+             "--only: found \"N7\", expected ids of buildings of the truth",
+             ""},
+        Case{"TrajectoryAlone",
+             {"compare", "row-drawn.handmap", "row-truth.handmap", "--trajectory", "t.tum"},
+             "--trajectory requires --truth",
+             "handmap-cli compare --help"},
+        Case{"NothingToValidate", {"validate"}, "path is required", "handmap-cli validate --help"}),
+    [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
+
+}  // namespace
+}  // namespace handmap
