@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/perception/stereo_scan.h"
 #include "core/perception/stopwatch.h"
 
 namespace handmap {
@@ -10,12 +11,15 @@ namespace handmap {
 Perception::Perception(const SourceInfo& source, const PerceptionOptions& options)
     : range_limit_m_(source.range_limit_m),
       points_filter_(options.points),
-      builder_(source.range_limit_m, options.local_map) {
+      builder_(source.range_limit_m, options.local_map),
+      scans_(source.range_limit_m, options.points) {
   if (source.camera) stereo_.emplace(*source.camera, options.stereo);
 }
 
 Percept Perception::operator()(const Observation& observation) {
   std::vector<WallPoint> walls;
+  std::vector<RangePoint> points;
+  std::vector<Vec2> looked_through;
   StereoResult seen;
   cv::Mat image;
   double stereo_ms = 0.0;
@@ -29,9 +33,12 @@ Percept Perception::operator()(const Observation& observation) {
       stereo_ms += seen.stereo_ms;
       classify_ms += seen.walls_ms;
       found = std::move(seen.walls);
+      looked_through.insert(looked_through.end(), seen.looked_through.begin(),
+                            seen.looked_through.end());
     } else if (view.points) {
       const Stopwatch stopwatch;
       found = wallPoints(*view.points, range_limit_m_, points_filter_);
+      points.insert(points.end(), view.points->begin(), view.points->end());
       classify_ms += stopwatch.ms();
     } else {
       throwBadInput("observation", "view", "neither images nor points", "one of them");
@@ -39,8 +46,10 @@ Percept Perception::operator()(const Observation& observation) {
     walls.insert(walls.end(), found.begin(), found.end());
   }
   const Stopwatch stopwatch;
+  Scan scan = image.empty() ? scans_(points) : stereoScan(walls, looked_through);
   LocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
-  return {std::move(map), image, seen.disparity, stereo_ms, classify_ms, stopwatch.ms()};
+  return {std::move(map), std::move(scan), image,         seen.disparity,
+          stereo_ms,      classify_ms,     stopwatch.ms()};
 }
 
 }  // namespace handmap

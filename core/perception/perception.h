@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/perception/local_map.h"
+#include "core/perception/scan.h"
 #include "core/perception/stereo_walls.h"
 
 namespace handmap {
@@ -16,6 +17,7 @@ struct PerceptionOptions {
 
 struct Percept {
   LocalMap local_map;
+  Scan scan;            ///< of this observation alone
   cv::Mat image;        ///< left image of the last view, empty without images
   cv::Mat1f disparity;  ///< of the last view
   double stereo_ms = 0.0;
@@ -35,6 +37,7 @@ class Perception {
   WallFilter points_filter_;
   std::optional<StereoWalls> stereo_;
   LocalMapBuilder builder_;
+  ScanBuilder scans_;
 };
 
 }  // namespace handmap

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/perception/stereo_scan.h"
 #include "core/perception/stopwatch.h"
 #include "core/perception/wall_columns.h"
 
@@ -212,6 +213,13 @@ StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, 
   const std::vector<WallColumn> columns =
       wallColumns(result.disparity, reduced, rays, ground, options.filter, range_limit_m);
   result.walls = matcher_->inRobotFrame(columns, reduced, pan_rad, range_limit_m);
+  // Where σ_z = z² σ_d / (f B) passes its limit.
+  const double max_depth_m = std::min(
+      range_limit_m,
+      std::sqrt(options.max_sigma_m * reduced.fx * reduced.baseline / options.sigma_disparity));
+  const Pose2 placed{reduced.mount.x, reduced.mount.y, reduced.mount.yaw + pan_rad};
+  result.looked_through = lookedThrough(result.disparity, reduced, rays, max_depth_m);
+  for (Vec2& end : result.looked_through) end = placed.toOuter(end);
   result.walls_ms = rest.ms();
   return result;
 }

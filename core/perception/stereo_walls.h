@@ -25,8 +25,9 @@ struct StereoOptions {
 struct StereoResult {
   cv::Mat1f disparity;  ///< pixels at the reduced size; < 0 where unknown
   std::vector<WallPoint> walls;
-  double stereo_ms = 0.0;  ///< matching
-  double walls_ms = 0.0;   ///< the rest
+  std::vector<Vec2> looked_through;  ///< robot frame: where the view of each column ends
+  double stereo_ms = 0.0;            ///< matching
+  double walls_ms = 0.0;             ///< the rest
 };
 
 /// cv::StereoSGBM with left-right check and speckle filter, then per image column the vertical

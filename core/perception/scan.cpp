@@ -1,0 +1,97 @@
+#include "core/perception/scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kDirections = 720;
+constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
+constexpr float kPlanar_m = 0.3F;  // a scan with all heights within this is planar
+constexpr float kSigma_m = 0.05F;
+constexpr float kLeastRange_m = 0.3F;
+
+std::size_t directionOf(double bearing) {
+  const auto index = static_cast<long>(std::lround((bearing + kPi) / kDirectionWidth));
+  return static_cast<std::size_t>(index) % kDirections;
+}
+
+float bearingOf(std::size_t direction) {
+  const double bearing = -kPi + static_cast<double>(direction) * kDirectionWidth;
+  return static_cast<float>(direction == 0 ? kPi : bearing);
+}
+
+bool isPlanar(const std::vector<RangePoint>& points) {
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const RangePoint& a, const RangePoint& b) { return a.z < b.z; });
+  return points.empty() || high->z - low->z <= kPlanar_m;
+}
+
+void keepNearest(Ray& kept, const Ray& ray) {
+  if (kept.range == 0.0F || ray.range < kept.range) kept = ray;
+}
+
+}  // namespace
+
+ScanBuilder::ScanBuilder(double range_limit_m, const WallFilter& filter)
+    : range_limit_m_(range_limit_m), filter_(filter), looked_at_(kDirections) {}
+
+Scan ScanBuilder::operator()(const std::vector<RangePoint>& points) {
+  nearest_.assign(kDirections, Ray{});
+  std::vector<RangePoint> finite;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(finite), [&](const RangePoint& p) {
+    const float range = std::hypot(p.x, p.y);
+    return std::isfinite(p.z) && range >= kLeastRange_m && range <= range_limit_m_;
+  });
+  if (isPlanar(finite)) {
+    addPlanar(finite);
+  } else {
+    addStanding(finite);
+  }
+  Scan scan;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (nearest_[i].range > 0.0F) scan.rays.push_back(nearest_[i]);
+  }
+  std::sort(scan.rays.begin(), scan.rays.end(),
+            [](const Ray& a, const Ray& b) { return a.bearing < b.bearing; });
+  return scan;
+}
+
+void ScanBuilder::addPlanar(const std::vector<RangePoint>& points) {
+  for (const RangePoint& p : points) {
+    const float bearing = std::atan2(p.y, p.x);
+    const std::size_t direction = directionOf(bearing);
+    looked_at_[direction] = true;
+    const float wall = std::clamp(p.w, 0.0F, 1.0F);
+    keepNearest(nearest_[direction], {bearing, std::hypot(p.x, p.y), kSigma_m, wall, true});
+  }
+  const auto limit = static_cast<float>(range_limit_m_);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (!looked_at_[i] || nearest_[i].range > 0.0F) continue;
+    nearest_[i] = {bearingOf(i), limit, 0.0F, 0.0F, false};
+  }
+}
+
+void ScanBuilder::addStanding(const std::vector<RangePoint>& points) {
+  for (const WallPoint& p : wallPoints(points, range_limit_m_, filter_)) {
+    const float bearing = std::atan2(p.y, p.x);
+    keepNearest(nearest_[directionOf(bearing)],
+                {bearing, std::hypot(p.x, p.y), p.sigma, p.weight, true});
+  }
+  std::vector<Ray> farthest(kDirections);
+  for (const RangePoint& p : points) {
+    const std::size_t direction = directionOf(std::atan2(p.y, p.x));
+    const float range = std::hypot(p.x, p.y);
+    if (range > farthest[direction].range) {
+      farthest[direction] = {bearingOf(direction), range, 0.0F, 0.0F, false};
+    }
+  }
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    if (nearest_[i].range == 0.0F) nearest_[i] = farthest[i];
+  }
+}
+
+}  // namespace handmap

@@ -1,0 +1,46 @@
+// What one observation says along every direction of the plane: walls, free space, never seen.
+#pragma once
+
+#include <vector>
+
+#include "core/perception/wall_points.h"
+#include "core/recording/observation.h"
+
+namespace handmap {
+
+/// One direction that was looked at. The robot looked through everything nearer than `range`.
+struct Ray {
+  float bearing = 0.0F;  ///< robot frame, radians in (-π, π]
+  float range = 0.0F;    ///< metres: of the return; how far was looked through where none came back
+  float sigma = 0.0F;    ///< range noise of the return, one σ, metres
+  float wall = 0.0F;     ///< 0 … 1: how surely the return is a wall of a building
+  bool returned = false;  ///< false: nothing came back along this direction
+};
+
+/// At most one ray a direction, sorted by bearing. Directions without a ray were not looked at.
+struct Scan {
+  std::vector<Ray> rays;
+};
+
+/// Scans from range points. Remembers which directions ever returned anything: elsewhere (the
+/// blind side of a 180° laser) silence does not mean that nothing is there.
+class ScanBuilder {
+ public:
+  ScanBuilder(double range_limit_m, const WallFilter& filter);
+
+  /// Points of one observation. A planar scan is taken ray by ray. A scan with vertical structure
+  /// gives the nearest wall along each direction, and free space up to the farthest point of
+  /// anything where there is no wall.
+  Scan operator()(const std::vector<RangePoint>& points);
+
+ private:
+  void addPlanar(const std::vector<RangePoint>& points);
+  void addStanding(const std::vector<RangePoint>& points);
+
+  double range_limit_m_;
+  WallFilter filter_;
+  std::vector<bool> looked_at_;  ///< by direction
+  std::vector<Ray> nearest_;     ///< by direction; range 0: none
+};
+
+}  // namespace handmap
