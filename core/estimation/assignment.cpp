@@ -1,0 +1,171 @@
+#include "core/estimation/assignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+
+#include "core/estimation/drawn_box.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kGate = 25.0;         // squared Mahalanobis distance beyond which nothing is tried
+constexpr double kFoundFloor = 0.3;    // metres, one σ, of what a box may be off its building
+constexpr double kWidthRange = 60.0;   // metres over which sizes of undrawn buildings are spread
+constexpr double kMostDisorder = 4.0;  // half squares of the heading's error at most
+
+/// The density of found buildings that no one drew, by metre and metre.
+double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
+  constexpr double kMargin = 20.0;
+  std::vector<Vec2> corners;
+  for (const Building& building : drawing.buildings) {
+    for (const Vec2& corner : building.footprint()) corners.push_back(corner);
+  }
+  const Bounds bounds = boundsOf(corners);
+  const Vec2 size = bounds.high - bounds.low + Vec2::Constant(2.0 * kMargin);
+  return options.undrawn * static_cast<double>(drawing.buildings.size()) / (size.x() * size.y());
+}
+
+class Assigner {
+ public:
+  Assigner(const Map& drawing, std::span<const FoundBox> found, const AssignmentOptions& options)
+      : drawing_(drawing),
+        found_(found),
+        options_(options),
+        log_undrawn_(std::log(undrawnDensity(drawing, options))),
+        log_present_(std::log((1.0 - options.phantom) / options.phantom)) {}
+
+  std::vector<Hypothesis> operator()() {
+    std::vector<Hypothesis> beam = firstHypotheses();
+    for (const std::size_t building : inOrder()) {
+      std::vector<Hypothesis> next;
+      for (const Hypothesis& hypothesis : beam) {
+        next.push_back(hypothesis);
+        for (std::size_t f = 0; f < found_.size(); ++f) {
+          if (!isTaken(hypothesis, f)) extend(hypothesis, building, f, next);
+        }
+      }
+      const auto kept = std::min(next.size(), static_cast<std::size_t>(options_.hypotheses));
+      std::stable_sort(next.begin(), next.end(), [](const Hypothesis& a, const Hypothesis& b) {
+        return a.log_weight > b.log_weight;
+      });
+      next.resize(kept);
+      beam = std::move(next);
+    }
+    double sum = 0.0;
+    for (Hypothesis& h : beam) sum += h.weight = std::exp(h.log_weight - beam.front().log_weight);
+    for (Hypothesis& h : beam) h.weight /= sum;
+    return beam;
+  }
+
+ private:
+  Vec2 origin() const { return drawing_.start ? drawing_.start->position() : Vec2::Zero(); }
+
+  std::vector<Hypothesis> firstHypotheses() const {
+    Hypothesis first;
+    first.found_of.assign(drawing_.buildings.size(), Hypothesis::kNone);
+    first.motion.origin = origin();
+    const double shift = options_.shift_share * drawing_.uncertainty.position;
+    const Eigen::Vector4d sigma(options_.scale_sigma, options_.turn_sigma, shift, shift);
+    first.motion.covariance = sigma.cwiseAbs2().asDiagonal();
+    return {first};
+  }
+
+  /// The nearest to the start first: what is known of the whole drawing grows outwards.
+  std::vector<std::size_t> inOrder() const {
+    std::vector<std::size_t> order(drawing_.buildings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<double> distance;
+    for (const Building& building : drawing_.buildings) {
+      distance.push_back((building.box().centre - origin()).norm());
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
+    return order;
+  }
+
+  static bool isTaken(const Hypothesis& hypothesis, std::size_t found) {
+    const auto& taken = hypothesis.found_of;
+    return std::find(taken.begin(), taken.end(), static_cast<int>(found)) != taken.end();
+  }
+
+  double disorder(const Hypothesis& hypothesis, std::size_t building, std::size_t found) const {
+    const Vec2 drawn_at = drawing_.buildings[building].box().centre;
+    const Vec2 found_at = found_[found].box.rectangle().centre;
+    double price = 0.0;
+    for (std::size_t other = 0; other < hypothesis.found_of.size(); ++other) {
+      const int its_found = hypothesis.found_of[other];
+      if (its_found == Hypothesis::kNone) continue;
+      const Vec2 drawn_way = drawing_.buildings[other].box().centre - drawn_at;
+      const Vec2 found_way =
+          found_[static_cast<std::size_t>(its_found)].box.rectangle().centre - found_at;
+      if (drawn_way.dot(found_way) < 0.0) price += options_.disorder;
+    }
+    return price;
+  }
+
+  void extend(const Hypothesis& hypothesis, std::size_t building, std::size_t f,
+              std::vector<Hypothesis>& next) const {
+    const Building& drawn = drawing_.buildings[building];
+    const double heading = drawn.box().heading + hypothesis.motion.turn();
+    const FoundBox found = found_[f].nearestTo(heading);
+    const SeenWalls seen(found);
+    if (seen.count == 0) return;
+    const DrawnBox prior(drawn, drawing_.uncertaintyOf(drawn), hypothesis.motion, found.box);
+
+    Eigen::MatrixXd slope(seen.count, 4);
+    Eigen::VectorXd error(seen.count);
+    Eigen::MatrixXd covariance(seen.count, seen.count);
+    for (int i = 0; i < seen.count; ++i) {
+      const int k = seen.index[static_cast<std::size_t>(i)];
+      slope.row(i) = prior.slope().row(k);
+      error[i] = found.box.reach[static_cast<std::size_t>(k)] - prior.mean()[k];
+      for (int j = 0; j < seen.count; ++j) {
+        covariance(i, j) = prior.covariance()(k, seen.index[static_cast<std::size_t>(j)]);
+      }
+      const double sigma = found.reach_sigma[static_cast<std::size_t>(k)];
+      covariance(i, i) += sigma * sigma + kFoundFloor * kFoundFloor;
+    }
+    covariance += slope * hypothesis.motion.covariance * slope.transpose();
+    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+    const double distance = error.dot(factor.solve(error));
+    if (distance > kGate) return;
+    const double log_determinant =
+        2.0 * factor.matrixLLT().diagonal().array().log().sum() + seen.count * std::log(2.0 * kPi);
+    const double turned = normalizedAngle(found.box.heading - heading);
+    const double heading_price = 0.5 * turned * turned /
+                                 (options_.heading_sigma * options_.heading_sigma +
+                                  found.heading_sigma * found.heading_sigma);
+    // The same walls of a building that no one drew: anywhere, of any size.
+    const double undrawn =
+        log_undrawn_ * (seen.count - seen.widths) / 2.0 - seen.widths * std::log(kWidthRange);
+
+    Hypothesis extended = hypothesis;
+    extended.found_of[building] = static_cast<int>(f);
+    extended.log_weight += -0.5 * (distance + log_determinant) - undrawn + log_present_ -
+                           std::min(heading_price, kMostDisorder) -
+                           disorder(hypothesis, building, f);
+    const Eigen::MatrixXd gain = factor.solve(slope * hypothesis.motion.covariance).transpose();
+    extended.motion.mean += gain * error;
+    extended.motion.covariance -= gain * slope * hypothesis.motion.covariance;
+    next.push_back(std::move(extended));
+  }
+
+  const Map& drawing_;
+  std::span<const FoundBox> found_;
+  const AssignmentOptions& options_;
+  double log_undrawn_;
+  double log_present_;
+};
+
+}  // namespace
+
+std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
+                               const AssignmentOptions& options) {
+  return Assigner(drawing, found, options)();
+}
+
+}  // namespace handmap

@@ -1,0 +1,244 @@
+#include "core/estimation/box_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <tbb/parallel_for.h>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kParallel = toRadians(7.0);
+constexpr double kNear = 2.0;         // metres between a wall and the box that explains it
+constexpr double kAgreed = 0.5;       // metres between the ends of a wall and of its box
+constexpr double kPromising = 30.0;   // nats that a local search may bring
+constexpr int kMostSeeds = 3;         // an observation
+constexpr double kLeastGap = 1.0;     // metres between two buildings
+constexpr double kGain = 1.0;         // nats that a change must bring
+constexpr double kCommonArea = 0.15;  // of the smaller of two boxes that cannot both be
+constexpr std::size_t kHeading = 4;   // index of the heading among the parameters
+
+void change(Box& box, std::size_t parameter, double by) {
+  if (parameter == kHeading) {
+    box.heading += by;
+  } else {
+    box.reach[parameter] += by;
+  }
+}
+
+/// The part of a wall of a box where a wall was found: from `begin` to `end`, from the pivot on.
+struct Stretch {
+  std::size_t wall;
+  double begin;
+  double end;
+  std::size_t first() const { return (wall + 3) % 4; }   ///< the wall at the beginning
+  std::size_t second() const { return (wall + 1) % 4; }  ///< and at the end
+};
+
+std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
+  const Vec2 middle = (wall.a + wall.b) / 2.0;
+  const Vec2 outward = -perpendicular(unitVector(wall.heading()));
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec2 normal = box.normal(k);
+    if (normal.dot(outward) < std::cos(kParallel)) continue;
+    if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear) continue;
+    Stretch stretch{k, 0.0, 0.0};
+    const Vec2 along = box.normal(stretch.second());
+    stretch.begin = along.dot(wall.a - box.pivot);
+    stretch.end = along.dot(wall.b - box.pivot);
+    if (stretch.begin > box.reach[stretch.second()]) continue;
+    if (stretch.end < -box.reach[stretch.first()]) continue;
+    return stretch;
+  }
+  return std::nullopt;
+}
+
+bool collide(const Box& a, const Box& b) {
+  const Rectangle first = a.rectangle();
+  const Rectangle second = b.rectangle();
+  const double reach =
+      (std::hypot(first.width, first.depth) + std::hypot(second.width, second.depth)) / 2.0;
+  if ((first.centre - second.centre).norm() > reach) return false;
+  const double common = intersectionArea(first.corners(), second.corners());
+  return common > kCommonArea * std::min(first.width * first.depth, second.width * second.depth);
+}
+
+}  // namespace
+
+FoundBox FoundBox::nearestTo(double heading_rad) const {
+  const std::size_t quarters = box.quartersTo(heading_rad);
+  FoundBox result = *this;
+  result.box = box.renumbered(quarters);
+  for (std::size_t k = 0; k < 4; ++k) result.reach_sigma[k] = reach_sigma[(k + quarters) % 4];
+  return result;
+}
+
+double BoxFinder::objective(const Box& box, BoxScorer& scorer) const {
+  double prior = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double size = box.reach[axis] + box.reach[axis + 2];
+    if (size < options_.least_size_m) return -1e9;
+    const double off = (size - options_.typical_size_m) / options_.typical_size_m;
+    prior -= 0.5 * off * off;
+  }
+  return prior + scorer(box);
+}
+
+Box BoxFinder::seed(const FoundWall& wall) const {
+  return {(wall.a + wall.b) / 2.0,
+          wall.heading(),
+          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0}};
+}
+
+void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
+                       const SensorModel& sensor) const {
+  constexpr double kLeastStep = 0.04;
+  const double long_side =
+      std::max(found.box.reach[0] + found.box.reach[2], found.box.reach[1] + found.box.reach[3]);
+  BoxScorer scorer(found.box, frames, sensor);
+  found.score = objective(found.box, scorer);
+  for (double step = step_m; step >= kLeastStep; step /= 2.0) {
+    for (std::size_t parameter = 0; parameter <= kHeading; ++parameter) {
+      const double by = parameter == kHeading ? step / long_side : step;
+      for (const double sign : {1.0, -1.0}) {
+        bool better = false;
+        for (int tries = 0; tries < 4; ++tries) {
+          Box changed = found.box;
+          change(changed, parameter, sign * by);
+          const double score = objective(changed, scorer);
+          if (score <= found.score) break;
+          found.box = changed;
+          found.score = score;
+          better = true;
+        }
+        if (better) break;
+      }
+    }
+  }
+}
+
+void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
+                             const SensorModel& sensor) const {
+  constexpr double kProbe = 2.0;    // metres
+  constexpr double kTelling = 4.0;  // nats
+  BoxScorer scorer(found.box, frames, sensor, 1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (found.reach_sigma[k] < kProbe / 2.0) continue;
+    const auto scoreAt = [&](double reach) {
+      Box changed = found.box;
+      changed.reach[k] = reach;
+      return objective(changed, scorer);
+    };
+    double best = found.box.reach[k];
+    double best_score = scoreAt(best);
+    for (double off = -2.0 * kProbe; off <= 2.0 * kProbe; off += kProbe / 4.0) {
+      const double score = scoreAt(found.box.reach[k] + off);
+      if (score <= best_score) continue;
+      best = found.box.reach[k] + off;
+      best_score = score;
+    }
+    const double drop = best_score - std::max(scoreAt(best - kProbe), scoreAt(best + kProbe));
+    if (drop < kTelling) continue;
+    found.box.reach[k] = best;
+    found.reach_sigma[k] = std::min(found.reach_sigma[k], kProbe / std::sqrt(2.0 * drop));
+  }
+}
+
+/// Whether the wall belongs to the box; where it tells of a longer or shorter one, the box follows.
+bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
+                      const SensorModel& sensor) const {
+  if (const std::optional<Stretch> stretch = stretchOn(found.box, wall)) {
+    const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed &&
+                        std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed;
+    if (agrees || !found.in_sight) return true;
+    BoxScorer scorer(found.box, frames, sensor);
+    const Box before = found.box;
+    for (int ends = 1; ends <= 3; ++ends) {
+      Box changed = before;
+      if (ends & 1) changed.reach[stretch->first()] = -stretch->begin;
+      if (ends & 2) changed.reach[stretch->second()] = stretch->end;
+      const double score = objective(changed, scorer);
+      if (score < found.score + kGain) continue;
+      found.box = changed;
+      found.score = score;
+    }
+    return true;
+  }
+  const Polygon corners = found.box.rectangle().corners();
+  return distanceTo(corners, wall.a) < kNear && distanceTo(corners, wall.b) < kNear;
+}
+
+std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<FoundWall>& walls,
+                                       std::span<const Frame* const> frames,
+                                       const SensorModel& sensor) const {
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<Stretch> stretches;
+    for (const FoundWall& wall : walls) {
+      const std::optional<Stretch> stretch = stretchOn(found.box, wall);
+      if (stretch && stretch->wall == k) stretches.push_back(*stretch);
+    }
+    std::sort(stretches.begin(), stretches.end(),
+              [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i) {
+      const double gap_begin = stretches[i].end;
+      const double gap_end = stretches[i + 1].begin;
+      if (gap_end - gap_begin < kLeastGap) continue;
+      FoundBox low = found;
+      FoundBox high = found;
+      low.box.reach[stretches[i].second()] = gap_begin;
+      high.box.reach[stretches[i].first()] = -gap_end;
+      BoxScorer scorer(found.box, frames, sensor);
+      if (objective(low.box, scorer) + objective(high.box, scorer) < found.score - kPromising) {
+        continue;
+      }
+      refine(low, 0.5, frames, sensor);
+      refine(high, 0.5, frames, sensor);
+      if (low.score > options_.least_score && high.score > options_.least_score &&
+          low.score + high.score > found.score + kGain) {
+        return {low, high};
+      }
+    }
+  }
+  return {found};
+}
+
+void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
+                       std::span<const Frame* const> frames, const SensorModel& sensor) const {
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t b) {
+    if (boxes[b].in_sight) refine(boxes[b], 0.1, frames, sensor);
+  });
+  int seeds = 0;
+  for (const FoundWall& wall : walls) {
+    bool explained = false;
+    for (FoundBox& found : boxes) explained |= adopt(found, wall, frames, sensor);
+    if (explained || ++seeds > kMostSeeds) continue;
+    FoundBox found{seed(wall)};
+    refine(found, 1.5, frames, sensor);
+    if (found.score >= options_.least_score) boxes.push_back(found);
+  }
+  std::vector<FoundBox> pieces;
+  for (const FoundBox& found : boxes) {
+    if (!found.in_sight) {
+      pieces.push_back(found);
+      continue;
+    }
+    for (const FoundBox& piece : split(found, walls, frames, sensor)) pieces.push_back(piece);
+  }
+  boxes = std::move(pieces);
+  std::stable_sort(boxes.begin(), boxes.end(), [](const FoundBox& a, const FoundBox& b) {
+    return a.in_sight != b.in_sight ? b.in_sight : a.score > b.score;
+  });
+  std::vector<FoundBox> kept;
+  for (const FoundBox& found : boxes) {
+    if (found.score < options_.least_score) continue;
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const FoundBox& other) { return collide(found.box, other.box); })) {
+      kept.push_back(found);
+    }
+  }
+  boxes = std::move(kept);
+}
+
+}  // namespace handmap

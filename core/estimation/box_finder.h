@@ -1,0 +1,61 @@
+// Buildings from walls and rays, without the drawing.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/estimation/box_score.h"
+#include "core/estimation/wall_detection.h"
+
+namespace handmap {
+
+/// A building that was found: the box that explains the rays best.
+struct FoundBox {
+  Box box;
+  double score = 0.0;                   ///< log ratio against nothing there
+  std::array<double, 4> reach_sigma{};  ///< of box.reach; large where a wall was not seen
+  double heading_sigma = 0.0;
+  int observations = 0;  ///< frames that saw it
+  bool in_sight = true;  ///< of the last frame; others stay as they are
+
+  FoundBox nearestTo(double heading_rad) const;  ///< as Box::nearestTo()
+};
+
+struct FinderOptions {
+  double least_score = 40.0;     ///< nats; less is no building
+  double typical_size_m = 15.0;  ///< of sides that nobody saw
+  double least_size_m = 2.5;
+};
+
+/// Keeps a list of buildings up to date with walls detected in the evidence and with the rays
+/// themselves.
+class BoxFinder {
+ public:
+  explicit BoxFinder(const FinderOptions& options) : options_(options) {}
+
+  /// Changes and drops boxes in sight and adds new ones. `frames`: the last ones, back to those
+  /// that saw the first of what is in sight.
+  void update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
+              std::span<const Frame* const> frames, const SensorModel& sensor) const;
+  /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.
+  void refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
+              const SensorModel& sensor) const;
+  /// Finds the walls that no returns are from (rear walls, behind which there is free space) where
+  /// the rays tell them, and says how well they are known.
+  void locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
+                    const SensorModel& sensor) const;
+
+ private:
+  double objective(const Box& box, BoxScorer& scorer) const;
+  bool adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
+             const SensorModel& sensor) const;
+  /// The pieces of a box whose walls were found apart, where they explain the rays better.
+  std::vector<FoundBox> split(const FoundBox& found, const std::vector<FoundWall>& walls,
+                              std::span<const Frame* const> frames,
+                              const SensorModel& sensor) const;
+  Box seed(const FoundWall& wall) const;
+
+  FinderOptions options_;
+};
+
+}  // namespace handmap

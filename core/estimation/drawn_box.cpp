@@ -1,0 +1,126 @@
+#include "core/estimation/drawn_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kSeen = 2.0;         // σ of a wall that was seen, metres, at most
+constexpr double kUnlikely = 3.5;     // σ
+constexpr double kFixedSigma = 0.05;  // of a building that is not to be moved
+constexpr double kLeastShare = 0.3;   // of the drawn size that a side nobody saw keeps
+
+}  // namespace
+
+DrawnBox::DrawnBox(const Building& building, const Uncertainty& uncertainty,
+                   const DrawingMotion& motion, const Box& frame) {
+  const Rectangle box = building.box();
+  const Box turned = boxOf(box).nearestTo(frame.heading - motion.turn());
+  const double scale = motion.scale();
+  const Vec2 from_origin = box.centre - motion.origin;
+  const Vec2 centre = motion(box.centre) - frame.pivot;
+  const double position = building.fixed ? kFixedSigma : uncertainty.position;
+  const double size = building.fixed ? kFixedSigma : uncertainty.size;
+  covariance_.setZero();
+  for (int k = 0; k < 4; ++k) {
+    const auto wall = static_cast<std::size_t>(k);
+    const Vec2 normal = frame.normal(wall);
+    const double half = turned.reach[wall];
+    mean_[k] = normal.dot(centre) + scale * half;
+    slope_.row(k) << normal.dot(from_origin) + half * motion.mean[0] / scale,
+        normal.dot(perpendicular(from_origin)) + half * motion.mean[1] / scale, normal.x(),
+        normal.y();
+    covariance_(k, k) = position * position + size * size / 4.0;
+    // Opposite normals: a shift moves the two walls apart in these coordinates.
+    covariance_(k, (k + 2) % 4) = size * size / 4.0 - position * position;
+  }
+}
+
+SeenWalls::SeenWalls(const FoundBox& found) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (found.reach_sigma[k] < kSeen)
+      index[static_cast<std::size_t>(count++)] = static_cast<int>(k);
+  }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (found.reach_sigma[axis] < kSeen && found.reach_sigma[axis + 2] < kSeen) ++widths;
+  }
+}
+
+namespace {
+
+/// Takes over the walls that were seen, the least surprising first. One that the drawing and the
+/// others make very unlikely is of something built on to the building.
+void correct(const FoundBox& found, DrawnBox::Walls& walls, DrawnBox::Covariance& covariance) {
+  const SeenWalls seen(found);
+  std::vector<int> left(seen.index.begin(), seen.index.begin() + seen.count);
+  while (!left.empty()) {
+    const auto variance = [&](int k) {
+      const double sigma = found.reach_sigma[static_cast<std::size_t>(k)];
+      return covariance(k, k) + sigma * sigma;
+    };
+    const auto error = [&](int k) {
+      return found.box.reach[static_cast<std::size_t>(k)] - walls[k];
+    };
+    const auto surprise = [&](int k) { return std::abs(error(k)) / std::sqrt(variance(k)); };
+    const auto next = std::min_element(left.begin(), left.end(),
+                                       [&](int a, int b) { return surprise(a) < surprise(b); });
+    if (surprise(*next) > kUnlikely) return;
+    const Eigen::Vector4d gain = covariance.col(*next) / variance(*next);
+    walls += gain * error(*next);
+    covariance -= gain * covariance.row(*next).eval();
+    left.erase(next);
+  }
+}
+
+}  // namespace
+
+RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& uncertainty,
+                                const DrawingMotion& motion, const FoundBox* found) {
+  const Rectangle drawn = building.box();
+  Box frame{motion(drawn.centre), drawn.heading + motion.turn(), {}};
+  if (found) {
+    // Keeps the sides in the order of the drawing.
+    const double heading = frame.heading;
+    frame = found->box.nearestTo(heading);
+  }
+  const DrawnBox prior(building, uncertainty, motion, frame);
+  DrawnBox::Walls walls = prior.mean();
+  DrawnBox::Covariance covariance =
+      prior.covariance() + prior.slope() * motion.covariance * prior.slope().transpose();
+  int observations = 0;
+  if (found) {
+    const FoundBox turned = found->nearestTo(frame.heading);
+    correct(turned, walls, covariance);
+    observations = found->observations;
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    const double size = axis == 0 ? drawn.width : drawn.depth;
+    const double least = kLeastShare * motion.scale() * size;
+    const double missing = least - (walls[axis] + walls[axis + 2]);
+    if (missing <= 0.0) continue;
+    // What was seen stays; the other wall gives way.
+    const int wall = covariance(axis, axis) > covariance(axis + 2, axis + 2) ? axis : axis + 2;
+    walls[wall] += missing;
+  }
+  Box box = frame;
+  for (int k = 0; k < 4; ++k) box.reach[static_cast<std::size_t>(k)] = walls[k];
+  const auto variance = [&](int axis, double sign) {
+    return std::max(0.0, covariance(axis, axis) + covariance(axis + 2, axis + 2) +
+                             2.0 * sign * covariance(axis, axis + 2));
+  };
+  const double u = variance(0, -1.0) / 4.0;
+  const double v = variance(1, -1.0) / 4.0;
+  const double c = std::pow(std::cos(frame.heading), 2);
+  RefinedBuilding refined;
+  refined.box = box.rectangle();
+  refined.estimate = {std::sqrt(c * u + (1.0 - c) * v), std::sqrt((1.0 - c) * u + c * v),
+                      std::sqrt(variance(0, 1.0)), observations};
+  return refined;
+}
+
+}  // namespace handmap

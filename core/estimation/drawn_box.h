@@ -1,0 +1,50 @@
+// A drawn building as a Gaussian over its four walls, given where the drawing lies.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/estimation/assignment.h"
+
+namespace handmap {
+
+/// Walls in the frame of a found box: coordinates of walls 0 … 3 along the outward normals, as
+/// Box::reach.
+class DrawnBox {
+ public:
+  using Walls = Eigen::Vector4d;
+  using Covariance = Eigen::Matrix4d;
+
+  /// `frame`: any box near the place; its pivot and heading are what the walls refer to.
+  DrawnBox(const Building& building, const Uncertainty& uncertainty, const DrawingMotion& motion,
+           const Box& frame);
+
+  const Walls& mean() const { return mean_; }
+  const Covariance& covariance() const { return covariance_; }  ///< without that of the motion
+  const Eigen::Matrix4d& slope() const { return slope_; }       ///< by the motion
+
+ private:
+  Walls mean_;
+  Covariance covariance_;
+  Eigen::Matrix4d slope_;
+};
+
+/// Walls seen well enough to compare, as a mask over the four, with their σ.
+struct SeenWalls {
+  explicit SeenWalls(const FoundBox& found);
+  std::array<int, 4> index{};
+  int count = 0;
+  int widths = 0;  ///< axes with both walls
+};
+
+/// The building after the run: the drawn one as the motion predicts it, corrected by the found one
+/// where there is one.
+struct RefinedBuilding {
+  Rectangle box;
+  Estimate estimate;
+};
+RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& uncertainty,
+                                const DrawingMotion& motion, const FoundBox* found);
+
+}  // namespace handmap

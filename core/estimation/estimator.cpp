@@ -1,0 +1,326 @@
+#include "core/estimation/estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/random.h"
+#include "core/estimation/drawn_box.h"
+#include "core/estimation/landmarks.h"
+#include "core/estimation/noise_estimate.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kMoved = 0.08;           // metres: a frame that moved so far is put in anew
+constexpr double kTurned = 0.005;         // radians
+constexpr int kMostMoved = 3;             // frames put in anew with each observation
+constexpr double kSlacks[] = {0.3, 0.1};  // across walls, metres: wide to catch, narrow to settle
+constexpr double kFinalSlack = 0.03;
+constexpr double kSlightDoubt = 0.1;
+
+/// Main directions of the drawing, modulo a quarter turn.
+std::vector<double> mainHeadings(const Map& drawing) {
+  constexpr double kApart = toRadians(9.0);
+  std::vector<double> headings;
+  for (const Building& building : drawing.buildings) {
+    const double heading = building.box().heading;
+    const auto isNear = [&](double other) {
+      return std::abs(std::remainder(heading - other, kPi / 2.0)) < kApart / 2.0;
+    };
+    if (std::none_of(headings.begin(), headings.end(), isNear)) headings.push_back(heading);
+  }
+  return headings;
+}
+
+/// A frame that is worked on, and the pose at which the evidence holds it.
+struct ActiveFrame {
+  Frame* frame;
+  Pose2 held_at;
+};
+
+bool hasMoved(const ActiveFrame& active) {
+  const Pose2 motion = between(active.held_at, active.frame->pose);
+  return std::hypot(motion.x, motion.y) > kMoved || std::abs(motion.heading) > kTurned;
+}
+
+}  // namespace
+
+struct HandmapEstimator::State {
+  State(const Map& map, const EstimatorOptions& with, std::uint64_t random_seed)
+      : drawing(map),
+        options(with),
+        seed(random_seed),
+        sensor(with.sensor, with.range_limit_m),
+        evidence(mainHeadings(map), with.cell_m, 2.0 * (with.range_limit_m + with.active_m)),
+        finder(with.finder),
+        smoother(with.odometry, sensor) {
+    smoother.expectHeadings(mainHeadings(map), with.assignment.heading_sigma);
+  }
+
+  void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
+  void smoothWindow();
+  void smoothAll(double slack_m);
+  void updateEvidence();
+  void updateNoise();
+  void findBuildings();
+  std::size_t firstWorkedOn() const;
+  bool isInSight(const FoundBox& found) const;
+  bool hasReached(const Rectangle& box) const;
+
+  Map drawing;
+  EstimatorOptions options;
+  std::uint64_t seed;
+  SensorModel sensor;
+  WallEvidence evidence;
+  BoxFinder finder;
+  Smoother smoother;
+
+  std::deque<Frame> frames;  ///< key frames, in order of time
+  std::vector<ActiveFrame> active;
+  std::vector<FoundBox> found;
+  Landmarks landmarks;
+  NoiseEstimate noise;
+  std::vector<Hypothesis> hypotheses;
+  struct Passing {  ///< an observation: its pose relative to a key frame
+    double time_s;
+    std::size_t frame;
+    Pose2 offset;
+  };
+  std::vector<Passing> observations;
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& options,
+                                   std::uint64_t seed) {
+  if (drawing.buildings.empty()) {
+    throw Error(ErrorCode::BadInput, "the map has no building, expected at least one",
+                "draw the buildings that the robot will pass");
+  }
+  if (!drawing.start) {
+    throw Error(ErrorCode::BadInput, "the map has no start pose, expected one",
+                "set where the robot starts and where it looks");
+  }
+  state_ = std::make_unique<State>(drawing, options, seed);
+  state_->pose = *drawing.start;
+  state_->hypotheses = assign(drawing, {}, options.assignment);
+}
+
+HandmapEstimator::~HandmapEstimator() = default;
+
+void HandmapEstimator::startFrom(const Pose2& odometry) {
+  state_->addFrame(0.0, odometry, *state_->drawing.start, Scan{});
+}
+
+bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& scan,
+                            std::stop_token stop, const std::function<void(double)>& progress) {
+  State& state = *state_;
+  if (stop.stop_requested()) return false;
+  if (state.frames.empty()) startFrom(odometry);
+  const Frame& last = state.frames.back();
+  const Pose2 motion = between(last.odometry, odometry);
+  const bool moved = std::hypot(motion.x, motion.y) >= state.options.key_step_m ||
+                     std::abs(motion.heading) >= state.options.key_turn;
+  state.pose = last.pose * motion;
+  if (!moved && state.observations.empty()) {
+    state.frames.pop_back();
+  } else if (!moved) {
+    state.observations.push_back({time_s, state.frames.size() - 1, motion});
+    return true;
+  }
+  state.addFrame(time_s, odometry, state.pose, scan);
+  state.observations.push_back({time_s, state.frames.size() - 1, Pose2{}});
+  state.smoothWindow();
+  if (progress) progress(0.4);
+  state.updateEvidence();
+  state.findBuildings();
+  state.updateNoise();
+  if (progress) progress(0.9);
+  state.hypotheses = assign(state.drawing, state.found, state.options.assignment);
+  state.pose = state.frames.back().pose;
+  return true;
+}
+
+void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
+                                       const Scan& scan) {
+  frames.push_back(makeFrame(time_s, odometry, at, scan));
+  frames.back().sightings = compactThings(frames.back().rays, sensor);
+  landmarks.associate(frames.back());
+}
+
+std::size_t HandmapEstimator::State::firstWorkedOn() const {
+  const auto most = static_cast<std::size_t>(options.most_active);
+  return frames.size() > most ? frames.size() - most : 0;
+}
+
+bool HandmapEstimator::State::isInSight(const FoundBox& box) const {
+  const BoxView view(box.box, frames.back().pose);
+  return view.inReach(options.range_limit_m);
+}
+
+bool HandmapEstimator::State::hasReached(const Rectangle& box) const {
+  const Polygon corners = box.corners();
+  return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+    return distanceTo(corners, frame.pose.position()) < options.range_limit_m;
+  });
+}
+
+void HandmapEstimator::State::smoothWindow() {
+  std::vector<FoundBox> boxes;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!isInSight(found[i])) continue;
+    boxes.push_back(found[i]);
+    which.push_back(i);
+  }
+  std::vector<Frame*> window;
+  for (std::size_t i = firstWorkedOn(); i < frames.size(); ++i) window.push_back(&frames[i]);
+  const auto count = static_cast<std::size_t>(options.window);
+  const std::size_t fixed = window.size() > count ? window.size() - count : 1;
+  for (const double slack : kSlacks)
+    smoother.iterate(window, fixed, boxes, landmarks.positions(), slack);
+  covariance = smoother.covariances(boxes);
+  for (std::size_t i = 0; i < which.size(); ++i) found[which[i]] = boxes[i];
+}
+
+void HandmapEstimator::State::smoothAll(double slack_m) {
+  std::vector<Frame*> all;
+  for (Frame& frame : frames) all.push_back(&frame);
+  smoother.iterate(all, 1, found, landmarks.positions(), slack_m);
+}
+
+void HandmapEstimator::State::updateEvidence() {
+  std::vector<ActiveFrame> kept;
+  const Vec2 here = frames.back().pose.position();
+  const std::size_t most = static_cast<std::size_t>(options.most_active);
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const ActiveFrame& old = active[i];
+    const bool far = (old.frame->pose.position() - here).norm() > options.active_m;
+    if (far || active.size() - i >= most) {
+      evidence.remove(*old.frame, old.held_at, sensor);
+    } else {
+      kept.push_back(old);
+    }
+  }
+  active = std::move(kept);
+  int moved = 0;
+  for (auto it = active.rbegin(); it != active.rend() && moved < kMostMoved; ++it) {
+    if (!hasMoved(*it)) continue;
+    evidence.remove(*it->frame, it->held_at, sensor);
+    it->held_at = it->frame->pose;
+    evidence.add(*it->frame, it->held_at, sensor);
+    ++moved;
+  }
+  active.push_back({&frames.back(), frames.back().pose});
+  evidence.add(frames.back(), frames.back().pose, sensor);
+}
+
+void HandmapEstimator::State::updateNoise() {
+  noise.add(frames.back(), found, sensor);
+  smoother.setSystematic(noise.systematic());
+  SensorOptions changed = sensor.options();
+  changed.noise = noise.fitted(changed.noise);
+  if (!differMuch(changed.noise, sensor.options().noise)) return;
+  for (const ActiveFrame& a : active) evidence.remove(*a.frame, a.held_at, sensor);
+  sensor = SensorModel(changed, options.range_limit_m);
+  for (const ActiveFrame& a : active) evidence.add(*a.frame, a.held_at, sensor);
+}
+
+void HandmapEstimator::State::findBuildings() {
+  const std::vector<FoundWall> walls = detectWalls(evidence, frames.back().pose.position(),
+                                                   options.range_limit_m, options.detection);
+  std::vector<const Frame*> last;
+  for (std::size_t i = firstWorkedOn(); i < frames.size(); ++i) last.push_back(&frames[i]);
+  for (FoundBox& box : found) box.in_sight = isInSight(box);
+  finder.update(found, walls, last, sensor);
+}
+
+void HandmapEstimator::finish() {
+  State& state = *state_;
+  if (state.frames.empty()) return;
+  for (const double slack : {0.2, 0.1, kFinalSlack, kFinalSlack, kFinalSlack}) {
+    state.smoothAll(slack);
+  }
+  state.covariance = state.smoother.covariances(state.found);
+  std::vector<const Frame*> all;
+  for (const Frame& frame : state.frames) all.push_back(&frame);
+  for (FoundBox& found : state.found) state.finder.locateUnseen(found, all, state.sensor);
+  state.hypotheses = assign(state.drawing, state.found, state.options.assignment);
+  state.pose = state.frames.back().pose;
+}
+
+const Pose2& HandmapEstimator::pose() const { return state_->pose; }
+const Eigen::Matrix3d& HandmapEstimator::poseCovariance() const { return state_->covariance; }
+const std::vector<FoundBox>& HandmapEstimator::found() const { return state_->found; }
+
+std::vector<StampedPose> HandmapEstimator::trajectory() const {
+  std::vector<StampedPose> poses;
+  for (const State::Passing& passing : state_->observations) {
+    poses.push_back({passing.time_s, state_->frames[passing.frame].pose * passing.offset});
+  }
+  return poses;
+}
+
+double HandmapEstimator::effectiveSampleSize() const {
+  double squares = 0.0;
+  for (const Hypothesis& h : state_->hypotheses) squares += h.weight * h.weight;
+  return 1.0 / squares;
+}
+
+int HandmapEstimator::visibleBuildings() const {
+  const auto& found = state_->found;
+  return static_cast<int>(std::count_if(found.begin(), found.end(), [&](const FoundBox& box) {
+    return !state_->frames.empty() && state_->isInSight(box);
+  }));
+}
+
+std::vector<PoseParticle> HandmapEstimator::particles() const {
+  const State& state = *state_;
+  const Eigen::LLT<Eigen::Matrix3d> root(state.covariance + 1e-9 * Eigen::Matrix3d::Identity());
+  std::vector<PoseParticle> particles;
+  const auto count = static_cast<std::size_t>(state.options.particles);
+  for (std::size_t i = 0; i < count; ++i) {
+    RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
+                        static_cast<std::uint32_t>(i));
+    const Eigen::Vector3d unit(random.normal(), random.normal(), random.normal());
+    const Eigen::Vector3d offset = root.matrixL() * unit;
+    particles.push_back({{state.pose.x + offset.x(), state.pose.y + offset.y(),
+                          normalizedAngle(state.pose.heading + offset.z())},
+                         1.0 / static_cast<double>(count)});
+  }
+  return particles;
+}
+
+Map HandmapEstimator::refinedMap() const {
+  const State& state = *state_;
+  Map map = state.drawing;
+  const Hypothesis& best = state.hypotheses.front();
+  for (std::size_t b = 0; b < map.buildings.size(); ++b) {
+    Building& building = map.buildings[b];
+    if (building.fixed) continue;
+    const int assigned = best.found_of[b];
+    double agreed = 0.0;
+    for (const Hypothesis& h : state.hypotheses)
+      agreed += h.found_of[b] == assigned ? h.weight : 0.0;
+    const FoundBox* found =
+        assigned == Hypothesis::kNone ? nullptr : &state.found[static_cast<std::size_t>(assigned)];
+    const RefinedBuilding refined =
+        refinedBuilding(building, state.drawing.uncertaintyOf(building), best.motion, found);
+    building = building.fitted(refined.box);
+    building.estimate = refined.estimate;
+    const double doubt = found ? 1.0 - agreed : agreed;
+    // Of what the robot has not come to yet nothing can be said.
+    const bool reached = found || state.hasReached(refined.box);
+    if (reached && doubt > kSlightDoubt)
+      building.unknown["doubtful"] = fmt::format("{:.2f}", doubt);
+  }
+  return map;
+}
+
+}  // namespace handmap

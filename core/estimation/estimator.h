@@ -1,0 +1,75 @@
+// The estimator: finds buildings and the robot's way together, then tells which drawn building each
+// found one is.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/estimation/assignment.h"
+#include "core/estimation/box_finder.h"
+#include "core/estimation/smoother.h"
+#include "core/map/map.h"
+#include "core/recording/trajectory.h"
+
+namespace handmap {
+
+struct EstimatorOptions {
+  double range_limit_m = 40.0;
+  int particles = 100;
+  SensorOptions sensor;
+  OdometryNoise odometry;
+  DetectionOptions detection;
+  FinderOptions finder;
+  AssignmentOptions assignment;
+  double cell_m = 0.5;      ///< of the evidence
+  double key_step_m = 2.0;  ///< frames nearer than this to the last one kept only move the robot
+  double key_turn = 0.15;   ///< radians, the same
+  double active_m = 50.0;   ///< frames farther behind are no longer worked on
+  int window = 12;          ///< poses that an observation may correct
+  int most_active = 40;     ///< frames worked on at most
+};
+
+/// A hypothesis: where the robot is, if the drawn buildings are the found ones that it says.
+struct PoseParticle {
+  Pose2 pose;
+  double weight = 0.0;
+};
+
+class HandmapEstimator {
+ public:
+  /// The drawing needs buildings and a start pose. Throws BadInput otherwise.
+  HandmapEstimator(const Map& drawing, const EstimatorOptions& options, std::uint64_t seed);
+  ~HandmapEstimator();
+  HandmapEstimator(const HandmapEstimator&) = delete;
+  HandmapEstimator& operator=(const HandmapEstimator&) = delete;
+
+  /// Odometry of the drawing's start, where the first observation is made later on the way. Before
+  /// the first step().
+  void startFrom(const Pose2& odometry);
+  /// One observation. Returns false and leaves the state as it was when `stop` was requested.
+  bool step(double time_s, const Pose2& odometry, const Scan& scan, std::stop_token stop = {},
+            const std::function<void(double)>& progress = {});
+  /// Smooths everything once more, after the last observation.
+  void finish();
+
+  const Pose2& pose() const;
+  const Eigen::Matrix3d& poseCovariance() const;
+  std::vector<StampedPose> trajectory() const;
+  std::vector<PoseParticle> particles() const;
+  double effectiveSampleSize() const;
+  int visibleBuildings() const;
+  /// The drawing corrected: every building moved to the one found for it, with its estimate; those
+  /// without one by what the others say of the whole drawing. A member "doubtful" tells how
+  /// probable it is that the building is another one, or not there, where that is more than slight.
+  Map refinedMap() const;
+  const std::vector<FoundBox>& found() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,70 @@
+#include "core/estimation/sensor_model.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace handmap {
+
+namespace {
+
+double normalDensity(double error, double sigma) {
+  const double z = error / sigma;
+  return std::exp(-0.5 * z * z) / (sigma * std::sqrt(2.0 * std::numbers::pi));
+}
+
+}  // namespace
+
+SensorModel::SensorModel(const SensorOptions& options, double range_limit_m)
+    : options_(options),
+      range_limit_m_(range_limit_m),
+      passed_(static_cast<float>(options.temper * std::log(1.0 - options.hit))),
+      silent_(static_cast<float>(options.temper * std::log(options.silent))) {
+  const auto bins = static_cast<std::size_t>(range_limit_m / kDistanceStep) + 2;
+  for (std::size_t i = 0; i < bins; ++i) {
+    const double sigma = options.noise.at((static_cast<double>(i) + 0.5) * kDistanceStep);
+    sigma_squared_.push_back(static_cast<float>(sigma * sigma));
+  }
+  table_.resize(kLevels * kLabels * kSteps);
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    // The middle of the level's variances.
+    const double sigma = std::sqrt(std::exp2(-10.0 + std::floor(static_cast<double>(level) / 4.0)) *
+                                   (1.0 + 0.25 * (static_cast<double>(level % 4) + 0.5)));
+    per_sigma_[level] = static_cast<float>(1.0 / sigma);
+    for (int label = 0; label < kLabels; ++label) {
+      for (std::size_t step = 0; step < kSteps; ++step) {
+        const double z = (static_cast<double>(step) + 0.5) / kStepsPerSigma - kReach;
+        const double behind = 0.5 * std::erfc(-z / std::numbers::sqrt2);
+        const double ratio = 1.0 - options.hit * behind +
+                             wallDensity(label, z * sigma, sigma) / otherDensity(options, label);
+        table_[(level * kLabels + static_cast<std::size_t>(label)) * kSteps + step] =
+            static_cast<float>(options.temper * std::log(ratio));
+      }
+    }
+  }
+}
+
+int SensorModel::labelOf(double wall) {
+  return static_cast<int>(std::lround(std::clamp(wall, 0.0, 1.0) * (kLabels - 1)));
+}
+
+double SensorModel::wallDensity(int label, double error, double sigma) const {
+  const double wall = static_cast<double>(label) / (kLabels - 1);
+  const double recognised = wall * options_.recognised + (1.0 - wall) * (1.0 - options_.recognised);
+  return options_.hit * recognised * normalDensity(error, sigma);
+}
+
+double SensorModel::otherDensity(const SensorOptions& options, int label) {
+  const double wall = static_cast<double>(label) / (kLabels - 1);
+  return wall * options.wall_like_per_m + (1.0 - wall) * options.others_per_m;
+}
+
+double SensorModel::responsibility(int label, double error, double sigma) const {
+  const double wall = wallDensity(label, error, sigma);
+  return wall / (wall + otherDensity(options_, label));
+}
+
+float SensorModel::reach(float range) const {
+  return kReach * static_cast<float>(options_.noise.at(range));
+}
+
+}  // namespace handmap

@@ -1,0 +1,99 @@
+// What a ray says about a wall that it would meet: a log likelihood ratio, tabulated.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace handmap {
+
+/// Noise of a range return at the distance of the wall: σ(d) = offset + quadratic · d².
+struct RangeNoise {
+  double offset_m = 0.1;
+  double quadratic_per_m = 0.002;
+  double at(double distance_m) const {
+    return offset_m + quadratic_per_m * distance_m * distance_m;
+  }
+};
+
+struct SensorOptions {
+  RangeNoise noise;
+  double hit = 0.9;               ///< a wall returns the ray; else it is looked through
+  double silent = 0.1;            ///< a wall gives no return at all (with `hit`: of those that do)
+  double recognised = 0.85;       ///< share of the returns from walls that look like walls
+  double wall_like_per_m = 0.01;  ///< density along a ray of other things that look like walls
+  double others_per_m = 0.2;      ///< density, where they are, of things that do not
+  double temper = 0.4;            ///< rays of a frame share the errors of its pose
+};
+
+/// A ray as the model reads it. `label` and `range` are those of a return; where nothing came back
+/// `label` is kSilent and `range` is how far was looked through.
+struct Sight {
+  float range = 0.0F;
+  int label = 0;
+};
+
+/// log p(return | wall at d) − log p(return | no wall), normalised over the returns. Things in
+/// front of d hide the wall and say nothing; a return from behind d, or none, speaks against it.
+class SensorModel {
+ public:
+  static constexpr int kLabels = 5;  ///< classes of "looks like a wall": 0 no … 4 yes
+  static constexpr int kSilent = -1;
+
+  SensorModel(const SensorOptions& options, double range_limit_m);
+
+  static int labelOf(double wall);
+
+  /// `slack_m`: how far, along the ray, the wall may be off for other reasons than range noise.
+  float operator()(const Sight& sight, float distance, float slack_m) const {
+    if (sight.label == kSilent) return distance < sight.range ? silent_ : 0.0F;
+    const std::size_t level = levelOf(distance, slack_m);
+    const float z = (sight.range - distance) * per_sigma_[level];
+    if (z <= -kReach) return 0.0F;
+    if (z >= kReach) return passed_;
+    const auto step = static_cast<std::size_t>((z + kReach) * kStepsPerSigma);
+    return table_[(level * kLabels + static_cast<std::size_t>(sight.label)) * kSteps + step];
+  }
+  /// Responsibility of the wall for a return `error` metres off, 0 … 1: the weight of the return in
+  /// a robust fit.
+  double responsibility(int label, double error, double sigma) const;
+
+  float passed() const { return passed_; }
+  float silent() const { return silent_; }
+  double rangeLimit() const { return range_limit_m_; }
+  const SensorOptions& options() const { return options_; }
+  /// How far behind a return its table reaches, metres.
+  float reach(float range) const;
+
+ private:
+  static constexpr float kReach = 4.0F;  // σ
+  static constexpr float kStepsPerSigma = 8.0F;
+  static constexpr std::size_t kSteps = 64;
+  static constexpr std::size_t kLevels = 56;
+  static constexpr float kDistanceStep = 0.5F;
+
+  static constexpr int kLeastLevel = 117 * 4;  // a variance of 2⁻¹⁰ m²
+
+  /// Four levels for each doubling of the variance, read off the bits of the number.
+  std::size_t levelOf(float distance, float slack_m) const {
+    const auto bin = static_cast<std::size_t>(distance * (1.0F / kDistanceStep));
+    const float variance =
+        sigma_squared_[std::min(bin, sigma_squared_.size() - 1)] + slack_m * slack_m;
+    const int level = static_cast<int>(std::bit_cast<std::uint32_t>(variance) >> 21) - kLeastLevel;
+    return static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(kLevels) - 1));
+  }
+  double wallDensity(int label, double error, double sigma) const;
+  static double otherDensity(const SensorOptions& options, int label);
+
+  SensorOptions options_;
+  double range_limit_m_;
+  float passed_;
+  float silent_;
+  std::vector<float> sigma_squared_;  ///< by distance
+  std::array<float, kLevels> per_sigma_{};
+  std::vector<float> table_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,282 @@
+#include "core/estimation/smoother.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/estimation/silhouette.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kPoseSize = 3;
+constexpr int kBoxSize = 5;
+constexpr double kReachPrior = 4.0;  // metres, one σ: what nobody saw stays where it is
+constexpr double kHeadingPrior = 0.2;
+constexpr double kLeastSize = 2.0;  // metres
+constexpr double kMostTurn = 0.05;  // radians an iteration
+constexpr double kEndsAreWorse = 3.0;
+constexpr int kLeastSightings = 3;  // of a landmark that is to be trusted
+constexpr float kLeastCosine = 0.02F;
+
+/// Walls that would pass one another stay.
+void move(Box& box, const Eigen::Matrix<double, kBoxSize, 1>& step) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double one = box.reach[axis] + step[static_cast<int>(axis)];
+    const double other = box.reach[axis + 2] + step[static_cast<int>(axis) + 2];
+    if (one + other < kLeastSize) continue;
+    box.reach[axis] = one;
+    box.reach[axis + 2] = other;
+  }
+  box.heading += std::clamp(step[kBoxSize - 1], -kMostTurn, kMostTurn);
+}
+
+}  // namespace
+
+void Smoother::Normal::add(const LocalVector& jacobian, double residual, double weight) {
+  matrix.noalias() += weight * jacobian * jacobian.transpose();
+  right.noalias() -= weight * residual * jacobian;
+}
+
+bool Smoother::addReturns(const Frame& frame, const FoundBox& found, double slack_m,
+                          Normal& normal) const {
+  const Box& box = found.box;
+  const BoxView view(box, frame.pose);
+  if (view.inside() || !view.inReach(sensor_.rangeLimit())) return false;
+  const double c = std::cos(frame.pose.heading);
+  const double s = std::sin(frame.pose.heading);
+  std::array<Vec2, 4> normals;
+  for (std::size_t k = 0; k < 4; ++k) normals[k] = box.normal(k);
+  std::array<Normal, 4> walls;
+  std::array<double, 4> information{};
+  view.forRays(frame.rays, [&](const FrameRay& ray) {
+    if (ray.sight.label == SensorModel::kSilent) return;
+    const Entry entry = view.entry(ray);
+    if (entry.distance < 0.0F) return;
+    const double noise = sensor_.options().noise.at(entry.distance);
+    // Near the limit only the returns that noise makes shorter come back.
+    if (entry.distance + 2.0 * noise > sensor_.rangeLimit()) return;
+    const double cosine = std::max(entry.cosine, kLeastCosine);
+    const double sigma = std::hypot(noise, slack_m / cosine);
+    const double range_error = static_cast<double>(ray.sight.range - entry.distance);
+    if (std::abs(range_error) > 4.0 * sigma) return;
+    const double weight = sensor_.responsibility(ray.sight.label, range_error, sigma) /
+                          (sigma * sigma * cosine * cosine);
+    const auto wall = static_cast<std::size_t>(entry.wall);
+    // At the hypothesised point: at the measured one the noise would be in the slopes as well.
+    const Vec2 direction(c * ray.x - s * ray.y, s * ray.x + c * ray.y);
+    const Vec2 turned = static_cast<double>(entry.distance) * direction;
+    const Vec2 from_pivot = frame.pose.position() + turned - box.pivot;
+    const Vec2& n = normals[wall];
+    LocalVector jacobian = LocalVector::Zero();
+    jacobian.head<3>() << n.x(), n.y(), n.dot(perpendicular(turned));
+    jacobian[kPoseSize + entry.wall] = -1.0;
+    jacobian[kPoseSize + 4] = perpendicular(n).dot(from_pivot);
+    walls[wall].add(jacobian, range_error * n.dot(direction), weight);
+    information[wall] += weight;
+  });
+  bool seen = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (information[k] == 0.0) continue;
+    const double share = 1.0 / (1.0 + information[k] * systematic_m_ * systematic_m_);
+    normal.matrix += share * walls[k].matrix;
+    normal.right += share * walls[k].right;
+    seen = true;
+  }
+  return seen;
+}
+
+void Smoother::addSilhouette(const Frame& frame, const FoundBox& found, Normal& normal) const {
+  const Box& box = found.box;
+  for (const SeenEnd& end : silhouette(box, frame, sensor_)) {
+    const Vec2 corner = box.corner(end.corner);
+    const Vec2 offset = corner - frame.pose.position();
+    const Vec2 slope = perpendicular(offset) / offset.squaredNorm();
+    LocalVector jacobian = LocalVector::Zero();
+    jacobian.head<3>() << -slope.x(), -slope.y(), -1.0;
+    const std::size_t next = (end.corner + 1) % 4;
+    jacobian[kPoseSize + static_cast<int>(end.corner)] = slope.dot(box.normal(end.corner));
+    jacobian[kPoseSize + static_cast<int>(next)] = slope.dot(box.normal(next));
+    jacobian[kPoseSize + 4] = slope.dot(perpendicular(corner - box.pivot));
+    const double bearing = std::atan2(offset.y(), offset.x()) - frame.pose.heading;
+    const double sigma = std::hypot(end.sigma, kEndsAreWorse * systematic_m_ / offset.norm());
+    normal.add(jacobian, normalizedAngle(bearing - end.bearing), 1.0 / (sigma * sigma));
+  }
+}
+
+void Smoother::addBlock(int row, int column, const Eigen::MatrixXd& block) {
+  for (int i = 0; i < block.rows(); ++i) {
+    for (int j = 0; j < block.cols(); ++j) {
+      if (row + i >= column + j) triplets_.emplace_back(row + i, column + j, block(i, j));
+    }
+  }
+}
+
+void Smoother::scatter(const Normal& normal, int pose, int box) {
+  const int box_at = poses_ * kPoseSize + box * kBoxSize;
+  addBlock(box_at, box_at, normal.matrix.bottomRightCorner<kBoxSize, kBoxSize>());
+  right_.segment<kBoxSize>(box_at) += normal.right.tail<kBoxSize>();
+  if (pose < 0) return;
+  const int pose_at = pose * kPoseSize;
+  addBlock(pose_at, pose_at, normal.matrix.topLeftCorner<kPoseSize, kPoseSize>());
+  addBlock(box_at, pose_at, normal.matrix.bottomLeftCorner<kBoxSize, kPoseSize>());
+  right_.segment<kPoseSize>(pose_at) += normal.right.head<kPoseSize>();
+}
+
+void Smoother::addOdometry(const Frame& from, const Frame& to, int from_index, int to_index) {
+  const Pose2 measured = between(from.odometry, to.odometry);
+  const Pose2 step = between(from.pose, to.pose);
+  const double length = std::hypot(measured.x, measured.y);
+  const double heading = odometry_.heading_per_m * length +
+                         odometry_.heading_per_rad * std::abs(measured.heading) +
+                         odometry_.least_heading;
+  const Eigen::Vector3d sigma(odometry_.length_per_m * length + odometry_.least_length_m,
+                              odometry_.side_per_m * length + odometry_.least_length_m, heading);
+  const Eigen::Vector3d residual(step.x - measured.x, step.y - measured.y,
+                                 normalizedAngle(step.heading - measured.heading));
+  const double c = std::cos(from.pose.heading);
+  const double s = std::sin(from.pose.heading);
+  Eigen::Matrix<double, 3, 6> jacobian;
+  jacobian << -c, -s, step.y, c, s, 0.0,  //
+      s, -c, -step.x, -s, c, 0.0,         //
+      0.0, 0.0, -1.0, 0.0, 0.0, 1.0;
+  const Eigen::Matrix<double, 6, 3> weighted =
+      jacobian.transpose() * sigma.cwiseInverse().cwiseAbs2().asDiagonal();
+  const Eigen::Matrix<double, 6, 6> matrix = weighted * jacobian;
+  const Eigen::Matrix<double, 6, 1> right = -weighted * residual;
+  addBlock(to_index * kPoseSize, to_index * kPoseSize, matrix.bottomRightCorner<3, 3>());
+  right_.segment<3>(to_index * kPoseSize) += right.tail<3>();
+  if (from_index < 0) return;
+  addBlock(from_index * kPoseSize, from_index * kPoseSize, matrix.topLeftCorner<3, 3>());
+  addBlock(to_index * kPoseSize, from_index * kPoseSize, matrix.bottomLeftCorner<3, 3>());
+  right_.segment<3>(from_index * kPoseSize) += right.head<3>();
+}
+
+void Smoother::addPrior(const Box& box, int at) {
+  double turned = 0.0;
+  double sigma = kHeadingPrior;
+  for (const double heading : headings_) {
+    const double against = std::remainder(box.heading - heading, kPi / 2.0);
+    if (sigma == heading_sigma_ && std::abs(against) > std::abs(turned)) continue;
+    turned = against;
+    sigma = heading_sigma_;
+  }
+  Eigen::Matrix<double, kBoxSize, 1> weight;
+  weight.fill(1.0 / (kReachPrior * kReachPrior));
+  weight[kBoxSize - 1] = 1.0 / (sigma * sigma);
+  addBlock(at, at, weight.asDiagonal().toDenseMatrix());
+  // Robust: a building may stand as it likes.
+  const double most = 2.0 * sigma;
+  right_[at + kBoxSize - 1] -= weight[kBoxSize - 1] * std::clamp(turned, -most, most);
+}
+
+void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark,
+                           int pose, int landmark_at) {
+  const Vec2 offset = landmark - frame.pose.position();
+  const double range = std::max(offset.norm(), 0.5);
+  const Vec2 along = offset / range;
+  const Vec2 sideways = perpendicular(along) / range;
+  const double bearing = std::atan2(offset.y(), offset.x()) - frame.pose.heading;
+  const Eigen::Vector2d residual(normalizedAngle(bearing - sighting.bearing),
+                                 range - sighting.range);
+  const Eigen::Vector2d sigma(
+      std::hypot(sighting.bearing_sigma, kEndsAreWorse * systematic_m_ / range),
+      std::hypot(sighting.range_sigma, kEndsAreWorse * systematic_m_));
+  Eigen::Matrix<double, 2, 5> jacobian;                                        // pose, landmark
+  jacobian << -sideways.x(), -sideways.y(), -1.0, sideways.x(), sideways.y(),  //
+      -along.x(), -along.y(), 0.0, along.x(), along.y();
+  // Cauchy's weight: some sightings are of something else.
+  const double robust = 1.0 / (1.0 + residual.cwiseQuotient(sigma).squaredNorm() / 4.0);
+  const Eigen::Matrix<double, 5, 2> weighted =
+      jacobian.transpose() * (robust * sigma.cwiseInverse().cwiseAbs2()).asDiagonal();
+  const Eigen::Matrix<double, 5, 5> matrix = weighted * jacobian;
+  const Eigen::Matrix<double, 5, 1> right = -weighted * residual;
+  addBlock(landmark_at, landmark_at, matrix.bottomRightCorner<2, 2>());
+  right_.segment<2>(landmark_at) += right.tail<2>();
+  if (pose < 0) return;
+  addBlock(pose * kPoseSize, pose * kPoseSize, matrix.topLeftCorner<3, 3>());
+  addBlock(landmark_at, pose * kPoseSize, matrix.bottomLeftCorner<2, 3>());
+  right_.segment<3>(pose * kPoseSize) += right.head<3>();
+}
+
+void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::span<FoundBox> boxes,
+                       std::vector<Vec2>& landmarks, double slack_m) {
+  poses_ = static_cast<int>(frames.size() - fixed);
+  int size = poses_ * kPoseSize + static_cast<int>(boxes.size()) * kBoxSize;
+  std::vector<int> sightings(landmarks.size());
+  for (const Frame* frame : frames) {
+    for (const Sighting& s : frame->sightings) ++sightings[static_cast<std::size_t>(s.landmark)];
+  }
+  std::vector<int> landmark_at(landmarks.size(), -1);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (sightings[i] < kLeastSightings) continue;
+    landmark_at[i] = size;
+    size += 2;
+  }
+  triplets_.clear();
+  right_ = Eigen::VectorXd::Zero(size);
+  const auto indexOf = [&](std::size_t frame) {
+    return frame < fixed ? -1 : static_cast<int>(frame - fixed);
+  };
+  for (std::size_t i = std::max<std::size_t>(fixed, 1); i < frames.size(); ++i) {
+    addOdometry(*frames[i - 1], *frames[i], indexOf(i - 1), indexOf(i));
+  }
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    boxes[b].observations = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      Normal normal;
+      if (!addReturns(*frames[i], boxes[b], slack_m, normal)) continue;
+      addSilhouette(*frames[i], boxes[b], normal);
+      scatter(normal, indexOf(i), static_cast<int>(b));
+      ++boxes[b].observations;
+    }
+    addPrior(boxes[b].box, poses_ * kPoseSize + static_cast<int>(b) * kBoxSize);
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (const Sighting& sighting : frames[i]->sightings) {
+      const auto id = static_cast<std::size_t>(sighting.landmark);
+      if (landmark_at[id] < 0) continue;
+      addSighting(*frames[i], sighting, landmarks[id], indexOf(i), landmark_at[id]);
+    }
+  }
+  if (size == 0) return;
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(triplets_.begin(), triplets_.end());
+  solver_.compute(matrix);
+  const Eigen::VectorXd step = solver_.solve(right_);
+  if (!step.allFinite()) return;
+  for (int i = 0; i < poses_; ++i) {
+    Pose2& pose = frames[fixed + static_cast<std::size_t>(i)]->pose;
+    pose.x += step[i * kPoseSize];
+    pose.y += step[i * kPoseSize + 1];
+    pose.heading = normalizedAngle(pose.heading + step[i * kPoseSize + 2]);
+  }
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    const int at = poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
+    move(boxes[b].box, step.segment<kBoxSize>(at));
+  }
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (landmark_at[i] >= 0) landmarks[i] += step.segment<2>(landmark_at[i]);
+  }
+}
+
+Eigen::Matrix3d Smoother::covariances(std::span<FoundBox> boxes) {
+  const auto columnOf = [&](int index) -> Eigen::VectorXd {
+    return solver_.solve(Eigen::VectorXd::Unit(right_.size(), index));
+  };
+  for (std::size_t b = 0; b < boxes.size(); ++b) {
+    const int at = poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
+    for (int k = 0; k < kBoxSize; ++k) {
+      const double sigma = std::sqrt(std::max(columnOf(at + k)[at + k], 0.0));
+      (k < 4 ? boxes[b].reach_sigma[static_cast<std::size_t>(k)] : boxes[b].heading_sigma) = sigma;
+    }
+  }
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  const int last = (poses_ - 1) * kPoseSize;
+  for (int k = 0; poses_ > 0 && k < kPoseSize; ++k) {
+    covariance.col(k) = columnOf(last + k).segment<3>(last);
+  }
+  return covariance;
+}
+
+}  // namespace handmap

@@ -1,0 +1,79 @@
+// Least squares over poses and found buildings.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
+
+#include "core/estimation/box_finder.h"
+
+namespace handmap {
+
+/// Noise of one odometry step, one σ.
+struct OdometryNoise {
+  double length_per_m = 0.03;
+  double side_per_m = 0.01;
+  double heading_per_m = 0.0025;  ///< radians
+  double heading_per_rad = 0.02;
+  double least_length_m = 0.01;
+  double least_heading = 0.001;
+};
+
+/// Gauss-Newton with weights that follow the sensor model. What a frame says of a wall is each
+/// return's distance from it; what it says of the end of a building is the bearing at which the
+/// returns of the building stop.
+class Smoother {
+ public:
+  Smoother(const OdometryNoise& odometry, const SensorModel& sensor)
+      : odometry_(odometry), sensor_(sensor) {}
+
+  /// How far, across a wall, what one frame says of it is off as a whole, one σ: walls are not
+  /// quite straight and poses of moving robots not quite those of the scan. Its ends are off by
+  /// more.
+  void setSystematic(double sigma_m) { systematic_m_ = sigma_m; }
+  /// The main directions of the drawing (modulo π/2), and how far a building may be turned against
+  /// the nearest, one σ.
+  void expectHeadings(std::vector<double> headings, double sigma) {
+    headings_ = std::move(headings);
+    heading_sigma_ = sigma;
+  }
+  /// Moves the poses of `frames` from index `fixed` on, the boxes and the landmarks that the frames
+  /// saw. The frames are in the order
+  /// of time; consecutive ones are bound by odometry. `slack_m` (across a wall, one
+  /// σ) is what poses and boxes may be off before: wide to catch, narrow to settle.
+  void iterate(std::span<Frame* const> frames, std::size_t fixed, std::span<FoundBox> boxes,
+               std::vector<Vec2>& landmarks, double slack_m);
+  /// Writes the σ of the boxes and returns the covariance of the last pose, after iterate().
+  Eigen::Matrix3d covariances(std::span<FoundBox> boxes);
+
+ private:
+  using Local = Eigen::Matrix<double, 8, 8>;  ///< of a pose (3) and a box (5)
+  using LocalVector = Eigen::Matrix<double, 8, 1>;
+  struct Normal {
+    Local matrix = Local::Zero();
+    LocalVector right = LocalVector::Zero();
+    void add(const LocalVector& jacobian, double residual, double weight);
+  };
+
+  bool addReturns(const Frame& frame, const FoundBox& found, double slack_m, Normal& normal) const;
+  void addSilhouette(const Frame& frame, const FoundBox& found, Normal& normal) const;
+  void scatter(const Normal& normal, int pose, int box);
+  void addOdometry(const Frame& from, const Frame& to, int from_index, int to_index);
+  void addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark, int pose,
+                   int landmark_at);
+  void addPrior(const Box& box, int at);
+  void addBlock(int row, int column, const Eigen::MatrixXd& block);
+
+  OdometryNoise odometry_;
+  double systematic_m_ = 0.03;
+  std::vector<double> headings_;
+  double heading_sigma_ = 0.1;
+  const SensorModel& sensor_;
+  std::vector<Eigen::Triplet<double>> triplets_;
+  Eigen::VectorXd right_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  int poses_ = 0;  ///< free ones
+};
+
+}  // namespace handmap

@@ -1,0 +1,108 @@
+#include "core/estimation/estimator.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/evaluation/comparison.h"
+#include "core/map/map_io.h"
+#include "core/perception/scan.h"
+#include "core/simulation/simulated_source.h"
+
+namespace handmap {
+namespace {
+
+struct Outcome {
+  Map refined;
+  std::vector<StampedPose> trajectory;
+  double pose_error = 0.0;
+  double odometry_error = 0.0;
+};
+
+Outcome runThrough(const World& world, const Map& drawing, int observations) {
+  const auto source = simulate(world, SimulationOptions{}, 5);
+  HandmapEstimator estimator(drawing, EstimatorOptions{}, 1);
+  ScanBuilder scans(source->info().range_limit_m, WallFilter{});
+  Outcome run;
+  Pose2 odometry;
+  for (int i = 0; i < observations; ++i) {
+    const auto observation = source->next();
+    if (!observation) break;
+    odometry = observation->odometry;
+    estimator.step(observation->time_s, odometry, scans(*observation->views.front().points));
+  }
+  estimator.finish();
+  run.refined = estimator.refinedMap();
+  run.trajectory = estimator.trajectory();
+  const Pose2 truth = source->info().truth[run.trajectory.size() - 1].pose;
+  run.pose_error = (estimator.pose().position() - truth.position()).norm();
+  run.odometry_error = ((*drawing.start * odometry).position() - truth.position()).norm();
+  return run;
+}
+
+TEST(HandmapEstimator, FindsEveryBuildingOfTwoRows) {
+  const World world = twoRowWorld(17);
+  const Map drawing = perturbed(world.map, 10.0, 18);
+  const Outcome run = runThrough(world, drawing, 1000);
+  for (const BuildingError& error : compareMaps(run.refined, world.map, false).buildings) {
+    EXPECT_GT(error.iou, 0.8) << error.id;
+  }
+  EXPECT_LT(run.pose_error, 1.5);
+  for (const Building& building : run.refined.buildings) {
+    ASSERT_TRUE(building.estimate.has_value());
+    EXPECT_GT(building.estimate->observations, 3) << building.id;
+    EXPECT_LT(building.estimate->sigma_width, 2.0) << building.id;
+  }
+}
+
+TEST(HandmapEstimator, IsTheSameEveryTime) {
+  const World world = twoRowWorld(19);
+  const Map drawing = perturbed(world.map, 5.0, 20);
+  EXPECT_EQ(formatMap(runThrough(world, drawing, 12).refined),
+            formatMap(runThrough(world, drawing, 12).refined));
+}
+
+TEST(HandmapEstimator, TakesPolygonsAndAnyHeading) {
+  const World world = campusWorld(3);
+  const Map drawing = perturbed(world.map, 3.0, 4);
+  const Outcome run = runThrough(world, drawing, 20);
+  ASSERT_EQ(run.refined.buildings.size(), drawing.buildings.size());
+  for (const Building& building : run.refined.buildings) {
+    EXPECT_TRUE(isSimple(building.footprint())) << building.id;
+    EXPECT_TRUE(building.box().centre.allFinite());
+  }
+}
+
+TEST(HandmapEstimator, ARequestToStopChangesNothing) {
+  const World world = twoRowWorld(21);
+  HandmapEstimator estimator(world.map, EstimatorOptions{}, 1);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(estimator.step(0.0, Pose2{}, Scan{}, stop.get_token()));
+  EXPECT_TRUE(estimator.trajectory().empty());
+}
+
+TEST(HandmapEstimator, ParticlesSpreadAroundThePose) {
+  const World world = twoRowWorld(22);
+  HandmapEstimator estimator(world.map, EstimatorOptions{}, 1);
+  estimator.step(0.0, Pose2{}, Scan{});
+  estimator.step(1.0, Pose2{5.0, 0.0, 0.0}, Scan{});
+  double weight = 0.0;
+  for (const PoseParticle& particle : estimator.particles()) {
+    weight += particle.weight;
+    EXPECT_LT((particle.pose.position() - estimator.pose().position()).norm(), 2.0);
+  }
+  EXPECT_NEAR(weight, 1.0, 1e-9);
+  EXPECT_GE(estimator.effectiveSampleSize(), 1.0);
+}
+
+TEST(HandmapEstimator, RefusesADrawingWithoutBuildingsOrStart) {
+  Map map = twoRowWorld(1).map;
+  map.start.reset();
+  EXPECT_THROW(HandmapEstimator(map, EstimatorOptions{}, 1), Error);
+  map = twoRowWorld(1).map;
+  map.buildings.clear();
+  EXPECT_THROW(HandmapEstimator(map, EstimatorOptions{}, 1), Error);
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,68 @@
+#include "core/perception/scan.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace handmap {
+namespace {
+
+RangePoint pointAt(double bearing_deg, double range, double z, float w) {
+  const double bearing = toRadians(bearing_deg);
+  return {static_cast<float>(range * std::cos(bearing)),
+          static_cast<float>(range * std::sin(bearing)), static_cast<float>(z), w};
+}
+
+const Ray* rayAt(const Scan& scan, double bearing_deg) {
+  for (const Ray& ray : scan.rays) {
+    if (std::abs(toDegrees(static_cast<double>(ray.bearing)) - bearing_deg) < 0.26) return &ray;
+  }
+  return nullptr;
+}
+
+TEST(ScanBuilder, APlanarScanKeepsLabelsAndOrder) {
+  ScanBuilder scans(40.0, WallFilter{});
+  const Scan scan = scans({pointAt(90.0, 10.0, 1.0, 1.0F), pointAt(0.0, 5.0, 1.0, 0.0F)});
+  ASSERT_EQ(scan.rays.size(), 2u);
+  EXPECT_LT(scan.rays[0].bearing, scan.rays[1].bearing);
+  EXPECT_FLOAT_EQ(scan.rays[0].wall, 0.0F);
+  EXPECT_FLOAT_EQ(scan.rays[1].wall, 1.0F);
+  EXPECT_NEAR(scan.rays[1].range, 10.0F, 1e-4F);
+}
+
+TEST(ScanBuilder, SilenceCountsOnlyWhereSomethingWasEverSeen) {
+  ScanBuilder scans(40.0, WallFilter{});
+  scans({pointAt(90.0, 10.0, 1.0, 1.0F)});
+  const Scan scan = scans({pointAt(0.0, 10.0, 1.0, 1.0F)});
+  const Ray* silent = rayAt(scan, 90.0);
+  ASSERT_NE(silent, nullptr);
+  EXPECT_FALSE(silent->returned);
+  EXPECT_FLOAT_EQ(silent->range, 40.0F);
+  EXPECT_EQ(rayAt(scan, -90.0), nullptr);
+}
+
+TEST(ScanBuilder, AStandingScanLooksThroughWhatIsNoWall) {
+  ScanBuilder scans(40.0, WallFilter{});
+  std::vector<RangePoint> points;
+  for (int i = 0; i < 30; ++i) {
+    points.push_back(pointAt(45.0, 10.0 + 0.001 * i, 0.15 * i, 1.0F));  // a wall, 4 m high
+  }
+  points.push_back(pointAt(-45.0, 15.0, 0.0, 1.0F));  // the ground
+  const Scan scan = scans(points);
+  const Ray* wall = rayAt(scan, 45.0);
+  ASSERT_NE(wall, nullptr);
+  EXPECT_TRUE(wall->returned);
+  EXPECT_NEAR(wall->range, 10.0F, 0.2F);
+  const Ray* ground = rayAt(scan, -45.0);
+  ASSERT_NE(ground, nullptr);
+  EXPECT_FALSE(ground->returned);
+  EXPECT_NEAR(ground->range, 15.0F, 0.01F);
+}
+
+TEST(ScanBuilder, PointsThatAreNoNumbersAreLeftOut) {
+  ScanBuilder scans(40.0, WallFilter{});
+  EXPECT_TRUE(scans({{std::nanf(""), 1.0F, 1.0F, 1.0F}, {1.0F, 1e30F, 1.0F, 1.0F}}).rays.empty());
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,103 @@
+#include "core/estimation/smoother.h"
+
+#include <gtest/gtest.h>
+
+#include "core/estimation/landmarks.h"
+#include "core/estimation/noise_estimate.h"
+#include "tests/core/estimation/scene.h"
+
+namespace handmap {
+namespace {
+
+TEST(Smoother, BringsPosesAndBoxesBack) {
+  RandomStream random(11);
+  SensorOptions options;
+  options.noise = {0.1, 0.0};
+  const SensorModel sensor(options, 40.0);
+  const std::vector<Box> boxes{boxOf({{0.0, 15.0}, 20.0, 8.0, 0.0}),
+                               boxOf({{10.0, -16.0}, 24.0, 10.0, 0.05})};
+  std::vector<Frame> frames;
+  std::vector<Pose2> truth;
+  Pose2 odometry;
+  for (double x = -20.0; x <= 25.0; x += 5.0) {
+    const Pose2 pose{x, 0.0, 0.0};
+    frames.push_back(seenFrom(pose, boxes, 0.1, random));
+    if (!truth.empty()) {
+      odometry = odometry * Pose2{5.0 * random.normal(1.0, 0.03), 0.0, random.normal(0.0, 0.01)};
+    }
+    truth.push_back(pose);
+    frames.back().odometry = odometry;
+    frames.back().pose = truth.front() * odometry;
+  }
+  std::vector<FoundBox> found{{boxOf({{0.4, 15.3}, 19.4, 8.5, 0.01})},
+                              {boxOf({{9.7, -16.3}, 24.5, 10.3, 0.03})}};
+  std::vector<Frame*> seen;
+  for (Frame& frame : frames) seen.push_back(&frame);
+  std::vector<Vec2> landmarks;
+  Smoother smoother(OdometryNoise{}, sensor);
+  for (const double slack : {0.5, 0.2, 0.1, 0.03, 0.03}) {
+    smoother.iterate(seen, 1, found, landmarks, slack);
+  }
+  smoother.covariances(found);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_LT((frames[i].pose.position() - truth[i].position()).norm(), 0.3) << i;
+    EXPECT_NEAR(frames[i].pose.heading, truth[i].heading, 0.01) << i;
+  }
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Rectangle r = found[b].box.rectangle();
+    EXPECT_NEAR(r.width, boxes[b].rectangle().width, 0.4);
+    EXPECT_NEAR(r.centre.x(), boxes[b].rectangle().centre.x(), 0.3);
+    EXPECT_GT(found[b].observations, 5);
+    EXPECT_LT(found[b].reach_sigma[b == 0 ? 3 : 1], 0.2);  // the fronts
+  }
+}
+
+TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  const Vec2 tree(8.0, 6.0);
+  Landmarks landmarks;
+  for (double x = 0.0; x <= 15.0; x += 3.0) {
+    const Pose2 pose{x, 0.0, 0.2};
+    Scan scan;
+    for (int i = 0; i < 720; ++i) {
+      const double bearing = -kPi + 2.0 * kPi * (i + 1) / 720;
+      const Vec2 to_tree = tree - pose.position();
+      const Vec2 direction = unitVector(pose.heading + bearing);
+      const double nearest = to_tree.dot(direction);
+      const double squared = 0.49 - to_tree.squaredNorm() + nearest * nearest;
+      const bool hit = nearest > 0.0 && squared > 0.0;
+      const double range = hit ? nearest - std::sqrt(squared) : 40.0;
+      scan.rays.push_back(
+          {static_cast<float>(bearing), static_cast<float>(range), 0.0F, 0.0F, hit});
+    }
+    Frame frame = makeFrame(0.0, pose, pose, scan);
+    frame.sightings = compactThings(frame.rays, sensor);
+    ASSERT_EQ(frame.sightings.size(), 1u);
+    landmarks.associate(frame);
+    const Sighting& s = frame.sightings.front();
+    EXPECT_LT((pose.toOuter(s.range * unitVector(s.bearing)) - tree).norm(), 0.25);
+  }
+  EXPECT_EQ(landmarks.positions().size(), 1u);
+}
+
+TEST(NoiseEstimate, FindsTheNoiseThatTheDataHave) {
+  RandomStream random(12);
+  SensorOptions options;
+  options.noise = {0.15, 0.0};
+  const Box box = boxOf({{0.0, 15.0}, 40.0, 8.0, 0.0});
+  const std::vector<FoundBox> found{{box}};
+  NoiseEstimate estimate;
+  for (int round = 0; round < 12; ++round) {
+    const SensorModel sensor(options, 40.0);
+    for (double x = -10.0; x <= 10.0; x += 5.0) {
+      estimate.add(seenFrom({x, 0.0, 0.0}, {box}, 0.3, random), found, sensor);
+      estimate.add(seenFrom({x, 5.0, 0.0}, {box}, 0.3, random), found, sensor);
+    }
+    options.noise = estimate.fitted(options.noise);
+  }
+  EXPECT_NEAR(options.noise.at(10.0), 0.3, 0.06);
+  EXPECT_TRUE(differMuch(options.noise, {0.15, 0.0}));
+}
+
+}  // namespace
+}  // namespace handmap
