@@ -16,14 +16,11 @@ namespace handmap {
 
 namespace {
 
-enum class Method { Paper, Handmap };
-
 struct RunArguments {
   std::string map;
   std::string recording;
   ReplayOptions replay;
   std::string odometry;
-  Method method = Method::Paper;
   RunSettings settings;
   bool localize_only = false;
   std::string out;
@@ -32,10 +29,6 @@ struct RunArguments {
 };
 
 void check(const RunArguments& arguments) {
-  if (arguments.method == Method::Handmap) {
-    throw Error(ErrorCode::Usage, "--method handmap: not in this version",
-                "--method paper, the default");
-  }
   if (arguments.replay.to && *arguments.replay.to < arguments.replay.from) {
     throw Error(ErrorCode::Usage, fmt::format("--to: found {}, expected {} (--from) or more",
                                               *arguments.replay.to, arguments.replay.from));
@@ -121,9 +114,9 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       "What to see with; auto takes images where there are any");
   command->add_option("--odometry", a.odometry, "In place of the recording's own")
       ->option_text("FILE.tum");
-  addChoice(*command, "--method", a.method,
-            {{"paper", Method::Paper}, {"handmap", Method::Handmap}},
-            "The published FastSLAM/PSOM (paper) or ours (handmap)");
+  addChoice(*command, "--method", a.settings.method,
+            {{"handmap", Method::Handmap}, {"paper", Method::Paper}},
+            "Ours (handmap) or the published FastSLAM/PSOM (paper)");
   addNumber(*command, "--slam-particles", slam.slam_particles, 1, 1e5,
             "Hypotheses of pose and map");
   addNumber(*command, "--pso-particles", slam.pso_particles, 1, 1e4, "Swarm of a building");

@@ -8,12 +8,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const char* methodName(const RunSettings& settings) {
+  if (!settings.slam.refine) return "localization";
+  return settings.method == Method::Paper ? "paper" : "handmap";
+}
+
 Json settingsJson(const RunSettings& settings) {
   const SlamOptions& slam = settings.slam;
   const StereoOptions& stereo = settings.perception.stereo;
   const LocalMapOptions& local_map = settings.perception.local_map;
   return {
-      {"method", slam.refine ? "paper" : "localization"},
+      {"method", methodName(settings)},
       {"slam_particles", slam.slam_particles},
       {"pso_particles", slam.pso_particles},
       {"pso_iterations", slam.pso_iterations},

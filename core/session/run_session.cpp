@@ -4,10 +4,8 @@
 #include <sys/resource.h>
 #include <tbb/task_arena.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/base/error.h"
-#include "core/localization/fastslam_psom.h"
+#include "core/session/estimation_method.h"
 #include "core/session/run_report.h"
 
 namespace handmap {
@@ -20,24 +18,10 @@ double millisecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  const double heading = particles.front().pose.heading;
-  const auto vectorOf = [heading](const Pose2& pose) {
-    return Eigen::Vector3d(pose.x, pose.y, normalizedAngle(pose.heading - heading));
-  };
-  for (const Particle& particle : particles) mean += particle.weight * vectorOf(particle.pose);
-  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
-  for (const Particle& particle : particles) {
-    variance += particle.weight * (vectorOf(particle.pose) - mean).cwiseAbs2();
-  }
-  return {std::sqrt(variance.x()), std::sqrt(variance.y()), std::sqrt(variance.z())};
-}
-
 std::optional<Pose2> poseAt(const std::vector<StampedPose>& poses, double time_s) {
-  const auto same = std::lower_bound(
-      poses.begin(), poses.end(), time_s,
-      [](const StampedPose& pose, double time) { return pose.time_s < time; });
+  const auto same =
+      std::lower_bound(poses.begin(), poses.end(), time_s,
+                       [](const StampedPose& pose, double time) { return pose.time_s < time; });
   if (same == poses.end()) return std::nullopt;
   if (same->time_s == time_s) return same->pose;
   if (same == poses.begin()) return std::nullopt;
@@ -54,27 +38,30 @@ struct RunSession::State {
         source(std::move(from)),
         settings(with),
         perception(source->info(), settings.perception),
-        slam(drawing, source->info().start_odometry, settings.slam, settings.seed),
+        method(makeMethod(drawing, source->info(), settings)),
         arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {}
 
   std::optional<Observation> nextReadable();
   std::optional<Percept> perceive(const Observation& observation);
   std::shared_ptr<const Snapshot> snapshot(const Observation& observation, Percept percept);
+  std::shared_ptr<const Snapshot> lastSnapshot();
+  void fill(Snapshot& snapshot) const;
 
   Map drawing;
   std::unique_ptr<ObservationSource> source;
   RunSettings settings;
   Perception perception;
-  FastSlamPsom slam;
+  std::unique_ptr<EstimationMethod> method;
   tbb::task_arena arena;
   std::vector<StampedPose> odometry;  ///< alone, from the drawing's start
   std::vector<FrameReport> frames;
   std::vector<SkippedFrame> skipped;
+  std::shared_ptr<const Snapshot> newest;
+  bool finished = false;
   Clock::time_point begin = Clock::now();
 };
 
-RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source,
-                       RunSettings settings)
+RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source, RunSettings settings)
     : state_(std::make_unique<State>(std::move(drawing), std::move(source), settings)) {}
 
 RunSession::~RunSession() = default;
@@ -109,10 +96,10 @@ std::shared_ptr<const Snapshot> RunSession::step(std::stop_token stop,
     const auto begin = Clock::now();
     const std::optional<Observation> observation = state.nextReadable();
     if (!observation) {
-      if (!state.frames.empty()) return nullptr;
+      if (!state.frames.empty()) return state.lastSnapshot();
       throw Error(ErrorCode::RunFailed,
-                  fmt::format("none of {} observations could be used{}{}",
-                              source().observations, state.skipped.empty() ? "" : "; the first: ",
+                  fmt::format("none of {} observations could be used{}{}", source().observations,
+                              state.skipped.empty() ? "" : "; the first: ",
                               state.skipped.empty() ? "" : state.skipped.front().reason));
     }
     std::optional<Percept> percept = state.perceive(*observation);
@@ -126,18 +113,15 @@ std::shared_ptr<const Snapshot> RunSession::step(std::stop_token stop,
     const auto slam_begin = Clock::now();
     bool done = false;
     state.arena.execute([&] {
-      done = state.slam.step(observation->time_s, observation->odometry, percept->local_map, stop,
-                             progress);
+      done =
+          state.method->step(observation->time_s, observation->odometry, *percept, stop, progress);
     });
     if (!done) return nullptr;
     report.ms.slam = millisecondsSince(slam_begin);
     report.ms.total = millisecondsSince(begin);
     report.frame = observation->frame;
     report.time_s = observation->time_s;
-    report.effective_sample_size = state.slam.lastStep().effective_sample_size;
-    report.visible_buildings = state.slam.lastStep().visible_buildings;
-    report.pose = state.slam.best().pose;
-    report.pose_sigma = spreadOf(state.slam.particles());
+    state.method->describe(report);
     state.frames.push_back(report);
     return state.snapshot(*observation, std::move(*percept));
   }
@@ -152,26 +136,40 @@ std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& o
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->index = static_cast<int>(frames.size() + skipped.size());
   snapshot->count = source->info().observations;
-  snapshot->report = frames.back();
-  snapshot->particles.reserve(slam.particles().size());
-  for (const Particle& particle : slam.particles()) {
-    snapshot->particles.push_back({particle.pose, particle.weight});
-  }
-  snapshot->map = slam.refinedMap();
-  snapshot->trajectory =
-      std::make_shared<const std::vector<StampedPose>>(slam.best().path.poses());
+  fill(*snapshot);
   snapshot->odometry = std::make_shared<const std::vector<StampedPose>>(odometry);
   snapshot->truth = poseAt(source->info().truth, observation.time_s);
   snapshot->local_map = std::make_shared<const LocalMap>(std::move(percept.local_map));
   snapshot->image = percept.image;
   snapshot->disparity = percept.disparity;
+  newest = snapshot;
   return snapshot;
 }
 
-std::vector<StampedPose> RunSession::trajectory() const { return state_->slam.best().path.poses(); }
+/// What the end of the run has changed.
+std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot() {
+  if (finished) return nullptr;
+  finished = true;
+  bool changed = false;
+  arena.execute([&] { changed = method->finish(); });
+  if (!changed) return nullptr;
+  method->describe(frames.back());
+  auto snapshot = std::make_shared<Snapshot>(*newest);
+  fill(*snapshot);
+  return snapshot;
+}
+
+void RunSession::State::fill(Snapshot& snapshot) const {
+  snapshot.report = frames.back();
+  snapshot.particles = method->particles();
+  snapshot.map = method->refinedMap();
+  snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(method->trajectory());
+}
+
+std::vector<StampedPose> RunSession::trajectory() const { return state_->method->trajectory(); }
 
 Map RunSession::refinedMap() const {
-  Map map = state_->slam.refinedMap();
+  Map map = state_->method->refinedMap();
   map.refinement = refinementJson(state_->settings, source(), state_->frames);
   return map;
 }

@@ -16,7 +16,11 @@
 
 namespace handmap {
 
+/// Paper: FastSLAM/PSOM as published. Handmap: ours.
+enum class Method { Handmap, Paper };
+
 struct RunSettings {
+  Method method = Method::Handmap;
   SlamOptions slam;
   PerceptionOptions perception;
   std::uint64_t seed = 1;
@@ -38,9 +42,10 @@ class RunSession {
 
   const SourceInfo& source() const;
 
-  /// Takes the next observation that can be read and works it in. nullptr at the end of the source
-  /// and when `stop` was requested: the observation is then dropped and the state is the one
-  /// before it. `progress` is told the share done of the step, 0 … 1, from this thread.
+  /// Takes the next observation that can be read and works it in. At the end of the source the
+  /// method may smooth once more: one more snapshot. nullptr after that, and when `stop` was
+  /// requested: the observation is then dropped and the state is the one before it. `progress` is
+  /// told the share done of the step, 0 … 1, from this thread.
   std::shared_ptr<const Snapshot> step(std::stop_token stop = {},
                                        const std::function<void(double)>& progress = {});
 

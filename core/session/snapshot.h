@@ -45,7 +45,7 @@ struct Snapshot {
   Map map;  ///< best so far; every refined building has its estimate
   std::shared_ptr<const std::vector<StampedPose>> trajectory;  ///< best so far, map frame
   std::shared_ptr<const std::vector<StampedPose>> odometry;    ///< alone, from the same start
-  std::optional<Pose2> truth;  ///< for drawing; never read by the estimator
+  std::optional<Pose2> truth;                 ///< for drawing; never read by the estimator
   std::shared_ptr<const LocalMap> local_map;  ///< around report.pose
   cv::Mat image;        ///< left image, not to be written to; empty without a camera
   cv::Mat1f disparity;  ///< the same

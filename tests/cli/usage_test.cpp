@@ -38,10 +38,8 @@ const std::string kPerturbHelp = "handmap-cli perturb --help";
 INSTANTIATE_TEST_SUITE_P(
     Cli, WrongUsage,
     testing::Values(
-        Case{"OurMethod", runWith({"--method", "handmap"}), "--method handmap: not in this version",
-             "--method paper, the default"},
         Case{"UnknownMethod", runWith({"--method", "magic"}),
-             "--method: found magic, expected paper|handmap", kRunHelp},
+             "--method: found magic, expected handmap|paper", kRunHelp},
         Case{"UnknownSource", runWith({"--source", "smell"}),
              "--source: found smell, expected auto|images|points", kRunHelp},
         Case{"UnknownRatio", runWith({"--effective-ratio", "1"}),

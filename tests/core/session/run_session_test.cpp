@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/evaluation/comparison.h"
 #include "core/map/map_io.h"
+#include "core/simulation/simulated_source.h"
 
 namespace handmap {
 namespace {
@@ -72,6 +74,7 @@ class FrontsSource : public ObservationSource {
 
 RunSettings settings(int threads = 1) {
   RunSettings settings;
+  settings.method = Method::Paper;
   settings.slam.slam_particles = 12;
   settings.threads = threads;
   return settings;
@@ -148,6 +151,38 @@ TEST(RunSession, SameSeedSameBytesOnAnyNumberOfThreads) {
   const std::string one = bytes(1);
   EXPECT_EQ(one, bytes(2));
   EXPECT_EQ(one, bytes(1));
+}
+
+/// Two rows of buildings, drawn 12 m wrong.
+RunSession farOff(std::uint64_t seed, int threads) {
+  const World world = twoRowWorld(seed);
+  RunSettings ours;
+  ours.threads = threads;
+  return RunSession(perturbed(world.map, 12.0, seed), simulate(world, {}, seed), ours);
+}
+
+TEST(RunSession, OurMethodCorrectsADrawingThatIsFarOff) {
+  RunSession session = farOff(21, 0);
+  int snapshots = 0;
+  while (const auto snapshot = session.step()) ++snapshots;
+  // One more than observations: the whole way is smoothed at the end.
+  EXPECT_EQ(snapshots, session.source().observations + 1);
+  const MapComparison comparison = compareMaps(session.refinedMap(), twoRowWorld(21).map, false);
+  for (const BuildingError& building : comparison.buildings) {
+    EXPECT_GT(building.iou, 0.5) << building.id;
+  }
+  EXPECT_LT(comparison.mean().front, 0.5);
+  EXPECT_LT(comparison.mean().width, 1.0);
+}
+
+TEST(RunSession, OurMethodGivesTheSameBytesOnAnyNumberOfThreads) {
+  const auto bytes = [](int threads) {
+    RunSession session = farOff(22, threads);
+    while (session.step()) {
+    }
+    return formatMap(session.refinedMap()) + formatTum(session.trajectory());
+  };
+  EXPECT_EQ(bytes(1), bytes(2));
 }
 
 TEST(RunSession, ReportHasWhatTheFormatSays) {

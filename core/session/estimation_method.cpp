@@ -1,0 +1,112 @@
+#include "core/session/estimation_method.h"
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "core/estimation/estimator.h"
+#include "core/localization/fastslam_psom.h"
+
+namespace handmap {
+
+namespace {
+
+std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  const double heading = particles.front().pose.heading;
+  const auto vectorOf = [heading](const Pose2& pose) {
+    return Eigen::Vector3d(pose.x, pose.y, normalizedAngle(pose.heading - heading));
+  };
+  for (const Particle& particle : particles) mean += particle.weight * vectorOf(particle.pose);
+  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
+  for (const Particle& particle : particles) {
+    variance += particle.weight * (vectorOf(particle.pose) - mean).cwiseAbs2();
+  }
+  return {std::sqrt(variance.x()), std::sqrt(variance.y()), std::sqrt(variance.z())};
+}
+
+class PaperMethod : public EstimationMethod {
+ public:
+  PaperMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
+      : slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
+
+  bool step(double time_s, const Pose2& odometry, const Percept& percept, std::stop_token stop,
+            const std::function<void(double)>& progress) override {
+    return slam_.step(time_s, odometry, percept.local_map, std::move(stop), progress);
+  }
+  void describe(FrameReport& report) const override {
+    report.effective_sample_size = slam_.lastStep().effective_sample_size;
+    report.visible_buildings = slam_.lastStep().visible_buildings;
+    report.pose = slam_.best().pose;
+    report.pose_sigma = spreadOf(slam_.particles());
+  }
+  std::vector<ParticleView> particles() const override {
+    std::vector<ParticleView> views;
+    views.reserve(slam_.particles().size());
+    for (const Particle& particle : slam_.particles()) {
+      views.push_back({particle.pose, particle.weight});
+    }
+    return views;
+  }
+  std::vector<StampedPose> trajectory() const override { return slam_.best().path.poses(); }
+  Map refinedMap() const override { return slam_.refinedMap(); }
+
+ private:
+  FastSlamPsom slam_;
+};
+
+EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& settings) {
+  EstimatorOptions options;
+  options.range_limit_m = source.range_limit_m;
+  options.particles = settings.slam.slam_particles;
+  return options;
+}
+
+class HandmapMethod : public EstimationMethod {
+ public:
+  HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
+      : estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
+    estimator_.startFrom(source.start_odometry);
+  }
+
+  bool step(double time_s, const Pose2& odometry, const Percept& percept, std::stop_token stop,
+            const std::function<void(double)>& progress) override {
+    return estimator_.step(time_s, odometry, percept.scan, std::move(stop), progress);
+  }
+  bool finish() override {
+    estimator_.finish();
+    return true;
+  }
+  void describe(FrameReport& report) const override {
+    report.effective_sample_size = estimator_.effectiveSampleSize();
+    report.visible_buildings = estimator_.visibleBuildings();
+    report.pose = estimator_.pose();
+    const Eigen::Array3d sigma = estimator_.poseCovariance().diagonal().array().max(0.0).sqrt();
+    report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
+  }
+  std::vector<ParticleView> particles() const override {
+    std::vector<ParticleView> views;
+    for (const PoseParticle& particle : estimator_.particles()) {
+      views.push_back({particle.pose, particle.weight});
+    }
+    return views;
+  }
+  std::vector<StampedPose> trajectory() const override { return estimator_.trajectory(); }
+  Map refinedMap() const override { return estimator_.refinedMap(); }
+
+ private:
+  HandmapEstimator estimator_;
+};
+
+}  // namespace
+
+std::unique_ptr<EstimationMethod> makeMethod(const Map& drawing, const SourceInfo& source,
+                                             const RunSettings& settings) {
+  // A fixed map is localized on by the same code as the published method: nothing to refine.
+  if (settings.method == Method::Paper || !settings.slam.refine) {
+    return std::make_unique<PaperMethod>(drawing, source, settings);
+  }
+  return std::make_unique<HandmapMethod>(drawing, source, settings);
+}
+
+}  // namespace handmap

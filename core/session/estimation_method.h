@@ -1,0 +1,36 @@
+// What a run asks of a method; the published one and ours answer.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "core/perception/perception.h"
+#include "core/session/run_session.h"
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+class EstimationMethod {
+ public:
+  virtual ~EstimationMethod() = default;
+
+  /// Works in one observation. Returns false and leaves the state as it was when `stop` was
+  /// requested. `progress` may be called from any thread.
+  virtual bool step(double time_s, const Pose2& odometry, const Percept& percept,
+                    std::stop_token stop, const std::function<void(double)>& progress) = 0;
+  /// After the last observation. Returns whether that changed the result.
+  virtual bool finish() { return false; }
+
+  /// Fills in what the method knows of the last observation.
+  virtual void describe(FrameReport& report) const = 0;
+  virtual std::vector<ParticleView> particles() const = 0;
+  virtual std::vector<StampedPose> trajectory() const = 0;
+  virtual Map refinedMap() const = 0;
+};
+
+/// Throws BadInput for a map without buildings or without a start pose.
+std::unique_ptr<EstimationMethod> makeMethod(const Map& drawing, const SourceInfo& source,
+                                             const RunSettings& settings);
+
+}  // namespace handmap
