@@ -1,0 +1,220 @@
+// The property panel and the list of objects, with real keys.
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QTest>
+#include <memory>
+
+#include "widgets/panels/number_field.h"
+#include "widgets/panels/objects_panel.h"
+#include "widgets/panels/property_panel.h"
+
+namespace handmap {
+
+namespace {
+
+Map sampleMap() {
+  Map map;
+  map.name = "Sample";
+  map.start = Pose2{1.0, 2.0, kPi / 2.0};
+  for (const char* id : {"A", "B", "C"}) {
+    Building building;
+    building.id = id;
+    building.shape = Rectangle{{10.123456, 20.0}, 20.0, id[0] == 'C' ? 5.0 : 10.0, 0.0};
+    map.buildings.push_back(building);
+  }
+  map.buildings[0].estimate = Estimate{0.25, 0.5, 0.75, 12};
+  map.landmarks = {{"gate", "Main gate", {0.0, -3.0}, {}}};
+  map.route = {{0.0, 0.0}, {3.0, 4.0}};
+  return map;
+}
+
+}  // namespace
+
+class PanelsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    document_ = std::make_unique<MapDocument>();
+    document_->reset(sampleMap());
+    panel_ = std::make_unique<PropertyPanel>(*document_);
+    panel_->show();
+    panel_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
+  }
+  void cleanup() { panel_.reset(); }
+
+  void showsExactNumbersWithoutChangingThem() {
+    document_->setSelection({"A"});
+    QCOMPARE(number("x").text(), "10.123 m");
+    QCOMPARE(number("width").text(), "20 m");
+    QCOMPARE(field<QLineEdit>("id").text(), "A");
+    QVERIFY(field<QLabel>("estimate").text().contains("0.25"));
+    QVERIFY(field<QLabel>("estimate").text().contains("12"));
+    QVERIFY(!document_->isModified());
+    type(number("y"), "21");
+    QCOMPARE(box("A").centre, Vec2(10.123456, 21.0));  // x is not rounded by being shown
+  }
+
+  void typingIsOneUndoStep() {
+    document_->setSelection({"A"});
+    type(number("width"), "33.25");
+    QCOMPARE(box("A").width, 33.25);
+    QCOMPARE(document_->undoStack().count(), 1);
+    type(number("width"), "44");
+    QCOMPARE(document_->undoStack().count(), 2);
+    document_->undoStack().undo();
+    QCOMPARE(box("A").width, 33.25);
+    QCOMPARE(number("width").value(), 33.25);
+    document_->undoStack().undo();
+    QCOMPARE(document_->map(), sampleMap());
+  }
+
+  void headingIsInDegrees() {
+    document_->setSelection({"A"});
+    type(number("heading"), "30");
+    QVERIFY(std::abs(box("A").heading - kPi / 6.0) < 1e-12);
+    document_->setSelection({kStartKey});
+    QCOMPARE(number("heading").value(), 90.0);
+    type(number("heading"), "-45");
+    QVERIFY(std::abs(document_->map().start->heading + kPi / 4.0) < 1e-12);
+    QCOMPARE(document_->undoStack().count(), 2);
+  }
+
+  void severalBuildingsShowWhatTheyShare() {
+    document_->setSelection({"A", "B", "C"});
+    QCOMPARE(number("width").value(), 20.0);
+    QCOMPARE(number("depth").text(), "several");
+    QTest::keyClick(&number("depth"), Qt::Key_Up);
+    QCOMPARE(document_->undoStack().count(), 0);
+    QVERIFY(!field<QLineEdit>("id").isEnabled());
+    type(number("depth"), "7");
+    for (const char* id : {"A", "B", "C"}) QCOMPARE(box(id).depth, 7.0);
+    QCOMPARE(document_->undoStack().count(), 1);
+    type(field<QLineEdit>("name"), "Hall");
+    for (const Building& building : document_->map().buildings) QCOMPARE(building.name, "Hall");
+    QCOMPARE(document_->undoStack().count(), 2);
+  }
+
+  void aTakenIdIsRefusedWithAWord() {
+    QSignalSpy message(panel_.get(), &PropertyPanel::messageRaised);
+    document_->setSelection({"A"});
+    type(field<QLineEdit>("id"), "B");
+    QCOMPARE(message.count(), 1);
+    QCOMPARE(field<QLineEdit>("id").text(), "A");
+    type(field<QLineEdit>("id"), "Library");
+    QVERIFY(document_->map().find("Library"));
+    QCOMPARE(document_->selection(), QStringList{"Library"});
+    QCOMPARE(message.count(), 1);
+  }
+
+  void whatIsHalfTypedIsNotForTheNextObject() {
+    document_->setSelection({"A"});
+    for (const char* name : {"id", "x"}) {
+      auto* edit = name[0] == 'x' ? number("x").findChild<QLineEdit*>() : &field<QLineEdit>("id");
+      edit->setFocus();
+      edit->selectAll();
+      QTest::keyClicks(edit, "7");
+      document_->setSelection({name[0] == 'x' ? "B" : "C"});
+      QTest::keyClick(edit, Qt::Key_Return);
+      document_->setSelection({"A"});
+    }
+    QVERIFY(document_->map().find("C"));
+    QCOMPARE(box("B").centre.x(), 10.123456);
+    QCOMPARE(box("A").centre.x(), 7.0);
+    QCOMPARE(document_->undoStack().count(), 1);
+  }
+
+  void fixedAndUncertaintyAreSet() {
+    document_->setSelection({"A", "B"});
+    QTest::mouseClick(&field<QCheckBox>("fixed"), Qt::LeftButton, {}, QPoint(8, 8));
+    QVERIFY(document_->map().find("A")->fixed && document_->map().find("B")->fixed);
+    QVERIFY(!number("position_sigma").isEnabled());
+    QTest::mouseClick(&field<QCheckBox>("own_uncertainty"), Qt::LeftButton, {}, QPoint(8, 8));
+    QVERIFY(number("position_sigma").isEnabled());
+    type(number("position_sigma"), "1.5");
+    const Uncertainty expected{1.5, 3.0};
+    QCOMPARE(document_->map().find("B")->uncertainty.value(), expected);
+    QVERIFY(!document_->map().find("C")->uncertainty);
+  }
+
+  void theMapAndALandmarkHavePagesToo() {
+    type(field<QLineEdit>("name"), "Campus");
+    QCOMPARE(document_->map().name, "Campus");
+    QTest::mouseClick(&field<QCheckBox>("georeferenced"), Qt::LeftButton, {}, QPoint(8, 8));
+    type(number("latitude"), "34.7012345");
+    QCOMPARE(document_->map().georeference->latitude, 34.7012345);
+    document_->setSelection({"gate"});
+    type(number("y"), "-4.5");
+    QCOMPARE(document_->map().landmarks[0].position, Vec2(0.0, -4.5));
+    document_->setSelection({kRouteKey});
+    QVERIFY(field<QLabel>("summary").text().contains("5.0 m"));
+    document_->setSelection({kRouteKey, "A"});
+    QVERIFY(field<QLabel>("summary").text().contains("2"));
+    QCOMPARE(document_->undoStack().count(), 4);
+  }
+
+  void anEditOutsideIsShown() {
+    document_->setSelection({"A"});
+    document_->apply(moved(selected(document_->map(), {"A"}), Vec2(5.0, 0.0)), "Move");
+    QCOMPARE(number("x").text(), "15.123 m");
+    QCOMPARE(field<QLabel>("estimate").text(), "none yet");
+  }
+
+  void theListSelectsBothWays() {
+    ObjectsPanel objects(*document_);
+    auto* list = objects.findChild<QListView*>();
+    QCOMPARE(list->model()->rowCount(), 6);
+    list->selectionModel()->select(list->model()->index(2, 0), QItemSelectionModel::ClearAndSelect);
+    QCOMPARE(document_->selection(), QStringList{"A"});
+    document_->setSelection({"B", "gate", "C"});
+    QCOMPARE(list->selectionModel()->selectedIndexes().size(), 3);
+    QSignalSpy shown(&objects, &ObjectsPanel::showRequested);
+    Q_EMIT list->doubleClicked(list->model()->index(5, 0));
+    QCOMPARE(shown.last()[0].toString(), "gate");
+    document_->removeSelected();
+    QCOMPARE(list->model()->rowCount(), 3);
+  }
+
+  void findingHidesButKeepsTheSelection() {
+    ObjectsPanel objects(*document_);
+    auto* list = objects.findChild<QListView*>();
+    document_->setSelection({"A"});
+    objects.findChild<QLineEdit*>()->setText("MAIN");
+    QCOMPARE(list->model()->rowCount(), 1);
+    QCOMPARE(document_->selection(), QStringList{"A"});
+    objects.findChild<QLineEdit*>()->clear();
+    QCOMPARE(list->selectionModel()->selectedIndexes().size(), 1);
+  }
+
+ private:
+  template <typename Field>
+  Field& field(const char* name) const {
+    QWidget* page = panel_->findChild<QStackedWidget*>()->currentWidget();
+    auto* found = page->findChild<Field*>(QLatin1String(name));
+    if (!found) qFatal("no field %s on this page", name);
+    return *found;
+  }
+  NumberField& number(const char* name) const { return field<NumberField>(name); }
+  Rectangle box(const char* id) const { return document_->map().find(id)->box(); }
+
+  template <typename Field>
+  static void type(Field& field, const char* text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, QLatin1String(text));
+    QTest::keyClick(&field, Qt::Key_Return);
+  }
+
+  std::unique_ptr<MapDocument> document_;
+  std::unique_ptr<PropertyPanel> panel_;
+};
+
+}  // namespace handmap
+
+QTEST_MAIN(handmap::PanelsTest)
+#include "panels_test.moc"

@@ -1,0 +1,189 @@
+#include "widgets/run/run_overlays.h"
+
+#include <QGraphicsScene>
+#include <QPainter>
+
+#include <gtest/gtest.h>
+
+#include "widgets/run/particles_item.h"
+
+namespace handmap {
+namespace {
+
+constexpr double kScale = 8.0;  // pixels per metre
+const QRectF kArea(0.0, 0.0, 60.0, 60.0);
+
+/// A snapshot with everything in it, each in a place of its own.
+std::shared_ptr<Snapshot> fullSnapshot() {
+  auto snapshot = std::make_shared<Snapshot>();
+  Building building;
+  building.id = "N1";
+  building.shape = Rectangle{{40.0, 45.0}, 20.0, 10.0, 0.0};
+  building.estimate = Estimate{1.0, 1.0, 0.0, 3};
+  snapshot->map.buildings = {building};
+  snapshot->report.pose = {20.0, 30.0, kPi / 2};
+  snapshot->particles = {{{10.0, 5.0, 0.0}, 1.0}};
+  snapshot->trajectory = std::make_shared<std::vector<StampedPose>>(
+      std::vector<StampedPose>{{0.0, {2.0, 15.0, 0.0}}, {1.0, {12.0, 15.0, 0.0}}});
+  snapshot->odometry = std::make_shared<std::vector<StampedPose>>(
+      std::vector<StampedPose>{{0.0, {2.0, 20.0, 0.0}}, {1.0, {12.0, 20.0, 0.0}}});
+  auto local_map = std::make_shared<LocalMap>(0.1, 20.0);
+  // A patch of wall 10 m ahead and 5 m to the left of the robot.
+  local_map->cells()(
+      cv::Rect(local_map->columnOf(10.0) - 5, local_map->columnOf(5.0) - 5, 10, 10)) = 1.0F;
+  snapshot->local_map = local_map;
+  snapshot->truth = Pose2{50.0, 20.0, 0.0};
+  return snapshot;
+}
+
+class RunOverlaysTest : public testing::Test {
+ protected:
+  QImage picture() {
+    QImage image((kArea.size() * kScale).toSize(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.translate(0.0, image.height());
+    painter.scale(1.0, -1.0);  // y up, as the canvas has it
+    scene_.render(&painter, image.rect(), kArea);
+    return image;
+  }
+  /// The colour least like the white background within 1 m of a point.
+  static QColor darkestNear(const QImage& image, double x, double y) {
+    QColor darkest(Qt::white);
+    const QPoint centre(static_cast<int>(x * kScale),
+                        image.height() - 1 - static_cast<int>(y * kScale));
+    for (int dy = -8; dy <= 8; ++dy) {
+      for (int dx = -8; dx <= 8; ++dx) {
+        const QPoint at = centre + QPoint(dx, dy);
+        if (image.valid(at) && image.pixelColor(at).value() + image.pixelColor(at).lightness() <
+                                   darkest.value() + darkest.lightness()) {
+          darkest = image.pixelColor(at);
+        }
+      }
+    }
+    return darkest;
+  }
+  static bool isBlank(const QColor& colour) { return colour == QColor(Qt::white); }
+
+  QGraphicsScene scene_;
+  RunOverlays overlays_{scene_, 100.0};
+};
+
+TEST_F(RunOverlaysTest, NothingIsShownBeforeARun) {
+  const QImage image = picture();
+  QImage blank = image;
+  blank.fill(Qt::white);
+  EXPECT_EQ(image, blank);
+}
+
+TEST_F(RunOverlaysTest, EverythingLiesWhereItIsInTheMap) {
+  overlays_.show(*fullSnapshot());
+  const QImage image = picture();
+  const QColor wall = darkestNear(image, 30.0, 45.0);
+  EXPECT_GT(wall.blue(), wall.red()) << "the corrected map is blue";
+  const QColor particle = darkestNear(image, 10.0, 5.0);
+  EXPECT_GT(particle.red(), particle.blue()) << "particles are orange";
+  EXPECT_FALSE(isBlank(darkestNear(image, 7.0, 15.0))) << "trajectory";
+  EXPECT_FALSE(isBlank(darkestNear(image, 7.0, 20.0))) << "odometry";
+  // Ahead is up here, left is to smaller x.
+  EXPECT_FALSE(isBlank(darkestNear(image, 15.0, 40.0))) << "local map";
+  EXPECT_TRUE(isBlank(darkestNear(image, 25.0, 40.0))) << "local map, mirrored";
+  EXPECT_FALSE(isBlank(darkestNear(image, 20.0, 30.0))) << "robot";
+  EXPECT_FALSE(isBlank(darkestNear(image, 50.0, 20.0))) << "true robot";
+  EXPECT_TRUE(isBlank(darkestNear(image, 57.0, 5.0)));
+}
+
+TEST_F(RunOverlaysTest, EachLayerHasItsSwitch) {
+  overlays_.show(*fullSnapshot());
+  const std::vector<std::pair<Layer, QPointF>> places = {
+      {Layer::Particles, {10.0, 5.0}}, {Layer::Trajectory, {7.0, 15.0}},
+      {Layer::Odometry, {7.0, 20.0}},  {Layer::LocalMap, {15.0, 40.0}},
+      {Layer::Truth, {50.0, 20.0}},
+  };
+  for (const auto& [layer, at] : places) {
+    EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y())));
+    overlays_.setLayerVisible(layer, false);
+    EXPECT_TRUE(isBlank(darkestNear(picture(), at.x(), at.y())));
+    overlays_.setLayerVisible(layer, true);
+    EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y())));
+  }
+}
+
+TEST_F(RunOverlaysTest, OutlinesAndBandsAreSwitchedApart) {
+  overlays_.show(*fullSnapshot());
+  const auto at_wall = [this] { return darkestNear(picture(), 30.0, 45.0).lightness(); };
+  const int both = at_wall();
+  overlays_.setLayerVisible(Layer::Corrected, false);
+  const int band_alone = at_wall();
+  EXPECT_GT(band_alone, both);
+  EXPECT_LT(band_alone, 255);
+  overlays_.setLayerVisible(Layer::Band, false);
+  EXPECT_EQ(at_wall(), 255);
+}
+
+TEST_F(RunOverlaysTest, TheBandReachesOneSigmaToBothSides) {
+  overlays_.show(*fullSnapshot());
+  overlays_.setLayerVisible(Layer::Corrected, false);
+  const QImage image = picture();
+  const auto at = [&image](double x) {
+    return image.pixelColor(static_cast<int>(x * kScale),
+                            image.height() - 1 - static_cast<int>(45.0 * kScale));
+  };
+  EXPECT_FALSE(isBlank(at(29.2)));
+  EXPECT_FALSE(isBlank(at(30.8)));
+  EXPECT_TRUE(isBlank(at(28.5)));
+  EXPECT_TRUE(isBlank(at(31.5)));
+}
+
+TEST_F(RunOverlaysTest, TheNumberOfItemsDoesNotDependOnTheNumberOfParticles) {
+  overlays_.show(*fullSnapshot());
+  const auto before = scene_.items().size();
+  auto many = fullSnapshot();
+  many->particles.assign(10'000, {{10.0, 5.0, 0.0}, 1e-4});
+  overlays_.show(*many);
+  EXPECT_EQ(scene_.items().size(), before);
+}
+
+TEST_F(RunOverlaysTest, ClearTakesEverythingAway) {
+  overlays_.setTruth({{0.0, {5.0, 50.0, 0.0}}, {1.0, {15.0, 50.0, 0.0}}});
+  overlays_.show(*fullSnapshot());
+  overlays_.clear();
+  QImage blank = picture();
+  blank.fill(Qt::white);
+  EXPECT_EQ(picture(), blank);
+}
+
+TEST_F(RunOverlaysTest, TheTrueWayIsThereBeforeTheRun) {
+  overlays_.setTruth({{0.0, {5.0, 50.0, 0.0}}, {1.0, {15.0, 50.0, 0.0}}});
+  const QColor way = darkestNear(picture(), 10.0, 50.0);
+  EXPECT_GT(way.green(), way.red());
+}
+
+TEST(ParticlesItem, ManyBecomeADensityOfTheSamePlace) {
+  std::vector<ParticleView> particles;
+  for (std::size_t i = 0; i <= ParticlesItem::kDensityFrom; ++i) {
+    const double t = static_cast<double>(i) / ParticlesItem::kDensityFrom;
+    particles.push_back({{20.0 + 10.0 * t, 30.0 + static_cast<double>(i % 2), 0.0}, 1e-5});
+  }
+  QGraphicsScene scene;
+  auto* item = new ParticlesItem;
+  scene.addItem(item);
+  item->setParticles(particles);
+  EXPECT_TRUE(item->showsDensity());
+  QImage image(480, 480, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  scene.render(&painter, image.rect(), QRectF(0.0, 0.0, 60.0, 60.0));
+  const auto painted = [&image](double x, double y) {
+    return image.pixelColor(static_cast<int>(x * 8.0), static_cast<int>(y * 8.0)) != Qt::white ||
+           image.pixelColor(static_cast<int>(x * 8.0), static_cast<int>(y * 8.0) + 1) != Qt::white;
+  };
+  EXPECT_TRUE(painted(25.0, 30.0));
+  EXPECT_FALSE(painted(35.0, 30.0));
+  particles.resize(ParticlesItem::kDensityFrom);
+  item->setParticles(particles);
+  EXPECT_FALSE(item->showsDensity());
+}
+
+}  // namespace
+}  // namespace handmap

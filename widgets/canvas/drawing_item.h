@@ -1,0 +1,61 @@
+// Everything drawn by the person, as one item of the scene, whatever the number of buildings.
+#pragma once
+
+#include <QGraphicsItem>
+#include <QHash>
+#include <QSet>
+#include <vector>
+
+#include "widgets/canvas/tool.h"
+#include "widgets/style/colours.h"
+
+namespace handmap {
+
+class DrawingItem : public QGraphicsItem {
+ public:
+  explicit DrawingItem(const MapDocument& document);
+
+  void rebuild();  ///< the map, or what is selected, is another
+  /// Shown in place of the objects of the same ids; nullptr: nothing.
+  void setPreview(const MapChange* preview);
+  void setColours(const Colours& colours);
+
+  QRectF boundingRect() const override { return bounds_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  struct Shape {
+    QPolygonF outline;  ///< metres
+    QRectF bounds;
+    QPointF middle;  ///< of its area
+    QString id;
+    QString name;
+    bool fixed = false;
+    bool selected = false;
+    bool hidden = false;  ///< a preview stands in its place
+  };
+  struct Placed {  ///< on the device
+    const Shape* shape;
+    QPolygonF outline;
+    QRectF bounds;
+  };
+
+  Shape shapeOf(const Building& building) const;
+  void updateBounds();
+  std::vector<Placed> place(const QTransform& to_device, const QRectF& exposed) const;
+  void paintBuildings(QPainter& painter, const std::vector<Placed>& placed) const;
+  void paintLabels(QPainter& painter, const QTransform& to_device,
+                   const std::vector<Placed>& placed) const;
+  void paintSigns(QPainter& painter, const QTransform& to_device) const;
+
+  const MapDocument& document_;
+  const Colours* colours_ = &Colours::light();
+  std::vector<Shape> shapes_;
+  std::vector<Shape> previewed_;
+  QHash<QString, std::size_t> places_;
+  MapChange preview_;
+  QSet<QString> selected_;
+  QRectF bounds_;
+};
+
+}  // namespace handmap

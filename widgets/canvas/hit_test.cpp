@@ -1,0 +1,58 @@
+#include "widgets/canvas/hit_test.h"
+
+#include <cmath>
+#include <limits>
+
+namespace handmap {
+
+namespace {
+
+bool isOnRoute(const std::vector<Vec2>& route, const Vec2& position, double reach) {
+  for (std::size_t i = 1; i < route.size(); ++i)
+    if (distanceTo(Segment{route[i - 1], route[i]}, position) <= reach) return true;
+  return route.size() == 1 && (route.front() - position).norm() <= reach;
+}
+
+bool isInside(const Bounds& box, const Vec2& point) {
+  return (box.low.array() <= point.array()).all() && (point.array() <= box.high.array()).all();
+}
+
+}  // namespace
+
+QString objectAt(const Map& map, const Vec2& position, double reach) {
+  for (const Landmark& landmark : map.landmarks)
+    if ((landmark.position - position).norm() <= 1.5 * reach)
+      return QString::fromStdString(landmark.id);
+  if (map.start && (map.start->position() - position).norm() <= 1.5 * reach) return kStartKey;
+  if (isOnRoute(map.route, position, reach)) return kRouteKey;
+
+  const Building* best = nullptr;
+  double best_area = std::numeric_limits<double>::infinity();
+  const Bounds around{position.array() - reach, position.array() + reach};
+  for (const Building& building : map.buildings) {
+    const Polygon footprint = building.footprint();
+    if (!boundsOf(footprint).overlaps(around) || distanceTo(footprint, position) > reach) continue;
+    const double area = std::abs(signedArea(footprint));
+    if (area > best_area) continue;
+    best = &building;
+    best_area = area;
+  }
+  return best ? QString::fromStdString(best->id) : QString();
+}
+
+QStringList objectsIn(const Map& map, const Bounds& box) {
+  QStringList keys;
+  for (const Building& building : map.buildings)
+    if (boundsOf(building.footprint()).overlaps(box)) keys << QString::fromStdString(building.id);
+  for (const Landmark& landmark : map.landmarks)
+    if (isInside(box, landmark.position)) keys << QString::fromStdString(landmark.id);
+  if (map.start && isInside(box, map.start->position())) keys << kStartKey;
+  for (const Vec2& point : map.route) {
+    if (!isInside(box, point)) continue;
+    keys << kRouteKey;
+    break;
+  }
+  return keys;
+}
+
+}  // namespace handmap

@@ -1,0 +1,38 @@
+// Some objects of a map, changed: what a tool previews and a command then does.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "core/map/map.h"
+
+namespace handmap {
+
+/// Objects are named by keys: the id of a building or landmark, or one of these two.
+inline constexpr QLatin1String kStartKey("@start");
+inline constexpr QLatin1String kRouteKey("@route");
+
+/// Buildings and landmarks are found by their ids; what is not mentioned stays.
+struct MapChange {
+  std::vector<Building> buildings = {};
+  std::vector<Landmark> landmarks = {};
+  std::optional<Pose2> start = {};
+  std::optional<std::vector<Vec2>> route = {};
+};
+
+Building moved(Building building, const Vec2& offset);
+
+/// The objects of the map that `keys` names, as they are.
+MapChange selected(const Map& map, const QStringList& keys);
+MapChange moved(MapChange objects, const Vec2& offset);
+
+/// "Library (N1)", "Start", "Route".
+QString displayName(const Map& map, const QString& key);
+
+/// Low and high corner of what is drawn (of the one object when `key` is given); nullopt for
+/// nothing. Underlays are left out: their size is not in the map.
+std::optional<Bounds> boundsOf(const Map& map, const QString& key = {});
+
+}  // namespace handmap

@@ -1,0 +1,314 @@
+#include "widgets/document/map_document.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSet>
+#include <QUndoCommand>
+#include <ranges>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/map/map_io.h"
+
+namespace handmap {
+
+namespace {
+
+std::filesystem::path nativePath(const QString& path) {
+  return QFile::encodeName(path).toStdString();
+}
+
+/// Every id with its place in the list.
+template <typename Item>
+std::unordered_map<std::string_view, std::size_t> placesOf(const std::vector<Item>& items) {
+  std::unordered_map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < items.size(); ++i) places.emplace(items[i].id, i);
+  return places;
+}
+
+/// Those of `changed` that are in the list and differ from it, at their places.
+template <typename Item>
+Placed<Item> differing(const std::vector<Item>& changed, const std::vector<Item>& list) {
+  Placed<Item> result;
+  const auto places = placesOf(list);
+  for (const Item& item : changed) {
+    const auto place = places.find(item.id);
+    if (place != places.end() && !(list[place->second] == item))
+      result.emplace_back(place->second, item);
+  }
+  std::ranges::sort(result, {}, &std::pair<std::size_t, Item>::first);
+  return result;
+}
+
+template <typename Item>
+Placed<Item> chosen(const std::vector<Item>& list, const QSet<QString>& keys) {
+  Placed<Item> result;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (keys.contains(QString::fromStdString(list[i].id))) result.emplace_back(i, list[i]);
+  return result;
+}
+
+QStringList allKeys(const Map& map) {
+  QStringList keys;
+  for (const Building& building : map.buildings) keys << QString::fromStdString(building.id);
+  for (const Landmark& landmark : map.landmarks) keys << QString::fromStdString(landmark.id);
+  if (map.start) keys << kStartKey;
+  if (!map.route.empty()) keys << kRouteKey;
+  return keys;
+}
+
+template <typename Item>
+QString mergeMark(char kind, const Placed<Item>& items) {
+  QString mark;
+  for (const auto& entry : items) mark += QStringLiteral("%1%2 ").arg(kind).arg(entry.first);
+  return mark;
+}
+
+/// The underlays as seen from another folder.
+std::vector<Underlay> rebased(std::vector<Underlay> underlays, const QString& from,
+                              const QString& to) {
+  for (Underlay& underlay : underlays) {
+    const QString image = QString::fromStdString(underlay.image);
+    if (QDir::isRelativePath(image))
+      underlay.image = QDir(to).relativeFilePath(QDir(from).absoluteFilePath(image)).toStdString();
+  }
+  return underlays;
+}
+
+}  // namespace
+
+class MapDocument::Command : public QUndoCommand {
+ public:
+  Command(Map& map, std::vector<Toggle> toggles, const QString& text, QString merge_key)
+      : QUndoCommand(text),
+        map_(map),
+        toggles_(std::move(toggles)),
+        merge_key_(std::move(merge_key)) {}
+
+  void redo() override {
+    for (Toggle& toggle : toggles_) toggle(map_);
+  }
+  void undo() override {
+    for (Toggle& toggle : toggles_ | std::views::reverse) toggle(map_);
+  }
+  int id() const override { return merge_key_.isEmpty() ? -1 : 1; }
+  /// The map holds the newest values and this command the oldest: the ones between may go.
+  bool mergeWith(const QUndoCommand* later) override {
+    return static_cast<const Command*>(later)->merge_key_ == merge_key_;
+  }
+
+ private:
+  Map& map_;
+  std::vector<Toggle> toggles_;
+  QString merge_key_;
+};
+
+MapDocument::MapDocument(QObject* parent) : QObject(parent) {
+  connect(&undo_stack_, &QUndoStack::indexChanged, this, &MapDocument::onIndexChanged);
+  connect(&undo_stack_, &QUndoStack::cleanChanged, this, &MapDocument::fileChanged);
+}
+
+/// The stack announces that it is cleared; there is nobody left to hear it.
+MapDocument::~MapDocument() { undo_stack_.disconnect(this); }
+
+QString MapDocument::displayName() const {
+  if (!file_path_.isEmpty()) return QFileInfo(file_path_).fileName();
+  return map_.name.empty() ? tr("Untitled") : QString::fromStdString(map_.name);
+}
+
+void MapDocument::reset(Map map, QString path) {
+  map_ = std::move(map);
+  file_path_ = std::move(path);
+  const bool had_steps = undo_stack_.count() > 0;
+  undo_stack_.clear();
+  if (!had_steps) onIndexChanged();
+  setSelection({});
+  Q_EMIT fileChanged();
+}
+
+void MapDocument::open(const QString& path) { reset(readMap(nativePath(path)), path); }
+
+void MapDocument::save(const QString& path) {
+  const QString old_folder = QFileInfo(file_path_).absolutePath();
+  const QString new_folder = QFileInfo(path).absolutePath();
+  if (file_path_.isEmpty() || old_folder == new_folder || map_.underlays.empty()) {
+    writeMap(map_, nativePath(path));
+  } else {
+    Map copy = map_;
+    copy.underlays = rebased(map_.underlays, old_folder, new_folder);
+    writeMap(copy, nativePath(path));
+    file_path_ = path;
+    setUnderlays(copy.underlays, tr("Save in Another Folder"));
+  }
+  file_path_ = path;
+  undo_stack_.setClean();
+  Q_EMIT fileChanged();
+}
+
+void MapDocument::setSelection(QStringList keys) {
+  const QStringList existing = allKeys(map_);
+  const QSet<QString> known(existing.begin(), existing.end());
+  keys.removeIf([&](const QString& key) { return !known.contains(key); });
+  keys.removeDuplicates();
+  if (keys == selection_) return;
+  selection_ = std::move(keys);
+  finishMerging();
+  Q_EMIT selectionChanged();
+}
+
+void MapDocument::selectAll() { setSelection(allKeys(map_)); }
+
+QString MapDocument::addBuilding(Building building) {
+  building.id = freeId('B', building.id);
+  const QString id = QString::fromStdString(building.id);
+  push({toggleItems(&Map::buildings, {{map_.buildings.size(), std::move(building)}}, false)},
+       tr("Add Building %1").arg(id));
+  return id;
+}
+
+QString MapDocument::addLandmark(Landmark landmark) {
+  landmark.id = freeId('L', landmark.id);
+  const QString id = QString::fromStdString(landmark.id);
+  push({toggleItems(&Map::landmarks, {{map_.landmarks.size(), std::move(landmark)}}, false)},
+       tr("Add Landmark %1").arg(id));
+  return id;
+}
+
+void MapDocument::apply(const MapChange& change, const QString& text, bool mergeable) {
+  std::vector<Toggle> toggles;
+  QString key = text + u' ';
+  if (auto items = differing(change.buildings, map_.buildings); !items.empty()) {
+    for (auto& [place, building] : items)  // an estimate speaks of the shape that a run found
+      if (building.shape != map_.buildings[place].shape) building.estimate.reset();
+    key += mergeMark('b', items);
+    toggles.push_back(swapItems(&Map::buildings, std::move(items)));
+  }
+  if (auto items = differing(change.landmarks, map_.landmarks); !items.empty()) {
+    key += mergeMark('l', items);
+    toggles.push_back(swapItems(&Map::landmarks, std::move(items)));
+  }
+  if (change.start && change.start != map_.start) {
+    key += kStartKey;
+    toggles.push_back(swapMember(&Map::start, change.start));
+  }
+  if (change.route && change.route != map_.route) {
+    key += kRouteKey;
+    toggles.push_back(swapMember(&Map::route, *change.route));
+  }
+  push(std::move(toggles), text, mergeable ? key : QString());
+}
+
+void MapDocument::changeBuilding(const QString& id, Building building, const QString& text,
+                                 bool mergeable) {
+  building.id = id.toStdString();
+  apply({.buildings = {std::move(building)}}, text, mergeable);
+}
+
+void MapDocument::changeLandmark(const QString& id, Landmark landmark, const QString& text,
+                                 bool mergeable) {
+  landmark.id = id.toStdString();
+  apply({.landmarks = {std::move(landmark)}}, text, mergeable);
+}
+
+bool MapDocument::rename(const QString& id, const QString& new_id) {
+  const QString wanted = new_id.trimmed();
+  const QStringList taken = allKeys(map_);
+  if (wanted.isEmpty() || wanted == kStartKey || wanted == kRouteKey || taken.contains(wanted) ||
+      !taken.contains(id))
+    return false;
+  const auto renamed = [&]<typename Item>(std::vector<Item> Map::*list) {
+    Placed<Item> items = chosen(map_.*list, {id});
+    for (auto& entry : items) entry.second.id = wanted.toStdString();
+    return swapItems(list, std::move(items));
+  };
+  QStringList selected = selection_;
+  std::ranges::replace(selected, id, wanted);
+  push({renamed(&Map::buildings), renamed(&Map::landmarks)}, tr("Rename %1").arg(id));
+  setSelection(selected);
+  return true;
+}
+
+void MapDocument::removeSelected() {
+  const QSet<QString> keys(selection_.begin(), selection_.end());
+  std::vector<Toggle> toggles;
+  if (auto items = chosen(map_.buildings, keys); !items.empty())
+    toggles.push_back(toggleItems(&Map::buildings, std::move(items), true));
+  if (auto items = chosen(map_.landmarks, keys); !items.empty())
+    toggles.push_back(toggleItems(&Map::landmarks, std::move(items), true));
+  if (keys.contains(kStartKey)) toggles.push_back(swapMember(&Map::start, {}));
+  if (keys.contains(kRouteKey)) toggles.push_back(swapMember(&Map::route, {}));
+  const QString what = keys.size() == 1 ? handmap::displayName(map_, selection_.first())
+                                        : tr("%1 Objects").arg(keys.size());
+  push(std::move(toggles), tr("Delete %1").arg(what));
+}
+
+void MapDocument::setStart(std::optional<Pose2> start, bool mergeable) {
+  setMember(&Map::start, start, tr("Set Start"), mergeable);
+}
+
+void MapDocument::setRoute(std::vector<Vec2> route, bool mergeable) {
+  setMember(&Map::route, std::move(route), tr("Change Route"), mergeable);
+}
+
+void MapDocument::setName(const QString& name, bool mergeable) {
+  setMember(&Map::name, name.toStdString(), tr("Name Map"), mergeable);
+}
+
+void MapDocument::setUncertainty(Uncertainty uncertainty, bool mergeable) {
+  setMember(&Map::uncertainty, uncertainty, tr("Change Uncertainty"), mergeable);
+}
+
+void MapDocument::setUnderlays(std::vector<Underlay> underlays, const QString& text,
+                               bool mergeable) {
+  setMember(&Map::underlays, std::move(underlays), text, mergeable);
+}
+
+void MapDocument::setGeoreference(std::optional<Georeference> georeference, bool mergeable) {
+  setMember(&Map::georeference, std::move(georeference), tr("Georeference"), mergeable);
+}
+
+template <typename Value>
+void MapDocument::setMember(Value Map::*member, Value value, const QString& text, bool mergeable) {
+  if (value == map_.*member) return;
+  push({swapMember(member, std::move(value))}, text, mergeable ? text : QString());
+}
+
+void MapDocument::acceptRefinement(const Map& refined) {
+  std::vector<Building> accepted;
+  const auto places = placesOf(map_.buildings);
+  for (const Building& building : refined.buildings) {
+    const auto place = places.find(building.id);
+    if (place == places.end()) continue;
+    accepted.push_back(map_.buildings[place->second]);
+    accepted.back().shape = building.shape;
+    accepted.back().estimate = building.estimate;
+  }
+  push({swapItems(&Map::buildings, differing(accepted, map_.buildings)),
+        swapMember(&Map::refinement, refined.refinement)},
+       tr("Accept Refinement"));
+}
+
+void MapDocument::onIndexChanged() {
+  setSelection(selection_);  // drops what is gone
+  Q_EMIT mapChanged();
+  if (file_path_.isEmpty()) Q_EMIT fileChanged();  // the name of the map may be the display name
+}
+
+void MapDocument::push(std::vector<Toggle> toggles, const QString& text, const QString& merge_key) {
+  if (toggles.empty()) return;
+  const QString key =
+      merge_key.isEmpty() ? merge_key : QStringLiteral("%1 #%2").arg(merge_key).arg(merge_run_);
+  undo_stack_.push(new Command(map_, std::move(toggles), text, key));
+}
+
+std::string MapDocument::freeId(char prefix, const std::string& wanted) const {
+  std::unordered_set<std::string_view> taken{"", "@start", "@route"};
+  for (const Building& building : map_.buildings) taken.insert(building.id);
+  for (const Landmark& landmark : map_.landmarks) taken.insert(landmark.id);
+  std::string id = wanted;
+  for (int n = 1; taken.contains(id); ++n) id = prefix + std::to_string(n);
+  return id;
+}
+
+}  // namespace handmap

@@ -1,0 +1,89 @@
+// The one editable map, its undo stack and what is selected in it.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QUndoStack>
+#include <optional>
+#include <vector>
+
+#include "core/map/map.h"
+#include "widgets/document/map_change.h"
+#include "widgets/document/toggle.h"
+
+namespace handmap {
+
+/// Every change is one command on undoStack() and ends with mapChanged(); commands hold only what
+/// they change. Units as in core/map/map.h. The caller answers for finite numbers and simple,
+/// counter-clockwise polygons.
+class MapDocument : public QObject {
+  Q_OBJECT
+ public:
+  explicit MapDocument(QObject* parent = nullptr);
+  ~MapDocument() override;
+
+  const Map& map() const { return map_; }
+  QUndoStack& undoStack() { return undo_stack_; }
+
+  // --- File
+  QString filePath() const { return file_path_; }  ///< empty: never saved
+  bool isModified() const { return !undo_stack_.isClean(); }
+  QString displayName() const;  ///< the file's name, else the map's, else "Untitled"
+  /// Takes another map in place of this one; forgets undo steps and selection.
+  void reset(Map map = {}, QString path = {});
+  void open(const QString& path);  ///< throws Error; the document is then as before
+  void save(const QString& path);  ///< throws Error; atomic
+
+  // --- Selection: keys of objects that exist, each once
+  QStringList selection() const { return selection_; }
+  void setSelection(QStringList keys);
+  void selectAll();
+
+  // --- Edits. With `mergeable`, a run of edits with the same text and objects is one undo step
+  //     until finishMerging().
+  /// Gives an empty or taken id the next free one, B1, B2 …; returns the id.
+  QString addBuilding(Building building);
+  QString addLandmark(Landmark landmark);  ///< L1, L2 …
+  void changeBuilding(const QString& id, Building building, const QString& text,
+                      bool mergeable = false);
+  void changeLandmark(const QString& id, Landmark landmark, const QString& text,
+                      bool mergeable = false);
+  /// One step for objects of every kind.
+  void apply(const MapChange& change, const QString& text, bool mergeable = false);
+  /// False, and nothing is changed, when the id is empty, taken or one of the two special keys.
+  bool rename(const QString& id, const QString& new_id);
+  void removeSelected();
+  void setStart(std::optional<Pose2> start, bool mergeable = false);
+  void setRoute(std::vector<Vec2> route, bool mergeable = false);
+  void setName(const QString& name, bool mergeable = false);
+  void setUncertainty(Uncertainty uncertainty, bool mergeable = false);
+  void setUnderlays(std::vector<Underlay> underlays, const QString& text, bool mergeable = false);
+  void setGeoreference(std::optional<Georeference> georeference, bool mergeable = false);
+  /// Shapes and estimates of the buildings that `refined` shares with the drawing, and its
+  /// "refinement" object: one undo step.
+  void acceptRefinement(const Map& refined);
+
+  void finishMerging() { ++merge_run_; }
+
+ Q_SIGNALS:
+  void mapChanged();
+  void selectionChanged();
+  void fileChanged();  ///< path, display name or isModified()
+
+ private:
+  class Command;
+
+  void push(std::vector<Toggle> toggles, const QString& text, const QString& merge_key = {});
+  template <typename Value>
+  void setMember(Value Map::*member, Value value, const QString& text, bool mergeable);
+  void onIndexChanged();
+  std::string freeId(char prefix, const std::string& wanted) const;
+
+  Map map_;
+  QUndoStack undo_stack_;
+  QString file_path_;
+  QStringList selection_;
+  int merge_run_ = 0;
+};
+
+}  // namespace handmap

@@ -1,0 +1,160 @@
+#include "widgets/panels/building_page.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLocale>
+#include <algorithm>
+
+#include "core/map/map_limits.h"
+#include "widgets/canvas/tools/building_handles.h"
+
+namespace handmap {
+
+namespace {
+
+/// What `get` gives for all of them; nullopt when they differ.
+template <typename Get>
+auto common(const std::vector<Building>& buildings, Get get)
+    -> std::optional<decltype(get(buildings.front()))> {
+  const auto first = get(buildings.front());
+  const bool same = std::ranges::all_of(buildings, [&](const auto& b) { return get(b) == first; });
+  if (!same) return std::nullopt;
+  return first;
+}
+
+void showFlag(QCheckBox& box, std::optional<bool> flag) {
+  const QSignalBlocker block(box);
+  box.setCheckState(!flag ? Qt::PartiallyChecked : *flag ? Qt::Checked : Qt::Unchecked);
+}
+
+double degrees(const Rectangle& box) {
+  return std::round(toDegrees(normalizedAngle(box.heading)) * 1e9) / 1e9;
+}
+
+}  // namespace
+
+BuildingPage::BuildingPage(MapDocument& document) : PropertyPage(document, tr("Building")) {
+  addId();
+  name_ = addText("name", tr("Name"), [this](const QString& name) {
+    edit(tr("Name Building"), [&](Building& building) { building.name = name.toStdString(); });
+  });
+  x_ = addCoordinate("x", tr("x"), [this](double x) {
+    editBox(tr("Change x"), [x](Rectangle& box) { box.centre.x() = x; });
+  });
+  y_ = addCoordinate("y", tr("y"), [this](double y) {
+    editBox(tr("Change y"), [y](Rectangle& box) { box.centre.y() = y; });
+  });
+  width_ = addNumber("width", tr("Width"), kMinSize, kMaxSize, tr(" m"), [this](double width) {
+    editBox(tr("Change Width"), [width](Rectangle& box) { box.width = width; });
+  });
+  depth_ = addNumber("depth", tr("Depth"), kMinSize, kMaxSize, tr(" m"), [this](double depth) {
+    editBox(tr("Change Depth"), [depth](Rectangle& box) { box.depth = depth; });
+  });
+  heading_ = addHeading([this](double heading) {
+    editBox(tr("Change Heading"), [heading](Rectangle& box) { box.heading = toRadians(heading); });
+  });
+  fixed_ = new QCheckBox(tr("Fixed: a run must not move it"));
+  addField("fixed", {}, fixed_);
+  connect(fixed_, &QCheckBox::clicked, this, [this] {
+    const bool fixed = fixed_->checkState() != Qt::Unchecked;
+    edit(tr("Fix Building"), [fixed](Building& building) { building.fixed = fixed; });
+    this->document().finishMerging();
+  });
+  addUncertainty();
+  estimate_ = new QLabel;
+  estimate_->setWordWrap(true);
+  addField("estimate", tr("Estimate"), estimate_);
+}
+
+void BuildingPage::addUncertainty() {
+  own_uncertainty_ = new QCheckBox(tr("Uncertainty of its own"));
+  addField("own_uncertainty", {}, own_uncertainty_);
+  connect(own_uncertainty_, &QCheckBox::clicked, this, [this] {
+    const bool own = own_uncertainty_->checkState() != Qt::Unchecked;
+    edit(tr("Change Uncertainty"), [&, own](Building& building) {
+      const Uncertainty old = document().map().uncertaintyOf(building);
+      building.uncertainty = own ? std::optional(old) : std::nullopt;
+    });
+    document().finishMerging();
+  });
+  const auto add = [this](const char* name, const QString& label, double Uncertainty::*member) {
+    return addNumber(name, label, 0.0, kMaxSigma, tr(" m"), [this, member](double sigma) {
+      edit(tr("Change Uncertainty"), [&](Building& building) {
+        Uncertainty changed = document().map().uncertaintyOf(building);
+        changed.*member = sigma;
+        building.uncertainty = changed;
+      });
+    });
+  };
+  position_sigma_ = add("position_sigma", tr("Position σ"), &Uncertainty::position);
+  size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
+}
+
+std::vector<Building> BuildingPage::buildings() const {
+  return selected(document().map(), document().selection()).buildings;
+}
+
+void BuildingPage::edit(const QString& text, const std::function<void(Building&)>& change) {
+  std::vector<Building> changed = buildings();
+  std::ranges::for_each(changed, change);
+  document().apply({.buildings = std::move(changed)}, text, true);
+}
+
+void BuildingPage::editBox(const QString& text, const std::function<void(Rectangle&)>& change) {
+  edit(text, [&](Building& building) {
+    Rectangle box = building.box();
+    change(box);
+    building = building.fitted(box);
+  });
+}
+
+void BuildingPage::refresh() {
+  const std::vector<Building> shown = buildings();
+  if (shown.empty()) return;
+  const bool single = shown.size() == 1;
+  findChild<QLabel*>(QStringLiteral("title"))
+      ->setText(single ? tr("<b>Building</b>") : tr("<b>%1 Buildings</b>").arg(shown.size()));
+  showId();
+  const auto name = common(shown, [](const Building& b) { return b.name; });
+  name_->setPlaceholderText(name ? QString() : tr("several"));
+  showText(*name_, QString::fromStdString(name.value_or("")));
+
+  const auto box = [&](auto get) {
+    return common(shown, [&](const Building& b) { return get(b.box()); });
+  };
+  x_->showValue(box([](const Rectangle& b) { return b.centre.x(); }));
+  y_->showValue(box([](const Rectangle& b) { return b.centre.y(); }));
+  width_->showValue(box([](const Rectangle& b) { return b.width; }));
+  depth_->showValue(box([](const Rectangle& b) { return b.depth; }));
+  heading_->showValue(box(degrees));
+  showFlag(*fixed_, common(shown, [](const Building& b) { return b.fixed; }));
+  refreshUncertainty(shown);
+  refreshEstimate(shown);
+}
+
+void BuildingPage::refreshUncertainty(const std::vector<Building>& shown) {
+  const auto own = common(shown, [](const Building& b) { return b.uncertainty.has_value(); });
+  showFlag(*own_uncertainty_, own);
+  const auto sigma = [&](double Uncertainty::*member) {
+    return common(shown,
+                  [&](const Building& b) { return document().map().uncertaintyOf(b).*member; });
+  };
+  position_sigma_->showValue(sigma(&Uncertainty::position));
+  size_sigma_->showValue(sigma(&Uncertainty::size));
+  for (NumberField* field : {position_sigma_, size_sigma_}) field->setEnabled(own.value_or(true));
+}
+
+void BuildingPage::refreshEstimate(const std::vector<Building>& shown) {
+  if (shown.size() > 1 || !shown.front().estimate) {
+    estimate_->setText(shown.size() > 1 ? tr("—") : tr("none yet"));
+    return;
+  }
+  const Estimate& estimate = *shown.front().estimate;
+  const auto metres = [](double value) { return QLocale::c().toString(value, 'f', 2); };
+  estimate_->setText(
+      tr("σ x %1 m, y %2 m, width %3 m\nObservations: %4")
+          .arg(metres(estimate.sigma_x), metres(estimate.sigma_y), metres(estimate.sigma_width))
+          .arg(estimate.observations));
+}
+
+}  // namespace handmap

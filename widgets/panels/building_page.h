@@ -1,0 +1,41 @@
+// One or more buildings: what they have in common, or one value for all of them.
+#pragma once
+
+#include <functional>
+
+#include "widgets/panels/property_page.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace handmap {
+
+class BuildingPage : public PropertyPage {
+  Q_OBJECT
+ public:
+  explicit BuildingPage(MapDocument& document);
+
+  void refresh() override;
+
+ private:
+  void addUncertainty();
+  std::vector<Building> buildings() const;
+  void edit(const QString& text, const std::function<void(Building&)>& change);
+  void editBox(const QString& text, const std::function<void(Rectangle&)>& change);
+  void refreshUncertainty(const std::vector<Building>& shown);
+  void refreshEstimate(const std::vector<Building>& shown);
+
+  QLineEdit* name_;
+  NumberField* x_;
+  NumberField* y_;
+  NumberField* width_;
+  NumberField* depth_;
+  NumberField* heading_;
+  QCheckBox* fixed_;
+  QCheckBox* own_uncertainty_;
+  NumberField* position_sigma_;
+  NumberField* size_sigma_;
+  QLabel* estimate_;
+};
+
+}  // namespace handmap

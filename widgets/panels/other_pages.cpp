@@ -1,0 +1,157 @@
+#include "widgets/panels/other_pages.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLocale>
+
+#include "core/map/map_limits.h"
+
+namespace handmap {
+
+// --- Landmark
+
+LandmarkPage::LandmarkPage(MapDocument& document) : PropertyPage(document, tr("Landmark")) {
+  addId();
+  name_ = addText("name", tr("Name"), [this](const QString& name) {
+    Landmark changed = landmark();
+    changed.name = name.toStdString();
+    edit(changed, tr("Name Landmark"));
+  });
+  x_ = addCoordinate("x", tr("x"), [this](double x) {
+    Landmark changed = landmark();
+    changed.position.x() = x;
+    edit(changed, tr("Change x"));
+  });
+  y_ = addCoordinate("y", tr("y"), [this](double y) {
+    Landmark changed = landmark();
+    changed.position.y() = y;
+    edit(changed, tr("Change y"));
+  });
+}
+
+Landmark LandmarkPage::landmark() const {
+  const MapChange objects = selected(document().map(), {selectedId()});
+  return objects.landmarks.empty() ? Landmark{} : objects.landmarks.front();
+}
+
+void LandmarkPage::edit(const Landmark& landmark, const QString& text) {
+  document().apply({.landmarks = {landmark}}, text, true);
+}
+
+void LandmarkPage::refresh() {
+  const Landmark shown = landmark();
+  showId();
+  showText(*name_, QString::fromStdString(shown.name));
+  x_->showValue(shown.position.x());
+  y_->showValue(shown.position.y());
+}
+
+// --- Start
+
+StartPage::StartPage(MapDocument& document) : PropertyPage(document, tr("Start of the robot")) {
+  x_ = addCoordinate("x", tr("x"), [this](double x) { edit(&Pose2::x, x); });
+  y_ = addCoordinate("y", tr("y"), [this](double y) { edit(&Pose2::y, y); });
+  heading_ = addHeading([this](double degrees) { edit(&Pose2::heading, toRadians(degrees)); });
+}
+
+void StartPage::edit(double Pose2::*member, double value) {
+  Pose2 start = document().map().start.value_or(Pose2{});
+  start.*member = value;
+  document().setStart(start, true);
+}
+
+void StartPage::refresh() {
+  const std::optional<Pose2>& start = document().map().start;
+  if (!start) return;
+  x_->showValue(start->x);
+  y_->showValue(start->y);
+  heading_->showValue(toDegrees(normalizedAngle(start->heading)));
+}
+
+// --- Map
+
+MapPage::MapPage(MapDocument& document) : PropertyPage(document, tr("Map")) {
+  name_ = addText("name", tr("Name"),
+                  [this](const QString& name) { this->document().setName(name, true); });
+  const auto add = [this](const char* name, const QString& label, double Uncertainty::*member) {
+    return addNumber(name, label, 0.0, kMaxSigma, tr(" m"), [this, member](double sigma) {
+      Uncertainty changed = this->document().map().uncertainty;
+      changed.*member = sigma;
+      this->document().setUncertainty(changed, true);
+    });
+  };
+  position_sigma_ = add("position_sigma", tr("Position σ"), &Uncertainty::position);
+  position_sigma_->setToolTip(tr("How far buildings may lie from where they are drawn"));
+  size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
+  size_sigma_->setToolTip(tr("How wrong their widths and depths may be"));
+  addGeoreference();
+  contents_ = new QLabel;
+  contents_->setWordWrap(true);
+  addField("contents", {}, contents_);
+}
+
+void MapPage::addGeoreference() {
+  georeferenced_ = new QCheckBox(tr("Georeferenced (WGS 84)"));
+  addField("georeferenced", {}, georeferenced_);
+  connect(georeferenced_, &QCheckBox::clicked, this, [this](bool on) {
+    document().setGeoreference(on ? std::optional(Georeference{}) : std::nullopt);
+  });
+  const auto add = [this](const char* name, const QString& label, double limit, int decimals,
+                          double Georeference::*member, double scale) {
+    NumberField* field =
+        addNumber(name, label, -limit, limit, tr("°"),
+                  [this, member, scale](double value) { editGeoreference(member, value * scale); });
+    field->setDecimals(decimals);
+    return field;
+  };
+  latitude_ = add("latitude", tr("Latitude"), kMaxLatitudeDeg, 7, &Georeference::latitude, 1.0);
+  longitude_ = add("longitude", tr("Longitude"), 180.0, 7, &Georeference::longitude, 1.0);
+  east_ = add("x_axis", tr("x axis from east"), 360.0, 3, &Georeference::heading, toRadians(1.0));
+}
+
+void MapPage::editGeoreference(double Georeference::*member, double value) {
+  Georeference changed = document().map().georeference.value_or(Georeference{});
+  changed.*member = value;
+  document().setGeoreference(changed, true);
+}
+
+void MapPage::refresh() {
+  const Map& map = document().map();
+  showText(*name_, QString::fromStdString(map.name));
+  position_sigma_->showValue(map.uncertainty.position);
+  size_sigma_->showValue(map.uncertainty.size);
+  const Georeference georeference = map.georeference.value_or(Georeference{});
+  georeferenced_->setChecked(map.georeference.has_value());
+  latitude_->showValue(georeference.latitude);
+  longitude_->showValue(georeference.longitude);
+  east_->showValue(toDegrees(georeference.heading));
+  for (NumberField* field : {latitude_, longitude_, east_})
+    field->setEnabled(map.georeference.has_value());
+  QString text = tr("Buildings: %1").arg(map.buildings.size());
+  if (!map.start) text += tr("\nNo start yet: a run needs to know where the robot begins.");
+  if (!map.refinement.empty()) text += tr("\nCorrected by a run.");
+  contents_->setText(text);
+}
+
+// --- Route, or several kinds
+
+SummaryPage::SummaryPage(MapDocument& document) : PropertyPage(document, tr("Selection")) {
+  text_ = new QLabel;
+  text_->setWordWrap(true);
+  addField("summary", {}, text_);
+}
+
+void SummaryPage::refresh() {
+  const std::vector<Vec2>& route = document().map().route;
+  if (document().selection() != QStringList{kRouteKey}) {
+    text_->setText(tr("%1 objects of several kinds").arg(document().selection().size()));
+    return;
+  }
+  double length = 0.0;
+  for (std::size_t i = 1; i < route.size(); ++i) length += (route[i] - route[i - 1]).norm();
+  text_->setText(tr("Route through %1 points, %2 m")
+                     .arg(route.size())
+                     .arg(QLocale::c().toString(length, 'f', 1)));
+}
+
+}  // namespace handmap

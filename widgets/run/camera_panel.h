@@ -1,0 +1,36 @@
+// What the robot's camera sees: the left image and its disparities, near warm and far cold.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+/// Grey or BGR, 8 bit; a null image for anything else.
+QImage cameraImage(const cv::Mat& image);
+/// Unknown disparities are black.
+QImage disparityImage(const cv::Mat1f& disparity);
+
+class CameraPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CameraPanel(QWidget* parent = nullptr);
+
+  /// nullptr shows that there is nothing yet.
+  void setSnapshot(std::shared_ptr<const Snapshot> snapshot);
+
+  QSize sizeHint() const override { return {320, 220}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::shared_ptr<const Snapshot> snapshot_;
+  std::shared_ptr<const Snapshot> converted_;  ///< what the images are of: made when painted
+  QImage image_;
+  QImage disparity_;
+};
+
+}  // namespace handmap

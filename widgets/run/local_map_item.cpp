@@ -1,0 +1,75 @@
+#include "widgets/run/local_map_item.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <opencv2/core.hpp>
+
+#include "widgets/run/averaged_image.h"
+
+namespace handmap {
+
+namespace {
+
+/// The surer of a wall, measured by the surest cell, the less transparent.
+QImage imageOf(const cv::Mat1f& cells, const QColor& colour) {
+  constexpr int kOpaque = 230;
+  std::array<QRgb, 256> shades{};
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    const int alpha = static_cast<int>(kOpaque * std::sqrt(static_cast<double>(i) / 255.0));
+    shades[i] = qPremultiply(qRgba(colour.red(), colour.green(), colour.blue(), alpha));
+  }
+  double surest = 0.0;
+  cv::minMaxLoc(cells, nullptr, &surest);
+  const float scale = surest > 0.0 ? static_cast<float>(255.0 / surest) : 0.0F;
+  QImage image(cells.cols, cells.rows, QImage::Format_ARGB32_Premultiplied);
+  for (int row = 0; row < cells.rows; ++row) {
+    const float* from = cells[row];
+    auto* to = reinterpret_cast<QRgb*>(image.scanLine(row));
+    for (int column = 0; column < cells.cols; ++column) {
+      to[column] = shades[static_cast<std::size_t>(std::clamp(from[column] * scale, 0.0F, 255.0F))];
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+void LocalMapItem::setColours(const Colours& colours) {
+  colours_ = &colours;
+  image_ = {};
+  update();
+}
+
+void LocalMapItem::setLocalMap(std::shared_ptr<const LocalMap> local_map, const Pose2& robot) {
+  prepareGeometryChange();
+  if (local_map_ != local_map) image_ = {};
+  local_map_ = std::move(local_map);
+  setPos(robot.x, robot.y);
+  setRotation(toDegrees(robot.heading));
+}
+
+QRectF LocalMapItem::boundingRect() const {
+  if (!local_map_) return {};
+  const double half = local_map_->range();
+  return {-half, -half, 2.0 * half, 2.0 * half};
+}
+
+void LocalMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (!local_map_) return;
+  if (image_.isNull()) {
+    image_ = imageOf(local_map_->cells(), (*colours_)[Role::LocalMap]);
+    averaged_ = {};
+  }
+  if (lod_ != painter->worldTransform().determinant() || averaged_.isNull()) {
+    lod_ = painter->worldTransform().determinant();
+    averaged_ = averagedFor(*painter, boundingRect(), image_);
+  }
+  // Row 0 is the right edge, y = -range: the scene's y axis points up, so the image lies as it is.
+  painter->setRenderHint(QPainter::SmoothPixmapTransform);
+  painter->drawImage(boundingRect(), averaged_);
+}
+
+}  // namespace handmap

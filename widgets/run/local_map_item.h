@@ -1,0 +1,31 @@
+// The grid of walls that the robot sees, laid where the robot stands.
+#pragma once
+
+#include <QGraphicsItem>
+#include <QImage>
+#include <memory>
+
+#include "core/geometry/pose2.h"
+#include "core/perception/local_map.h"
+#include "widgets/style/colours.h"
+
+namespace handmap {
+
+class LocalMapItem : public QGraphicsItem {
+ public:
+  void setColours(const Colours& colours);
+  /// nullptr shows nothing.
+  void setLocalMap(std::shared_ptr<const LocalMap> local_map, const Pose2& robot);
+
+  QRectF boundingRect() const override;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  const Colours* colours_ = &Colours::light();
+  std::shared_ptr<const LocalMap> local_map_;
+  QImage image_;     ///< of local_map_ in the colours; made when first painted
+  QImage averaged_;  ///< of image_ for the scale of lod_
+  double lod_ = 0.0;
+};
+
+}  // namespace handmap

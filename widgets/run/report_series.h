@@ -1,0 +1,35 @@
+// The reports of a run for the charts: never more than a fixed number of points, however long it
+// is.
+#pragma once
+
+#include <vector>
+
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+/// When it is full, neighbours are averaged in pairs and from then on as many reports more make one
+/// point.
+class ReportSeries {
+ public:
+  static constexpr std::size_t kMostPoints = 512;
+
+  void add(const FrameReport& report);
+  void clear();
+
+  /// Frames, times and sizes are means over the reports of a point.
+  struct Point {
+    double frame = 0.0;
+    double effective_sample_size = 0.0;
+    StageTimes ms;
+  };
+  const std::vector<Point>& points() const { return points_; }
+
+ private:
+  std::vector<Point> points_;
+  Point gathering_;  ///< sums
+  int gathered_ = 0;
+  int reports_a_point_ = 1;
+};
+
+}  // namespace handmap

@@ -1,0 +1,104 @@
+#include "widgets/run/run_setup_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QSettings>
+#include <QSpinBox>
+#include <limits>
+
+namespace handmap {
+
+namespace {
+constexpr int kLastFrame = 9'999'999;
+constexpr int kToTheEnd = -1;
+}  // namespace
+
+RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
+  auto* form = new QFormLayout(this);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  method_ = new QComboBox;
+  method_->addItem(tr("Handmap"), static_cast<int>(Method::Handmap));
+  method_->addItem(tr("Published FastSLAM/PSOM"), static_cast<int>(Method::Paper));
+  method_->setToolTip(tr("Ours, or the published method to the letter"));
+  form->addRow(tr("Method"), method_);
+  slam_particles_ =
+      addNumber(tr("Particles"), 1, 100'000, tr("Poses of the robot that are followed at once"));
+  pso_particles_ = addNumber(tr("Swarm"), 1, 1000,
+                             tr("Points of the swarm that corrects a building; published method"));
+  pso_iterations_ = addNumber(tr("Iterations"), 0, 1000,
+                              tr("Moves of a swarm in one observation, at most; published method"));
+  seed_ = addNumber(tr("Seed"), 0, std::numeric_limits<int>::max(),
+                    tr("The same seed and the same inputs give the same result"));
+  threads_ = addNumber(tr("Threads"), 0, 256, tr("The result does not depend on it"));
+  threads_->setSpecialValueText(tr("all"));
+  source_ = new QComboBox;
+  source_->addItem(tr("Images, else points"), static_cast<int>(SourceKind::Auto));
+  source_->addItem(tr("Images"), static_cast<int>(SourceKind::Images));
+  source_->addItem(tr("Points"), static_cast<int>(SourceKind::Points));
+  source_->setToolTip(tr("What is taken of a recording"));
+  form->addRow(tr("Source"), source_);
+  from_ = addNumber(tr("From frame"), 0, kLastFrame, tr("First frame of a recording"));
+  to_ = addNumber(tr("To frame"), kToTheEnd, kLastFrame, tr("Last frame of a recording"));
+  to_->setSpecialValueText(tr("end"));
+  every_ = addNumber(tr("Every"), 1, 10'000, tr("Takes each so-manieth observation"));
+  setSetup({});
+}
+
+QSpinBox* RunSetupPanel::addNumber(const QString& label, int low, int high, const QString& hint) {
+  auto* box = new QSpinBox;
+  box->setRange(low, high);
+  box->setToolTip(hint);
+  box->setAlignment(Qt::AlignRight);
+  static_cast<QFormLayout*>(layout())->addRow(label, box);
+  return box;
+}
+
+RunSetup RunSetupPanel::setup() const {
+  RunSetup setup;
+  setup.settings.method = static_cast<Method>(method_->currentData().toInt());
+  setup.settings.slam.slam_particles = slam_particles_->value();
+  setup.settings.slam.pso_particles = pso_particles_->value();
+  setup.settings.slam.pso_iterations = pso_iterations_->value();
+  setup.settings.seed = static_cast<std::uint64_t>(seed_->value());
+  setup.settings.threads = threads_->value();
+  setup.replay.kind = static_cast<SourceKind>(source_->currentData().toInt());
+  setup.replay.from = from_->value();
+  if (to_->value() != kToTheEnd) setup.replay.to = to_->value();
+  setup.replay.every = every_->value();
+  return setup;
+}
+
+void RunSetupPanel::setSetup(const RunSetup& setup) {
+  method_->setCurrentIndex(method_->findData(static_cast<int>(setup.settings.method)));
+  slam_particles_->setValue(setup.settings.slam.slam_particles);
+  pso_particles_->setValue(setup.settings.slam.pso_particles);
+  pso_iterations_->setValue(setup.settings.slam.pso_iterations);
+  seed_->setValue(static_cast<int>(setup.settings.seed));
+  threads_->setValue(setup.settings.threads);
+  source_->setCurrentIndex(source_->findData(static_cast<int>(setup.replay.kind)));
+  from_->setValue(setup.replay.from);
+  to_->setValue(setup.replay.to.value_or(kToTheEnd));
+  every_->setValue(setup.replay.every);
+}
+
+void RunSetupPanel::save(QSettings& settings) const {
+  settings.setValue("run/particles", slam_particles_->value());
+  settings.setValue("run/swarm", pso_particles_->value());
+  settings.setValue("run/iterations", pso_iterations_->value());
+  settings.setValue("run/threads", threads_->value());
+}
+
+void RunSetupPanel::restore(const QSettings& settings) {
+  // Spin boxes clamp what is out of range; what is no number keeps the default.
+  const auto take = [&settings](const char* key, QSpinBox* box) {
+    bool is_number = false;
+    const int value = settings.value(key).toInt(&is_number);
+    if (is_number) box->setValue(value);
+  };
+  take("run/particles", slam_particles_);
+  take("run/swarm", pso_particles_);
+  take("run/iterations", pso_iterations_);
+  take("run/threads", threads_);
+}
+
+}  // namespace handmap

@@ -1,0 +1,92 @@
+#include "widgets/run/transport_bar.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolBar>
+#include <cmath>
+
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kTicksAStep = 100;  // of the progress bar, so that it moves inside a slow step
+
+struct Speed {
+  double factor;
+  const char* text;
+};
+constexpr Speed kSpeeds[] = {
+    {1.0, "1\u00d7"}, {2.0, "2\u00d7"}, {5.0, "5\u00d7"}, {10.0, "10\u00d7"}, {0.0, "max"}};
+
+}  // namespace
+
+TransportBar::TransportBar(QWidget* parent)
+    : QWidget(parent),
+      source_(new QLabel),
+      tool_bar_(new QToolBar),
+      speed_(new QComboBox),
+      progress_(new QProgressBar),
+      frame_(new QLabel) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 2, 8, 2);
+  tool_bar_->setIconSize({20, 20});
+  for (const Speed& speed : kSpeeds) speed_->addItem(QString::fromUtf8(speed.text), speed.factor);
+  speed_->setToolTip(tr("Speed: times the clock of the recording"));
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(10);
+  progress_->setMinimumWidth(40);
+  frame_->setMinimumWidth(fontMetrics().horizontalAdvance("000 / 000 \u00b7 000.0 s"));
+  layout->addWidget(tool_bar_);
+  layout->addWidget(speed_);
+  layout->addSpacing(8);
+  layout->addWidget(source_);
+  layout->addWidget(progress_, 1);
+  layout->addWidget(frame_);
+  connect(speed_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT speedChanged(speed()); });
+  setSource({});
+  clearProgress();
+}
+
+double TransportBar::speed() const { return speed_->currentData().toDouble(); }
+
+void TransportBar::setSpeed(double speed) {
+  int best = speed_->count() - 1;  // fastest
+  for (int i = 0; speed > 0.0 && i < speed_->count() - 1; ++i) {
+    if (std::abs(speed_->itemData(i).toDouble() - speed) <
+        std::abs(speed_->itemData(best).toDouble() - speed)) {
+      best = i;
+    }
+  }
+  speed_->setCurrentIndex(best);
+}
+
+void TransportBar::setSource(const QString& name) {
+  const int widest = fontMetrics().horizontalAdvance("Simulator: demonstration__");
+  source_->setText(name.isEmpty() ? tr("No robot yet")
+                                  : fontMetrics().elidedText(name, Qt::ElideRight, widest));
+  source_->setToolTip(tr("Where the observations come from") + QLatin1Char('\n') + name);
+}
+
+void TransportBar::setProgress(int index, int count, const FrameReport& report) {
+  index_ = index;
+  progress_->setRange(0, std::max(count, 1) * kTicksAStep);
+  progress_->setValue(index * kTicksAStep);
+  frame_->setText(tr("%1 / %2 \u00b7 %3 s").arg(index).arg(count).arg(report.time_s, 0, 'f', 1));
+}
+
+void TransportBar::setShareOfStep(double share) {
+  progress_->setValue(index_ * kTicksAStep + static_cast<int>(share * kTicksAStep));
+}
+
+void TransportBar::clearProgress() {
+  index_ = 0;
+  progress_->setRange(0, kTicksAStep);
+  progress_->setValue(0);
+  frame_->setText(QStringLiteral("\u2013"));
+}
+
+}  // namespace handmap
