@@ -1,0 +1,29 @@
+// The options of the desktop program.
+#pragma once
+
+#include <QStringList>
+#include <optional>
+
+#include "core/recording/recording.h"
+
+namespace handmap {
+
+struct CommandLine {
+  QString map;        ///< empty: none
+  QString recording;  ///< empty: none
+  ReplayOptions replay;
+  std::optional<int> seed;
+  bool demo = false;
+  bool run = false;
+  bool exit_after_run = false;
+  bool verbose = false;
+  QString report_folder;  ///< empty: no report; otherwise the run goes as fast as possible
+
+  /// The program ends with the run and speaks through its exit status.
+  bool isBatch() const { return exit_after_run || !report_folder.isEmpty(); }
+};
+
+/// Handles --help and --version. Throws Error (Usage) for what cannot be.
+CommandLine parseCommandLine(const QStringList& arguments);
+
+}  // namespace handmap

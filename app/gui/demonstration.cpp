@@ -1,0 +1,54 @@
+#include "app/gui/demonstration.h"
+
+#include <QFile>
+#include <QObject>
+
+#include "core/map/map_io.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::uint64_t kDemonstrationSeed = 7;
+constexpr double kSketchSigma_m = 5.0;
+
+Map bundledMap(const QString& name) {
+  QFile file(QStringLiteral(":/demo/%1.handmap").arg(name));
+  if (!file.open(QIODevice::ReadOnly)) qFatal("%s is not bundled", qPrintable(name));
+  return parseMap(file.readAll().toStdString(), name.toStdString());
+}
+
+Demonstration simulationOf(const QString& name, const World& world, std::uint64_t seed) {
+  Demonstration simulation;
+  simulation.sketch = perturbed(world.map, kSketchSigma_m, seed);
+  simulation.sketch.name = QObject::tr("Sketch of %1").arg(name).toStdString();
+  simulation.sketch.uncertainty = {kSketchSigma_m, kSketchSigma_m};
+  simulation.robot = simulatedRobot(name, world, seed);
+  return simulation;
+}
+
+}  // namespace
+
+Demonstration demonstration() {
+  const World world = worldFromMap(bundledMap("two-rows-truth"), kDemonstrationSeed);
+  return {bundledMap("two-rows-sketch"),
+          simulatedRobot(QObject::tr("demonstration"), world, kDemonstrationSeed)};
+}
+
+Demonstration twoRowSimulation(std::uint64_t seed) {
+  return simulationOf(QObject::tr("two rows"), twoRowWorld(seed), seed);
+}
+
+Demonstration campusSimulation(std::uint64_t seed) {
+  return simulationOf(QObject::tr("a campus"), campusWorld(seed), seed);
+}
+
+Robot simulationOfDrawing(const Map& drawing, std::uint64_t seed) {
+  const double sigma = drawing.uncertainty.position;
+  // Once as it is: only a drawing that one can drive through can be made a world of.
+  worldFromMap(drawing, seed);
+  return simulatedRobot(QObject::tr("this drawing"),
+                        worldFromMap(perturbed(drawing, sigma, seed), seed), seed);
+}
+
+}  // namespace handmap

@@ -1,0 +1,121 @@
+#include "app/gui/docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+#include <QTextBrowser>
+
+#include "widgets/panels/objects_panel.h"
+#include "widgets/panels/property_panel.h"
+#include "widgets/run/buildings_panel.h"
+#include "widgets/run/camera_panel.h"
+#include "widgets/run/charts_panel.h"
+#include "widgets/run/layers_panel.h"
+#include "widgets/run/run_setup_panel.h"
+
+namespace handmap {
+
+namespace {
+
+/// A panel that may be taller than its dock.
+QScrollArea* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setWidget(panel);
+  return area;
+}
+
+}  // namespace
+
+Docks::Docks(QMainWindow& window, MapDocument& document)
+    : QObject(&window),
+      window_(window),
+      objects_(new ObjectsPanel(document)),
+      properties_(new PropertyPanel(document)),
+      layers_(new LayersPanel),
+      setup_(new RunSetupPanel),
+      charts_(new ChartsPanel),
+      camera_(new CameraPanel),
+      buildings_(new BuildingsPanel),
+      objects_dock_(add("objects", tr("Objects"), objects_)),
+      properties_dock_(add("properties", tr("Properties"), properties_)),
+      layers_dock_(add("layers", tr("Layers"), scrolled(layers_))),
+      setup_dock_(add("setup", tr("Run settings"), scrolled(setup_))),
+      charts_dock_(add("charts", tr("Charts"), charts_)),
+      camera_dock_(add("camera", tr("Camera"), camera_)),
+      buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
+      help_dock_(add("help", tr("Help"), new QTextBrowser)) {
+  window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
+                         QMainWindow::AllowNestedDocks);
+  window_.tabifyDockWidget(objects_dock_, layers_dock_);
+  window_.tabifyDockWidget(properties_dock_, setup_dock_);
+  window_.tabifyDockWidget(charts_dock_, camera_dock_);
+  window_.tabifyDockWidget(camera_dock_, buildings_dock_);
+  layers_dock_->raise();
+  properties_dock_->raise();
+  setup_dock_->hide();
+  help_dock_->hide();
+  help_dock_->setFloating(true);
+  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_}) {
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+      if (shown) {
+        closed_by_user_.remove(dock);
+      } else {
+        closed_by_user_.insert(dock);
+      }
+    });
+  }
+  showRunDocks(false, false);
+}
+
+QDockWidget* Docks::add(const QString& name, const QString& title, QWidget* panel) {
+  auto* dock = new QDockWidget(title, &window_);
+  dock->setObjectName(name);
+  dock->setWidget(panel);
+  window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+  return dock;
+}
+
+void Docks::showRunDocks(bool run_exists, bool has_camera) {
+  const auto show = [this](QDockWidget* dock, bool wanted) {
+    dock->toggleViewAction()->setEnabled(wanted);
+    dock->setVisible(wanted && !closed_by_user_.contains(dock));
+  };
+  show(charts_dock_, run_exists);
+  show(buildings_dock_, run_exists);
+  show(camera_dock_, run_exists && has_camera);
+  if (!run_exists) return;
+  (has_camera ? camera_dock_ : charts_dock_)->raise();
+  resize();
+}
+
+void Docks::showSetup() {
+  setup_dock_->show();
+  setup_dock_->raise();
+}
+
+void Docks::showHelp(const QString& title, const QString& html) {
+  help_dock_->setWindowTitle(title);
+  static_cast<QTextBrowser*>(help_dock_->widget())->setHtml(html);
+  help_dock_->resize(520, 600);
+  help_dock_->show();
+}
+
+void Docks::addSwitches(QMenu& menu) const {
+  for (const QDockWidget* dock : {objects_dock_, layers_dock_, properties_dock_, setup_dock_,
+                                  charts_dock_, camera_dock_, buildings_dock_}) {
+    menu.addAction(dock->toggleViewAction());
+  }
+}
+
+void Docks::resize() {
+  window_.resizeDocks({objects_dock_, properties_dock_, charts_dock_}, {300, 300, 300},
+                      Qt::Horizontal);
+  window_.resizeDocks({objects_dock_, properties_dock_, charts_dock_}, {250, 150, 290},
+                      Qt::Vertical);
+}
+
+}  // namespace handmap

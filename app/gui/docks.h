@@ -1,0 +1,65 @@
+// The docks of the window: objects, properties and layers always; what belongs to a run while a run
+// exists.
+#pragma once
+
+#include <QObject>
+#include <QSet>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace handmap {
+
+class BuildingsPanel;
+class CameraPanel;
+class ChartsPanel;
+class LayersPanel;
+class MapDocument;
+class ObjectsPanel;
+class PropertyPanel;
+class RunSetupPanel;
+
+class Docks : public QObject {
+  Q_OBJECT
+ public:
+  Docks(QMainWindow& window, MapDocument& document);
+
+  ObjectsPanel& objects() { return *objects_; }
+  PropertyPanel& properties() { return *properties_; }
+  LayersPanel& layers() { return *layers_; }
+  RunSetupPanel& setup() { return *setup_; }
+  ChartsPanel& charts() { return *charts_; }
+  CameraPanel& camera() { return *camera_; }
+  BuildingsPanel& buildings() { return *buildings_; }
+
+  /// Those of a run come and go with it; what the user has closed stays closed.
+  void showRunDocks(bool run_exists, bool has_camera);
+  void showSetup();
+  void showHelp(const QString& title, const QString& html);
+  void addSwitches(QMenu& menu) const;
+  void resize();
+
+ private:
+  QDockWidget* add(const QString& name, const QString& title, QWidget* panel);
+
+  QMainWindow& window_;
+  ObjectsPanel* objects_;
+  PropertyPanel* properties_;
+  LayersPanel* layers_;
+  RunSetupPanel* setup_;
+  ChartsPanel* charts_;
+  CameraPanel* camera_;
+  BuildingsPanel* buildings_;
+  QDockWidget* objects_dock_;
+  QDockWidget* properties_dock_;
+  QDockWidget* layers_dock_;
+  QDockWidget* setup_dock_;
+  QDockWidget* charts_dock_;
+  QDockWidget* camera_dock_;
+  QDockWidget* buildings_dock_;
+  QDockWidget* help_dock_;
+  QSet<QDockWidget*> closed_by_user_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,116 @@
+// handmap: the desktop program.
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <clocale>
+
+#include <fmt/format.h>
+
+#include "app/gui/batch.h"
+#include "app/gui/command_line.h"
+#include "app/gui/docks.h"
+#include "app/gui/file_actions.h"
+#include "app/gui/main_window.h"
+#include "app/gui/narrator.h"
+#include "app/gui/run_actions.h"
+#include "core/base/error.h"
+#include "widgets/run/run_setup_panel.h"
+#include "widgets/run/transport_bar.h"
+#include "widgets/style/icons.h"
+
+namespace {
+
+using namespace handmap;
+
+QtMessageHandler default_handler = nullptr;
+
+/// The platform that draws into memory complains about every window; nobody can help that.
+void dropNoise(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+  if (message.startsWith(QLatin1String("This plugin does not support"))) return;
+  default_handler(type, context, message);
+}
+
+/// A machine without a display runs the same program, drawing into memory. False: nobody can see
+/// it.
+bool choosePlatform() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    if (!qEnvironmentVariableIsEmpty(name)) return true;
+  }
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  default_handler = qInstallMessageHandler(dropNoise);
+  return false;
+}
+
+void applySetup(MainWindow& window, const CommandLine& line) {
+  RunSetupPanel& panel = window.docks().setup();
+  RunSetup setup = panel.setup();
+  setup.replay = line.replay;
+  if (line.seed) setup.settings.seed = static_cast<std::uint64_t>(*line.seed);
+  panel.setSetup(setup);
+}
+
+/// Throws Error where a batch must not go on without the drawing.
+void openDrawing(MainWindow& window, const CommandLine& line) {
+  if (line.map.isEmpty()) return;
+  if (line.isBatch()) {
+    window.document().open(line.map);
+  } else {
+    window.files().open(line.map);
+  }
+}
+
+void openRobot(MainWindow& window, const CommandLine& line, bool first_start) {
+  const bool demo = line.demo || (first_start && line.map.isEmpty() && line.recording.isEmpty());
+  if (line.run || demo) {
+    QObject::connect(&window.runs(), &RunActions::robotChanged, &window.runs(),
+                     &RunActions::runOrResume, Qt::SingleShotConnection);
+  }
+  if (demo) window.runs().openDemonstration();
+  if (!line.recording.isEmpty()) window.runs().openRecording(line.recording);
+  if (line.isBatch()) window.transport().setSpeed(0.0);
+}
+
+int runProgram(QApplication& app, const CommandLine& line) {
+  // A batch neither reads nor leaves traces of how somebody likes the window.
+  const QTemporaryDir scratch;
+  QSettings own;
+  QSettings none(scratch.filePath("settings.ini"), QSettings::IniFormat);
+  QSettings& settings = line.isBatch() ? none : own;
+  const bool first_start = !line.isBatch() && !settings.contains("window/geometry");
+
+  MapDocument document;
+  MainWindow window(document, settings);
+  applySetup(window, line);
+  if (line.verbose) new Narrator(window);
+  if (line.isBatch()) new Batch(window, line);
+  window.show();
+  openDrawing(window, line);
+  openRobot(window, line, first_start);
+  if (!line.isBatch()) window.files().offerRecovery();
+  return app.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const bool visible = choosePlatform();
+    QApplication app(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // files have decimal points
+    QApplication::setApplicationName("handmap");
+    QApplication::setOrganizationName("handmap");
+    QApplication::setApplicationVersion(HANDMAP_VERSION);
+    QApplication::setWindowIcon(icon("building"));
+    const CommandLine line = parseCommandLine(QApplication::arguments());
+    if (!visible && !line.isBatch()) {
+      throw Error(ErrorCode::Usage, "there is no display to open a window on",
+                  "--offscreen-report DIR runs without one.");
+    }
+    return runProgram(app, line);
+  } catch (const Error& error) {
+    fmt::print(stderr, "handmap: {}\n", error.what());
+    if (!error.hint().empty()) fmt::print(stderr, "{}\n", error.hint());
+    return static_cast<int>(error.code());
+  }
+}

@@ -1,0 +1,291 @@
+#include "app/gui/main_window.h"
+
+#include <QCloseEvent>
+#include <QDir>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/docks.h"
+#include "app/gui/file_actions.h"
+#include "app/gui/message_bar.h"
+#include "app/gui/run_actions.h"
+#include "app/gui/welcome_strip.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/panels/objects_panel.h"
+#include "widgets/panels/property_panel.h"
+#include "widgets/run/buildings_panel.h"
+#include "widgets/run/layers_panel.h"
+#include "widgets/run/run_overlays.h"
+#include "widgets/run/run_setup_panel.h"
+#include "widgets/run/transport_bar.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr auto kGeometryKey = "window/geometry";
+constexpr auto kStateKey = "window/state";
+constexpr int kStateVersion = 1;  // of the set of docks and bars
+
+/// The file or folder that is dragged; empty for anything else.
+QString draggedPath(const QMimeData& data) {
+  const QList<QUrl> urls = data.urls();
+  if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
+  const QString path = urls.front().toLocalFile();
+  return path.endsWith(QLatin1String(".handmap")) || QDir(path).exists() ? path : QString();
+}
+
+}  // namespace
+
+MainWindow::MainWindow(MapDocument& document, QSettings& settings)
+    : document_(document),
+      settings_(settings),
+      canvas_(new MapCanvas(document_)),
+      messages_(new MessageBar),
+      welcome_(new WelcomeStrip),
+      transport_(new TransportBar),
+      hint_(new QLabel),
+      cursor_(new QLabel),
+      scale_(new QLabel),
+      run_state_(new QLabel) {
+  setCentralWidget(makeCentre());
+  docks_ = new Docks(*this, document_);
+  overlays_ = std::make_unique<RunOverlays>(*canvas_->scene(), kOverlayZ);
+  overlays_->setColours(Colours::of(palette()));
+  files_ = new FileActions({*this, document_, *canvas_, run_, actions_, *messages_, settings_});
+  runs_ = new RunActions({*this, document_, *canvas_, run_, *files_, actions_, *messages_,
+                          settings_, *overlays_, *transport_, docks_->layers(), docks_->setup(),
+                          docks_->charts(), docks_->camera(), docks_->buildings()});
+  makeBars();
+  makeStatusBar();
+  connectEditing();
+  connectView();
+  connectWelcome();
+  setAcceptDrops(true);
+  restoreState();
+  updateTitle();
+}
+
+MainWindow::~MainWindow() { run_.discard(); }
+
+QWidget* MainWindow::makeCentre() {
+  // Files that are dropped are the window's business, not the scene's.
+  canvas_->setAcceptDrops(false);
+  canvas_->viewport()->setAcceptDrops(false);
+  auto* centre = new QWidget;
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(welcome_);
+  layout->addWidget(messages_);
+  layout->addWidget(canvas_, 1);
+  layout->addWidget(transport_);
+  return centre;
+}
+
+void MainWindow::makeBars() {
+  actions_.fillMenuBar(*menuBar());
+  auto* main_bar = addToolBar(tr("Main"));
+  main_bar->setObjectName("main_bar");
+  actions_.fillToolBar(*main_bar, ToolBar::Main);
+  auto* tool_bar = new QToolBar(tr("Tools"));
+  tool_bar->setObjectName("tool_bar");
+  addToolBar(Qt::LeftToolBarArea, tool_bar);
+  actions_.fillToolBar(*tool_bar, ToolBar::Tools);
+  QToolBar& transport_bar = transport_->toolBar();
+  actions_.fillToolBar(transport_bar, ToolBar::Transport);
+  for (const char* id : {"run.run", "run.accept"}) {
+    auto* button = qobject_cast<QToolButton*>(transport_bar.widgetForAction(&actions_[id]));
+    if (button != nullptr) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+
+  for (QAction* top : menuBar()->actions()) {
+    QMenu* menu = top->menu();
+    if (menu->actions().contains(&actions_["file.save"])) {
+      menu->insertMenu(&actions_["file.save"], &files_->recentMenu());
+    }
+    if (menu->actions().contains(&actions_["view.grid"])) {
+      menu->addSeparator();
+      docks_->addSwitches(*menu);
+    }
+  }
+}
+
+void MainWindow::makeStatusBar() {
+  cursor_->setMinimumWidth(fontMetrics().horizontalAdvance("-0000.00, -0000.00 m"));
+  scale_->setMinimumWidth(fontMetrics().horizontalAdvance("0.00123 px/m"));
+  scale_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  cursor_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(cursor_);
+  statusBar()->addPermanentWidget(scale_);
+  statusBar()->addPermanentWidget(run_state_);
+  run_state_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Running, 000 of 000")));
+  run_state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  hint_->setText(canvas_->hint());
+  connect(canvas_, &MapCanvas::hintChanged, hint_, &QLabel::setText);
+  connect(canvas_, &MapCanvas::cursorMoved, this, [this](QPointF metres) {
+    cursor_->setText(tr("%1, %2 m").arg(metres.x(), 0, 'f', 2).arg(metres.y(), 0, 'f', 2));
+  });
+  const auto show_scale = [this](double pixels_per_metre) {
+    scale_->setText(tr("%1 px/m").arg(pixels_per_metre, 0, 'g', 3));
+  };
+  show_scale(canvas_->pixelsPerMetre());
+  connect(canvas_, &MapCanvas::scaleChanged, this, show_scale);
+  const auto show_run = [this] { run_state_->setText(runs_->stateInWords()); };
+  show_run();
+  connect(runs_, &RunActions::stateChanged, this, show_run);
+  connect(runs_, &RunActions::robotChanged, this, show_run);
+}
+
+void MainWindow::connectEditing() {
+  QUndoStack& undo = document_.undoStack();
+  actions_.on("edit.undo", &undo, [&undo] { undo.undo(); });
+  actions_.on("edit.redo", &undo, [&undo] { undo.redo(); });
+  actions_.on("edit.delete", this, [this] { document_.removeSelected(); });
+  actions_.on("edit.select_all", this, [this] { document_.selectAll(); });
+  actions_.on("edit.settings", this, [this] { docks_->showSetup(); });
+  actions_.on("file.quit", this, [this] { close(); });
+  actions_.on("help.shortcuts", this,
+              [this] { docks_->showHelp(tr("Keyboard shortcuts"), shortcutSheet()); });
+  actions_.on("help.about", this, [this] {
+    messages_->show(MessageBar::Kind::Info, tr("Handmap %1").arg(HANDMAP_VERSION),
+                    tr("Draw the map you remember; Handmap finds the robot on it and corrects the "
+                       "drawing. Free software: GPL-3.0-or-later, without any warranty."));
+  });
+  connect(&undo, &QUndoStack::indexChanged, this, &MainWindow::updateEditActions);
+  connect(&document_, &MapDocument::selectionChanged, this, &MainWindow::updateEditActions);
+  connect(&document_, &MapDocument::fileChanged, this, &MainWindow::updateTitle);
+  connect(&docks_->properties(), &PropertyPanel::messageRaised, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
+  updateEditActions();
+}
+
+void MainWindow::connectView() {
+  actions_.on("view.zoom_in", canvas_, [this] { canvas_->zoomIn(); });
+  actions_.on("view.zoom_out", canvas_, [this] { canvas_->zoomOut(); });
+  actions_.on("view.zoom_fit", canvas_, [this] { canvas_->zoomToFit(); });
+  actions_["view.grid"].setChecked(canvas_->isGridVisible());
+  actions_.on("view.grid", this, [this](bool on) { docks_->layers().setOn(Layer::Grid, on); });
+  actions_.on("view.snap", canvas_, [this](bool on) { canvas_->setSnapStep(on ? 0.5 : 0.0); });
+  connect(&docks_->layers(), &LayersPanel::toggled, this, &MainWindow::setLayer);
+  docks_->layers().setAvailable(Layer::Truth, false);
+
+  static constexpr std::pair<const char*, ToolId> kTools[] = {
+      {"draw.select", ToolId::Select},   {"draw.rectangle", ToolId::Rectangle},
+      {"draw.polygon", ToolId::Corners}, {"draw.start", ToolId::Start},
+      {"draw.route", ToolId::Route},     {"draw.landmark", ToolId::Landmark}};
+  for (const auto& [id, tool] : kTools) {
+    actions_[id].setChecked(tool == canvas_->tool());
+    actions_.on(id, canvas_, [this, tool = tool] { canvas_->setTool(tool); });
+  }
+  connect(canvas_, &MapCanvas::toolChanged, this, [this](ToolId tool) {
+    for (const auto& [id, its_tool] : kTools) {
+      if (its_tool == tool) actions_[id].setChecked(true);
+    }
+  });
+
+  connect(&docks_->objects(), &ObjectsPanel::showRequested, canvas_, &MapCanvas::zoomToObject);
+  connect(&docks_->buildings(), &BuildingsPanel::showRequested, this, [this](const QString& id) {
+    document_.setSelection({id});
+    canvas_->zoomToObject(id);
+  });
+  connect(files_, &FileActions::drawingReplaced, canvas_, &MapCanvas::zoomToFit);
+  connect(runs_, &RunActions::runBegan, this,
+          [this](bool has_camera) { docks_->showRunDocks(true, has_camera); });
+  connect(runs_, &RunActions::runForgotten, this, [this] { docks_->showRunDocks(false, false); });
+}
+
+void MainWindow::connectWelcome() {
+  connect(welcome_, &WelcomeStrip::demonstrationRequested, this, [this] {
+    runs_->openDemonstration();
+    runs_->runOrResume();
+  });
+  connect(welcome_, &WelcomeStrip::drawRequested, this, [this] {
+    if (files_->replace({})) actions_["draw.rectangle"].trigger();
+  });
+  connect(welcome_, &WelcomeStrip::recordingRequested, runs_, &RunActions::askForRecording);
+  connect(welcome_, &WelcomeStrip::simulatorRequested, runs_, &RunActions::openTwoRows);
+  connect(welcome_, &WelcomeStrip::closed, this,
+          [this] { settings_.setValue("welcome/closed", true); });
+  welcome_->setVisible(!settings_.value("welcome/closed").toBool());
+}
+
+void MainWindow::setLayer(Layer layer, bool on) {
+  switch (layer) {
+    case Layer::Drawing:
+      return canvas_->setDrawingVisible(on);
+    case Layer::Underlays:
+      return canvas_->setUnderlaysVisible(on);
+    case Layer::Grid:
+      actions_["view.grid"].setChecked(on);
+      return canvas_->setGridVisible(on);
+    default:
+      return overlays_->setLayerVisible(layer, on);
+  }
+}
+
+void MainWindow::updateTitle() {
+  setWindowTitle(document_.displayName() + QStringLiteral("[*] — Handmap"));
+  setWindowModified(document_.isModified());
+}
+
+void MainWindow::updateEditActions() {
+  QUndoStack& undo = document_.undoStack();
+  actions_.setEnabled({"edit.undo"}, undo.canUndo());
+  actions_.setEnabled({"edit.redo"}, undo.canRedo());
+  actions_.setEnabled({"edit.delete"}, !document_.selection().isEmpty());
+}
+
+void MainWindow::restoreState() {
+  resize(1280, 800);
+  restoreGeometry(settings_.value(kGeometryKey).toByteArray());
+  if (!QMainWindow::restoreState(settings_.value(kStateKey).toByteArray(), kStateVersion)) {
+    docks_->resize();
+  }
+  docks_->showRunDocks(false, false);
+  docks_->setup().restore(settings_);
+}
+
+void MainWindow::saveState() {
+  settings_.setValue(kGeometryKey, saveGeometry());
+  settings_.setValue(kStateKey, QMainWindow::saveState(kStateVersion));
+  docks_->setup().save(settings_);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayLeave()) {
+    event->ignore();
+    return;
+  }
+  run_.discard();
+  files_->sessionEnds();
+  saveState();
+  event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && overlays_) {
+    overlays_->setColours(Colours::of(palette()));
+  }
+  QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!draggedPath(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = draggedPath(*event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  QDir(path).exists() ? runs_->openRecording(path) : static_cast<void>(files_->open(path));
+}
+
+}  // namespace handmap

@@ -1,0 +1,80 @@
+// The window: one canvas for drawing and for watching, tools on the left, docks on the right, the
+// transport below. It only puts the parts together.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/gui/run_controller.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/document/map_document.h"
+#include "widgets/run/layers.h"
+
+class QLabel;
+class QSettings;
+
+namespace handmap {
+
+class Docks;
+class FileActions;
+class MapCanvas;
+class MessageBar;
+class RunActions;
+class RunOverlays;
+class TransportBar;
+class WelcomeStrip;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// Both must outlive the window.
+  MainWindow(MapDocument& document, QSettings& settings);
+  ~MainWindow() override;
+
+  MapDocument& document() { return document_; }
+  MapCanvas& canvas() { return *canvas_; }
+  RunController& run() { return run_; }
+  FileActions& files() { return *files_; }
+  RunActions& runs() { return *runs_; }
+  Docks& docks() { return *docks_; }
+  TransportBar& transport() { return *transport_; }
+  MessageBar& messages() { return *messages_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QWidget* makeCentre();
+  void makeBars();
+  void makeStatusBar();
+  void connectEditing();
+  void connectView();
+  void connectWelcome();
+  void setLayer(Layer layer, bool on);
+  void updateTitle();
+  void updateEditActions();
+  void restoreState();
+  void saveState();
+
+  MapDocument& document_;
+  QSettings& settings_;
+  ActionSet actions_{this};
+  RunController run_;
+  MapCanvas* canvas_;
+  MessageBar* messages_;
+  WelcomeStrip* welcome_;
+  TransportBar* transport_;
+  Docks* docks_;
+  QLabel* hint_;
+  QLabel* cursor_;
+  QLabel* scale_;
+  QLabel* run_state_;
+  std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
+  FileActions* files_;
+  RunActions* runs_;
+};
+
+}  // namespace handmap

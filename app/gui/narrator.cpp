@@ -1,0 +1,35 @@
+#include "app/gui/narrator.h"
+
+#include <QTimer>
+
+#include <fmt/format.h>
+
+#include "app/gui/main_window.h"
+#include "app/gui/run_actions.h"
+
+namespace handmap {
+
+Narrator::Narrator(MainWindow& window) : QObject(&window) {
+  const auto drawing = [this, &window] {
+    const MapDocument& document = window.document();
+    sayChange("drawing", QStringLiteral("%1 buildings, %2")
+                             .arg(document.map().buildings.size())
+                             .arg(document.isModified() ? "modified" : "saved"));
+  };
+  connect(&window.document(), &MapDocument::mapChanged, this, drawing);
+  connect(&window.document(), &MapDocument::fileChanged, this, drawing);
+  connect(&window.runs(), &RunActions::stateChanged, this,
+          [this, &window] { sayChange("run", window.runs().stateInWords()); });
+  connect(&window.runs(), &RunActions::failed, this,
+          [this](const RunFailure& failure) { sayChange("failed", failure.message); });
+  QTimer::singleShot(0, this, [this] { sayChange("window", "ready"); });
+}
+
+void Narrator::sayChange(const QString& subject, const QString& state) {
+  QString& said = said_[subject];
+  if (said == state) return;
+  said = state;
+  fmt::print(stderr, "{}: {}\n", subject.toStdString(), state.toStdString());
+}
+
+}  // namespace handmap

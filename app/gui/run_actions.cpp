@@ -1,0 +1,243 @@
+#include "app/gui/run_actions.h"
+
+#include <QFileDialog>
+#include <QMenu>
+#include <QSettings>
+
+#include "app/gui/file_actions.h"
+#include "app/gui/message_bar.h"
+#include "core/base/error.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/run/buildings_panel.h"
+#include "widgets/run/camera_panel.h"
+#include "widgets/run/charts_panel.h"
+#include "widgets/run/layers_panel.h"
+#include "widgets/run/run_overlays.h"
+#include "widgets/run/transport_bar.h"
+
+namespace handmap {
+
+namespace {
+constexpr auto kRecordingFolderKey = "files/recording_folder";
+}
+
+RunActions::RunActions(const Parts& parts) : QObject(&parts.window), parts_(parts), opener_(this) {
+  connectActions();
+  addSimulatorMenu();
+  connectRun();
+  connect(&parts_.files, &FileActions::drawingReplaced, this, &RunActions::onDrawingReplaced);
+  connect(&parts_.document, &MapDocument::mapChanged, this, &RunActions::updateActions);
+  connect(&opener_, &RecordingOpener::opened, this, [this](const auto& recording) {
+    setRobot(recordedRobot(recording));
+    parts_.messages.show(
+        MessageBar::Kind::Info,
+        tr("“%1” is open: %n row(s).", nullptr, static_cast<int>(recording->rows.size()))
+            .arg(QString::fromStdString(recording->name)),
+        parts_.document.map().start ? tr("Press Run to localize on the drawing.")
+                                    : tr("Draw the buildings and where the robot starts, or open "
+                                         "the drawing; then press Run."));
+  });
+  connect(&opener_, &RecordingOpener::failed, this, &RunActions::fail);
+  updateActions();
+}
+
+void RunActions::connectActions() {
+  const ActionSet& actions = parts_.actions;
+  actions.on("run.open_recording", this, [this] { askForRecording(); });
+  actions.on("run.run", this, [this] { runOrResume(); });
+  actions.on("run.pause", this, [this] { parts_.run.pause(); });
+  actions.on("run.step", this, [this] {
+    parts_.run.isActive() ? parts_.run.step() : start(RunController::Begin::WithOneStep);
+  });
+  actions.on("run.stop", this, [this] { parts_.run.stop(); });
+  actions.on("run.accept", this, [this] { acceptRefinement(); });
+}
+
+void RunActions::addSimulatorMenu() {
+  auto* menu = new QMenu(&parts_.window);
+  menu->addAction(tr("&Two rows of buildings"), this, &RunActions::openTwoRows);
+  menu->addAction(tr("A &campus"), this, [this] { openSimulation(campusSimulation(seed())); });
+  menu->addAction(tr("&This drawing"), this, &RunActions::simulateDrawing);
+  menu->addSeparator();
+  menu->addAction(tr("The &demonstration"), this, &RunActions::openDemonstration);
+  parts_.actions["run.simulator"].setMenu(menu);
+}
+
+void RunActions::connectRun() {
+  RunController& run = parts_.run;
+  connect(&run, &RunController::stateChanged, this, [this] {
+    updateActions();
+    Q_EMIT stateChanged();
+  });
+  connect(&run, &RunController::sourceOpened, this, &RunActions::onSourceOpened);
+  connect(&run, &RunController::newsArrived, this, &RunActions::onNews);
+  connect(&run, &RunController::progressed, &parts_.transport, &TransportBar::setShareOfStep);
+  connect(&run, &RunController::frameSkipped, this, &RunActions::onFrameSkipped);
+  connect(&run, &RunController::finished, this, &RunActions::onFinished);
+  connect(&run, &RunController::failed, this, &RunActions::fail);
+  connect(&parts_.transport, &TransportBar::speedChanged, &run, &RunController::setSpeed);
+  run.setSpeed(parts_.transport.speed());
+}
+
+std::uint64_t RunActions::seed() const { return parts_.setup.setup().settings.seed; }
+
+void RunActions::fail(const RunFailure& failure) {
+  parts_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint);
+  Q_EMIT failed(failure);
+}
+
+void RunActions::setRobot(Robot robot) {
+  parts_.run.discard();
+  robot_ = std::move(robot);
+  source_ = nullptr;
+  last_ = nullptr;
+  parts_.overlays.clear();
+  parts_.transport.clearProgress();
+  parts_.overlays.setTruth(robot_->truth);
+  if (robot_->truth_map) parts_.overlays.setTruthMap(*robot_->truth_map);
+  parts_.layers.setAvailable(Layer::Truth, robot_->truth_map || !robot_->truth.empty());
+  parts_.transport.setSource(robot_->name);
+  updateActions();
+  Q_EMIT robotChanged();
+}
+
+void RunActions::askForRecording() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(&parts_.window, tr("Open a recording"),
+                                        parts_.settings.value(kRecordingFolderKey).toString());
+  if (folder.isEmpty()) return;
+  parts_.settings.setValue(kRecordingFolderKey, folder);
+  openRecording(folder);
+}
+
+void RunActions::openRecording(const QString& folder) { opener_.open(folder); }
+
+void RunActions::openSimulation(const Demonstration& simulation) {
+  if (!parts_.files.replace(simulation.sketch)) return;
+  setRobot(simulation.robot);
+}
+
+void RunActions::openDemonstration() {
+  openSimulation(demonstration());
+  parts_.transport.setSpeed(kDemonstrationSpeed);
+}
+
+void RunActions::openTwoRows() { openSimulation(twoRowSimulation(seed())); }
+
+void RunActions::simulateDrawing() {
+  try {
+    setRobot(simulationOfDrawing(parts_.document.map(), seed()));
+  } catch (const Error& error) {
+    fail(failureOf(error));
+  }
+}
+
+void RunActions::runOrResume() {
+  parts_.run.isActive() ? parts_.run.resume() : start(RunController::Begin::Running);
+}
+
+void RunActions::start(RunController::Begin begin) {
+  if (!robot_) return;
+  last_ = nullptr;
+  skipped_ = 0;
+  parts_.messages.hide();
+  parts_.charts.clear();
+  parts_.camera.setSnapshot(nullptr);
+  parts_.buildings.model().setDrawing(parts_.document.map());
+  parts_.transport.clearProgress();
+  parts_.run.start(parts_.document.map(), *robot_, parts_.setup.setup(), begin);
+}
+
+void RunActions::onSourceOpened(std::shared_ptr<const SourceInfo> source) {
+  source_ = std::move(source);
+  parts_.overlays.setTruth(source_->truth);
+  parts_.layers.setAvailable(Layer::Truth, robot_->truth_map || !source_->truth.empty());
+  Q_EMIT runBegan(source_->camera.has_value());
+}
+
+void RunActions::onNews(const RunNews& news) {
+  last_ = news.newest;
+  parts_.overlays.show(*news.newest);
+  parts_.charts.add(news.reports);
+  parts_.camera.setSnapshot(news.newest);
+  parts_.buildings.model().setRefined(news.newest->map);
+  parts_.transport.setProgress(news.newest->index, news.newest->count, news.newest->report);
+  updateActions();
+  Q_EMIT stateChanged();
+}
+
+void RunActions::onFrameSkipped(int frame, const QString& reason) {
+  ++skipped_;
+  const QString what =
+      skipped_ == 1
+          ? tr("Frame %1 was skipped: %2").arg(frame).arg(reason)
+          : tr("%1 frames were skipped; the latest, %2: %3").arg(skipped_).arg(frame).arg(reason);
+  parts_.messages.show(MessageBar::Kind::Warning, what);
+}
+
+void RunActions::onFinished(bool cancelled) {
+  updateActions();
+  Q_EMIT stateChanged();
+  if (cancelled || skipped_ > 0) return;
+  const auto result = score();
+  if (!result) return;
+  parts_.messages.show(MessageBar::Kind::Info,
+                       tr("The run is done. %1").arg(scoreInWords(*result)));
+  parts_.messages.addAction(tr("Accept refinement"), [this] { acceptRefinement(); });
+}
+
+std::optional<RunScore> RunActions::score() const {
+  const auto result = parts_.run.result();
+  if (!result || !last_ || !source_ || !robot_) return std::nullopt;
+  return scoreRun(parts_.run.drawing(), result->map, robot_->truth_map, *last_, source_->truth);
+}
+
+void RunActions::acceptRefinement() {
+  if (const auto result = parts_.run.result()) parts_.document.acceptRefinement(result->map);
+}
+
+void RunActions::onDrawingReplaced() {
+  parts_.run.discard();
+  source_ = nullptr;
+  last_ = nullptr;
+  parts_.overlays.clear();
+  parts_.transport.clearProgress();
+  parts_.messages.hide();
+  if (robot_ && robot_->truth_map) robot_.reset();  // it lived in the drawing before
+  parts_.transport.setSource(robot_ ? robot_->name : QString());
+  parts_.overlays.setTruth(robot_ ? robot_->truth : std::vector<StampedPose>());
+  updateActions();
+  Q_EMIT stateChanged();
+  Q_EMIT runForgotten();
+}
+
+void RunActions::updateActions() {
+  const RunState state = parts_.run.state();
+  const bool can_start = robot_ && state == RunState::Idle;
+  const bool can_go_on = state == RunState::Paused;
+  const bool has_result = parts_.run.result() != nullptr;
+  parts_.actions.setEnabled({"run.run", "run.step"}, can_start || can_go_on);
+  parts_.actions.setEnabled({"run.pause"}, state == RunState::Running);
+  parts_.actions.setEnabled({"run.stop"}, state == RunState::Running || state == RunState::Paused);
+  parts_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"},
+                            has_result);
+}
+
+QString RunActions::stateInWords() const {
+  const QString where = last_ ? tr(", %1 of %2").arg(last_->index).arg(last_->count) : QString();
+  switch (parts_.run.state()) {
+    case RunState::Running:
+      return (last_ ? tr("Running") : tr("Opening")) + where;
+    case RunState::Paused:
+      return tr("Paused") + where;
+    case RunState::Stopping:
+      return tr("Stopping");
+    case RunState::Idle:
+      break;
+  }
+  if (last_) return (last_->index == last_->count ? tr("Done") : tr("Stopped")) + where;
+  return robot_ ? tr("Ready to run") : tr("No robot");
+}
+
+}  // namespace handmap

@@ -1,0 +1,101 @@
+// What the Run menu and the transport do, and what a run shows: the one place where the run meets
+// the widgets.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/gui/demonstration.h"
+#include "app/gui/recording_opener.h"
+#include "app/gui/run_controller.h"
+#include "app/gui/run_score.h"
+
+class QSettings;
+class QWidget;
+
+namespace handmap {
+
+class ActionSet;
+class BuildingsPanel;
+class CameraPanel;
+class ChartsPanel;
+class FileActions;
+class LayersPanel;
+class MapCanvas;
+class MapDocument;
+class MessageBar;
+class RunOverlays;
+class RunSetupPanel;
+class TransportBar;
+
+class RunActions : public QObject {
+  Q_OBJECT
+ public:
+  /// All of it must outlive this object.
+  struct Parts {
+    QWidget& window;
+    MapDocument& document;
+    MapCanvas& canvas;
+    RunController& run;
+    FileActions& files;
+    ActionSet& actions;
+    MessageBar& messages;
+    QSettings& settings;
+    RunOverlays& overlays;
+    TransportBar& transport;
+    LayersPanel& layers;
+    RunSetupPanel& setup;
+    ChartsPanel& charts;
+    CameraPanel& camera;
+    BuildingsPanel& buildings;
+  };
+  explicit RunActions(const Parts& parts);
+
+  void openRecording(const QString& folder);
+  void openDemonstration();
+  void openTwoRows();
+  void askForRecording();
+  void setRobot(Robot robot);
+
+  /// From the drawing, or on from a pause.
+  void runOrResume();
+
+  /// The latest run against the truth. nullopt before its first step.
+  std::optional<RunScore> score() const;
+  /// E.g. "Running, 12 of 60".
+  QString stateInWords() const;
+
+ Q_SIGNALS:
+  void stateChanged();  ///< stateInWords()
+  void robotChanged();
+  void runBegan(bool has_camera);
+  void runForgotten();
+  /// A recording could not be opened, or the run failed; the user has been told.
+  void failed(const handmap::RunFailure& failure);
+
+ private:
+  void connectActions();
+  void connectRun();
+  void addSimulatorMenu();
+  void start(RunController::Begin begin);
+  void openSimulation(const Demonstration& simulation);
+  void simulateDrawing();
+  void acceptRefinement();
+  void onDrawingReplaced();
+  void onSourceOpened(std::shared_ptr<const SourceInfo> source);
+  void onNews(const RunNews& news);
+  void onFinished(bool cancelled);
+  void onFrameSkipped(int frame, const QString& reason);
+  void updateActions();
+  void fail(const RunFailure& failure);
+  std::uint64_t seed() const;
+
+  Parts parts_;
+  RecordingOpener opener_;
+  std::optional<Robot> robot_;
+  std::shared_ptr<const SourceInfo> source_;  ///< of the latest run
+  std::shared_ptr<const Snapshot> last_;      ///< of the latest run
+  int skipped_ = 0;
+};
+
+}  // namespace handmap

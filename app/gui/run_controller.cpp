@@ -1,0 +1,107 @@
+#include "app/gui/run_controller.h"
+
+#include "drivers/paced_source.h"
+
+namespace handmap {
+
+namespace {
+constexpr double kAtOnce = 0.0;
+}
+
+RunController::RunController(QObject* parent) : QObject(parent) {}
+RunController::~RunController() = default;
+
+std::shared_ptr<const RunResult> RunController::result() const {
+  return worker_ ? worker_->result() : last_result_;
+}
+
+void RunController::start(const Map& drawing, const Robot& robot, const RunSetup& setup,
+                          Begin begin) {
+  Q_ASSERT(!isActive());
+  drawing_ = drawing;
+  last_result_ = nullptr;
+  pace_ = std::make_shared<Pace>(begin == Begin::Running ? speed_ : kAtOnce);
+  RunJob job;
+  job.drawing = drawing;
+  job.settings = setup.settings;
+  job.open = [connect = robot.connect, replay = setup.replay,
+              pace = pace_](std::stop_token stop) -> std::unique_ptr<ObservationSource> {
+    return std::make_unique<PacedSource>(connect(replay), pace, std::move(stop));
+  };
+  worker_ = std::make_unique<RunWorker>(std::move(job));
+  listenTo(*worker_);
+  if (begin == Begin::WithOneStep) worker_->step();
+  worker_->start();
+  setState(RunState::Running);
+}
+
+void RunController::listenTo(RunWorker& worker) {
+  connect(&worker.mailbox(), &RunMailbox::arrived, this, &RunController::newsArrived);
+  connect(&worker, &RunWorker::started, this, &RunController::sourceOpened);
+  connect(&worker, &RunWorker::progressed, this, &RunController::progressed);
+  connect(&worker, &RunWorker::frameSkipped, this, &RunController::frameSkipped);
+  connect(&worker, &RunWorker::paused, this, [this] {
+    if (state_ != RunState::Stopping) setState(RunState::Paused);
+  });
+  connect(&worker, &RunWorker::resumed, this, [this] {
+    if (state_ != RunState::Stopping) setState(RunState::Running);
+  });
+  connect(&worker, &RunWorker::finished, this, [this](bool cancelled) {
+    end();
+    Q_EMIT finished(cancelled);
+  });
+  connect(&worker, &RunWorker::failed, this, [this](const RunFailure& failure) {
+    end();
+    Q_EMIT failed(failure);
+  });
+}
+
+void RunController::end() {
+  last_result_ = worker_->result();
+  worker_.release()->deleteLater();  // it is the sender
+  setState(RunState::Idle);
+}
+
+void RunController::pause() {
+  if (!worker_) return;
+  worker_->pause();
+  pace_->setSpeed(kAtOnce);  // so that it does not sit waiting for the next observation
+}
+
+void RunController::resume() {
+  if (!worker_) return;
+  pace_->setSpeed(speed_);
+  worker_->resume();
+}
+
+void RunController::step() {
+  if (!worker_) return;
+  pace_->setSpeed(kAtOnce);
+  worker_->step();
+}
+
+void RunController::stop() {
+  if (!worker_) return;
+  setState(RunState::Stopping);
+  worker_->cancel();
+}
+
+void RunController::discard() {
+  worker_.reset();
+  last_result_ = nullptr;
+  drawing_ = {};
+  setState(RunState::Idle);
+}
+
+void RunController::setSpeed(double speed) {
+  speed_ = speed;
+  if (pace_ && state_ == RunState::Running) pace_->setSpeed(speed_);
+}
+
+void RunController::setState(RunState state) {
+  if (state == state_) return;
+  state_ = state;
+  Q_EMIT stateChanged(state_);
+}
+
+}  // namespace handmap

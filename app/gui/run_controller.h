@@ -1,0 +1,67 @@
+// The one run of the window: starts it, hands on what it says, keeps its result.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/gui/robot.h"
+#include "drivers/pace.h"
+#include "widgets/run/run_setup_panel.h"
+#include "widgets/run/run_worker.h"
+
+namespace handmap {
+
+enum class RunState { Idle, Running, Paused, Stopping };
+
+class RunController : public QObject {
+  Q_OBJECT
+ public:
+  explicit RunController(QObject* parent = nullptr);
+  ~RunController() override;
+
+  RunState state() const { return state_; }
+  bool isActive() const { return state_ != RunState::Idle; }
+  /// Of the latest run, also when it has ended; nullptr before its first whole step.
+  std::shared_ptr<const RunResult> result() const;
+  /// The drawing that the latest run was given.
+  const Map& drawing() const { return drawing_; }
+
+  enum class Begin { Running, WithOneStep };
+  /// Only when idle.
+  void start(const Map& drawing, const Robot& robot, const RunSetup& setup,
+             Begin begin = Begin::Running);
+  void pause();
+  void resume();
+  /// Works in one observation and pauses.
+  void step();
+  /// Takes effect at once; finished() says when it has.
+  void stop();
+  /// Ends it here and now, and forgets its result.
+  void discard();
+  /// Times the clock of the source; 0: as fast as possible.
+  void setSpeed(double speed);
+
+ Q_SIGNALS:
+  void stateChanged(handmap::RunState state);
+  void sourceOpened(const std::shared_ptr<const handmap::SourceInfo>& source);
+  void newsArrived(const handmap::RunNews& news);
+  void progressed(double share_of_step);
+  void frameSkipped(int frame, const QString& reason);
+  void finished(bool cancelled);
+  void failed(const handmap::RunFailure& failure);
+
+ private:
+  void setState(RunState state);
+  void end();
+  void listenTo(RunWorker& worker);
+
+  RunState state_ = RunState::Idle;
+  double speed_ = 1.0;
+  Map drawing_;
+  std::shared_ptr<Pace> pace_;
+  std::unique_ptr<RunWorker> worker_;
+  std::shared_ptr<const RunResult> last_result_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,48 @@
+#include "app/gui/welcome_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+
+#include "widgets/style/icons.h"
+
+namespace handmap {
+
+WelcomeStrip::WelcomeStrip(QWidget* parent) : QFrame(parent) {
+  setAutoFillBackground(true);
+  setBackgroundRole(QPalette::Base);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(12, 6, 6, 6);
+  auto* text = new QLabel(tr(
+      "<b>Draw the map you remember</b>; Handmap finds the robot on it and corrects the drawing."));
+  text->setWordWrap(true);
+  layout->addWidget(text, 1);
+  addWay("run", tr("Demonstration"), tr("Watch a simulated robot correct a drawing"),
+         &WelcomeStrip::demonstrationRequested);
+  addWay("rectangle", tr("Draw"), tr("Start with an empty drawing"), &WelcomeStrip::drawRequested);
+  addWay("record", tr("Open a recording"), tr("What a real robot has seen"),
+         &WelcomeStrip::recordingRequested);
+  addWay("robot", tr("Simulator"), tr("A robot among buildings that you have a sketch of"),
+         &WelcomeStrip::simulatorRequested);
+  auto* close = new QToolButton;
+  close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Do not show this again"));
+  connect(close, &QToolButton::clicked, this, [this] {
+    hide();
+    Q_EMIT closed();
+  });
+  layout->addWidget(close);
+}
+
+void WelcomeStrip::addWay(const QString& icon_name, const QString& text, const QString& hint,
+                          Request request) {
+  auto* button = new QPushButton(icon(icon_name), text);
+  button->setToolTip(hint);
+  connect(button, &QPushButton::clicked, this, [this, request] { Q_EMIT(this->*request)(); });
+  layout()->addWidget(button);
+}
+
+}  // namespace handmap

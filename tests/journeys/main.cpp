@@ -1,0 +1,12 @@
+#include <QApplication>
+#include <QStandardPaths>
+
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  testing::InitGoogleTest(&argc, argv);
+  const QApplication app(argc, argv);
+  QStandardPaths::setTestModeEnabled(true);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,229 @@
+// Whole ways through the window, without a display.
+#include <QFile>
+#include <QLabel>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include "app/gui/docks.h"
+#include "app/gui/exports.h"
+#include "app/gui/file_actions.h"
+#include "app/gui/main_window.h"
+#include "app/gui/message_bar.h"
+#include "app/gui/recovery.h"
+#include "app/gui/run_actions.h"
+#include "core/map/map_io.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/run/layers_panel.h"
+#include "widgets/run/run_setup_panel.h"
+#include "widgets/run/transport_bar.h"
+
+namespace handmap {
+namespace {
+
+constexpr int kPatience_ms = 60'000;
+
+class WindowTest : public testing::Test {
+ protected:
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  std::unique_ptr<MainWindow> open() {
+    auto window = std::make_unique<MainWindow>(document_, settings_);
+    window->show();
+    return window;
+  }
+  /// The demonstration with few particles, as fast as possible.
+  static void runDemonstration(MainWindow& window) {
+    RunSetup setup;
+    setup.settings.slam.slam_particles = 5;
+    setup.settings.slam.pso_particles = 5;
+    window.docks().setup().setSetup(setup);
+    window.runs().openDemonstration();
+    window.transport().setSpeed(0.0);
+    window.runs().runOrResume();
+  }
+  static bool waitFor(MainWindow& window, RunState state) {
+    return QTest::qWaitFor([&] { return window.run().state() == state; }, kPatience_ms);
+  }
+  static QString message(MainWindow& window) {
+    if (!window.messages().isVisible()) return {};
+    QString text;
+    for (const auto* label : window.messages().findChildren<QLabel*>()) text += label->text();
+    return text;
+  }
+  static QAction* action(MainWindow& window, const QString& id) {
+    return window.findChild<QAction*>(id);
+  }
+
+  MapDocument document_;
+  QTemporaryDir folder_;
+  QSettings settings_{folder_.filePath("settings.ini"), QSettings::IniFormat};
+};
+
+TEST_F(WindowTest, TheDemonstrationRunsToItsEndAndIsAcceptedAsOneStep) {
+  const auto window = open();
+  runDemonstration(*window);
+  const Map drawn = window->document().map();
+  EXPECT_TRUE(action(*window, "run.pause")->isEnabled());
+  EXPECT_FALSE(action(*window, "run.run")->isEnabled());
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  EXPECT_TRUE(window->runs().stateInWords().startsWith("Done"));
+  const auto score = window->runs().score();
+  ASSERT_TRUE(score && score->maps && score->ways);
+  EXPECT_LT(score->maps->corrected.front, score->maps->drawn.front);
+  EXPECT_EQ(window->document().map(), drawn) << "a run never writes into the drawing";
+
+  action(*window, "run.accept")->trigger();
+  EXPECT_NE(window->document().map(), drawn);
+  EXPECT_EQ(window->document().undoStack().count(), 1);
+  action(*window, "edit.undo")->trigger();
+  EXPECT_EQ(window->document().map(), drawn);
+}
+
+TEST_F(WindowTest, PauseStepResumeStop) {
+  const auto window = open();
+  runDemonstration(*window);
+  action(*window, "run.pause")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Paused));
+  const QString before = window->runs().stateInWords();
+  action(*window, "run.step")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return window->run().state() == RunState::Paused && window->runs().stateInWords() != before;
+      },
+      kPatience_ms));
+  action(*window, "run.run")->trigger();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return window->run().state() != RunState::Paused; }, kPatience_ms));
+  action(*window, "run.stop")->trigger();  // grey if the run was faster
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  EXPECT_TRUE(action(*window, "run.run")->isEnabled());
+  EXPECT_FALSE(action(*window, "run.stop")->isEnabled());
+}
+
+TEST_F(WindowTest, AStepFromRestTakesOneObservation) {
+  const auto window = open();
+  window->runs().openDemonstration();
+  action(*window, "run.step")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Paused));
+  EXPECT_TRUE(window->runs().stateInWords().startsWith("Paused, 1 of"))
+      << window->runs().stateInWords().toStdString();
+}
+
+TEST_F(WindowTest, ClosesInTheMiddleOfARun) {
+  auto window = open();
+  runDemonstration(*window);
+  EXPECT_TRUE(window->close());
+  EXPECT_FALSE(window->run().isActive());
+  window.reset();
+  EXPECT_TRUE(settings_.contains("window/geometry"));
+}
+
+TEST_F(WindowTest, AnotherDrawingEndsTheRun) {
+  const auto window = open();
+  runDemonstration(*window);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->run().result() != nullptr; }, kPatience_ms));
+  action(*window, "file.new")->trigger();
+  EXPECT_EQ(window->run().state(), RunState::Idle);
+  EXPECT_EQ(window->run().result(), nullptr);
+  EXPECT_FALSE(action(*window, "run.run")->isEnabled()) << "the simulator lived in that drawing";
+  EXPECT_FALSE(action(*window, "run.accept")->isEnabled());
+}
+
+TEST_F(WindowTest, ABadFileIsAMessageAndTheDrawingStays) {
+  const auto window = open();
+  window->runs().openDemonstration();
+  const Map before = window->document().map();
+  QFile file(path("torn.handmap"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"handmap\",");
+  file.close();
+  EXPECT_FALSE(window->files().open(file.fileName()));
+  EXPECT_TRUE(message(*window).contains("torn.handmap")) << message(*window).toStdString();
+  EXPECT_EQ(window->document().map(), before);
+}
+
+TEST_F(WindowTest, AFolderThatIsNoRecordingIsAMessage) {
+  const auto window = open();
+  window->runs().openRecording(path("nowhere"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return message(*window).contains("nowhere"); }, kPatience_ms));
+  EXPECT_FALSE(action(*window, "run.run")->isEnabled());
+}
+
+TEST_F(WindowTest, ADrawingWithoutAStartIsToldAtTheRun) {
+  const auto window = open();
+  window->runs().openDemonstration();
+  window->document().setStart({});
+  window->runs().runOrResume();
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  EXPECT_TRUE(message(*window).contains("start")) << message(*window).toStdString();
+  window->document().undoStack().setClean();
+}
+
+TEST_F(WindowTest, TheSimulatorTakesTheDrawingItself) {
+  const auto window = open();
+  EXPECT_THROW(simulationOfDrawing({}, 1), Error);
+  window->runs().openTwoRows();
+  const Map drawing = window->document().map();
+  const Robot robot = simulationOfDrawing(drawing, 3);
+  ASSERT_TRUE(robot.truth_map);
+  EXPECT_NE(robot.truth_map->buildings, drawing.buildings);
+  EXPECT_EQ(simulationOfDrawing(drawing, 3).truth_map, robot.truth_map);
+  EXPECT_GT(robot.connect({})->info().observations, 1);
+}
+
+TEST_F(WindowTest, LayersReachTheCanvas) {
+  const auto window = open();
+  window->runs().openDemonstration();
+  window->canvas().zoomToFit();
+  const auto picture = [&] { return window->canvas().viewport()->grab().toImage(); };
+  const QImage all = picture();
+  for (const Layer layer : {Layer::Drawing, Layer::Grid, Layer::Truth}) {
+    window->docks().layers().setOn(layer, false);
+    EXPECT_NE(picture(), all);
+    window->docks().layers().setOn(layer, true);
+    EXPECT_EQ(picture(), all);
+  }
+  action(*window, "view.grid")->trigger();
+  EXPECT_FALSE(window->docks().layers().isOn(Layer::Grid));
+}
+
+TEST_F(WindowTest, UnsavedWorkOutlivesACrash) {
+  Map recovered;
+  {
+    MapDocument document;
+    document.reset({}, path("street.handmap"));
+    Recovery recovery(document, settings_);
+    EXPECT_TRUE(recovery.write());
+    EXPECT_FALSE(QFile::exists(Recovery::fileFor(document.filePath()))) << "nothing was drawn";
+    Building building;
+    building.shape = Rectangle{{0.0, 0.0}, 10.0, 5.0, 0.0};
+    document.addBuilding(building);
+    EXPECT_TRUE(recovery.write());
+    EXPECT_FALSE(QFile::exists(path("street.handmap"))) << "autosave never writes the file itself";
+    recovered = document.map();
+  }  // the program is gone without closing
+  MapDocument document;
+  Recovery recovery(document, settings_);
+  ASSERT_EQ(recovery.leftBehind().size(), 1);
+  recovery.recover(recovery.leftBehind().front());
+  EXPECT_EQ(document.map(), recovered);
+  EXPECT_EQ(document.filePath(), path("street.handmap"));
+  EXPECT_TRUE(document.isModified());
+  document.save(document.filePath());
+  recovery.clear();
+  EXPECT_FALSE(QFile::exists(Recovery::fileFor(document.filePath())));
+  EXPECT_TRUE(recovery.leftBehind().isEmpty());
+}
+
+TEST_F(WindowTest, PicturesAreWrittenWholeOrNotAtAll) {
+  const auto window = open();
+  writePicture(pictureOf(window->canvas()), path("canvas.png"));
+  const QImage back(path("canvas.png"));
+  EXPECT_EQ(back.size(), window->canvas().size() * 2);
+  EXPECT_THROW(writePicture(back, path("no/such/folder.png")), Error);
+}
+
+}  // namespace
+}  // namespace handmap
