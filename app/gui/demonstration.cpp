@@ -10,7 +10,7 @@ namespace handmap {
 namespace {
 
 constexpr std::uint64_t kDemonstrationSeed = 7;
-constexpr double kSketchSigma_m = 5.0;
+constexpr double kSketchSigmaM = 5.0;
 
 Map bundledMap(const QString& name) {
   QFile file(QStringLiteral(":/demo/%1.handmap").arg(name));
@@ -20,9 +20,9 @@ Map bundledMap(const QString& name) {
 
 Demonstration simulationOf(const QString& name, const World& world, std::uint64_t seed) {
   Demonstration simulation;
-  simulation.sketch = perturbed(world.map, kSketchSigma_m, seed);
+  simulation.sketch = perturbed(world.map, kSketchSigmaM, seed);
   simulation.sketch.name = QObject::tr("Sketch of %1").arg(name).toStdString();
-  simulation.sketch.uncertainty = {kSketchSigma_m, kSketchSigma_m};
+  simulation.sketch.uncertainty = {kSketchSigmaM, kSketchSigmaM};
   simulation.robot = simulatedRobot(name, world, seed);
   return simulation;
 }

@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
 
@@ -122,7 +121,7 @@ QString FileActions::askPath(const QString& title, const QString& suggestion, co
   dialog.setDefaultSuffix(suffix);
   dialog.selectFile(QFileInfo(suggestion).completeBaseName() + QLatin1Char('.') + suffix);
   if (dialog.exec() != QDialog::Accepted) return {};
-  const QString path = dialog.selectedFiles().value(0);
+  QString path = dialog.selectedFiles().value(0);
   if (!path.isEmpty()) parts_.settings.setValue(kFolderKey, QFileInfo(path).path());
   return path;
 }
@@ -168,7 +167,7 @@ void FileActions::exportTrajectory() {
 void FileActions::offerRecovery() {
   const QStringList files = recovery_.leftBehind();
   if (files.isEmpty()) return;
-  const QString file = files.front();
+  const QString& file = files.front();
   parts_.messages.show(MessageBar::Kind::Info,
                        tr("An earlier session ended with unsaved changes to “%1”.")
                            .arg(QFileInfo(file).completeBaseName()));

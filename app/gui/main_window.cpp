@@ -59,8 +59,8 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings)
   overlays_ = std::make_unique<RunOverlays>(*canvas_->scene(), kOverlayZ);
   overlays_->setColours(Colours::of(palette()));
   files_ = new FileActions({*this, document_, *canvas_, run_, actions_, *messages_, settings_});
-  runs_ = new RunActions({*this, document_, *canvas_, run_, *files_, actions_, *messages_,
-                          settings_, *overlays_, *transport_, docks_->layers(), docks_->setup(),
+  runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,
+                          *overlays_, *transport_, docks_->layers(), docks_->setup(),
                           docks_->charts(), docks_->camera(), docks_->buildings()});
   makeBars();
   makeStatusBar();
@@ -204,8 +204,7 @@ void MainWindow::connectView() {
 
 void MainWindow::connectWelcome() {
   connect(welcome_, &WelcomeStrip::demonstrationRequested, this, [this] {
-    runs_->openDemonstration();
-    runs_->runOrResume();
+    if (runs_->openDemonstration()) runs_->runOrResume();
   });
   connect(welcome_, &WelcomeStrip::drawRequested, this, [this] {
     if (files_->replace({})) actions_["draw.rectangle"].trigger();

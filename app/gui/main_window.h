@@ -26,6 +26,7 @@ class WelcomeStrip;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
+  Q_DISABLE_COPY(MainWindow)
  public:
   /// Both must outlive the window.
   MainWindow(MapDocument& document, QSettings& settings);

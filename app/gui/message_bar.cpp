@@ -12,7 +12,7 @@ namespace handmap {
 
 namespace {
 
-constexpr int kInfoStays_ms = 12'000;
+constexpr int kInfoStaysMs = 12'000;
 
 QStyle::StandardPixmap pictureOf(MessageBar::Kind kind) {
   switch (kind) {
@@ -59,7 +59,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->addWidget(close);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   timer_->setSingleShot(true);
-  timer_->setInterval(kInfoStays_ms);
+  timer_->setInterval(kInfoStaysMs);
   connect(timer_, &QTimer::timeout, this, &QWidget::hide);
   hide();
 }

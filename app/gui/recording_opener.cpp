@@ -2,8 +2,6 @@
 
 namespace handmap {
 
-RecordingOpener::~RecordingOpener() = default;
-
 void RecordingOpener::open(const QString& folder) {
   const int request = ++request_;
   const auto deliver = [this, request](auto say) {

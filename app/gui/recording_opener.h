@@ -14,7 +14,6 @@ class RecordingOpener : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  ~RecordingOpener() override;
 
   /// What was asked for before is forgotten.
   void open(const QString& folder);

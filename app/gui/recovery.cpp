@@ -12,7 +12,7 @@
 namespace handmap {
 
 namespace {
-constexpr int kInterval_ms = 15'000;
+constexpr int kIntervalMs = 15'000;
 constexpr auto kSettingsKey = "recovery/files";
 constexpr QLatin1String kSuffix(".recovery");
 }  // namespace
@@ -20,7 +20,7 @@ constexpr QLatin1String kSuffix(".recovery");
 Recovery::Recovery(MapDocument& document, QSettings& settings, QObject* parent)
     : QObject(parent), document_(document), settings_(settings) {
   connect(&document_, &MapDocument::mapChanged, this, [this] { dirty_ = true; });
-  timer_.setInterval(kInterval_ms);
+  timer_.setInterval(kIntervalMs);
   connect(&timer_, &QTimer::timeout, this, &Recovery::write);
   timer_.start();
 }

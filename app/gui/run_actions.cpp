@@ -8,7 +8,7 @@
 #include "app/gui/message_bar.h"
 #include "core/base/error.h"
 #include "widgets/actions/action_set.h"
-#include "widgets/canvas/map_canvas.h"
+#include "widgets/document/map_document.h"
 #include "widgets/run/buildings_panel.h"
 #include "widgets/run/camera_panel.h"
 #include "widgets/run/charts_panel.h"
@@ -113,17 +113,19 @@ void RunActions::askForRecording() {
 
 void RunActions::openRecording(const QString& folder) { opener_.open(folder); }
 
-void RunActions::openSimulation(const Demonstration& simulation) {
-  if (!parts_.files.replace(simulation.sketch)) return;
+bool RunActions::openSimulation(const Demonstration& simulation) {
+  if (!parts_.files.replace(simulation.sketch)) return false;
   setRobot(simulation.robot);
+  return true;
 }
 
-void RunActions::openDemonstration() {
-  openSimulation(demonstration());
+bool RunActions::openDemonstration() {
+  if (!openSimulation(demonstration())) return false;
   parts_.transport.setSpeed(kDemonstrationSpeed);
+  return true;
 }
 
-void RunActions::openTwoRows() { openSimulation(twoRowSimulation(seed())); }
+bool RunActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 
 void RunActions::simulateDrawing() {
   try {

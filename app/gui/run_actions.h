@@ -21,7 +21,6 @@ class CameraPanel;
 class ChartsPanel;
 class FileActions;
 class LayersPanel;
-class MapCanvas;
 class MapDocument;
 class MessageBar;
 class RunOverlays;
@@ -35,7 +34,6 @@ class RunActions : public QObject {
   struct Parts {
     QWidget& window;
     MapDocument& document;
-    MapCanvas& canvas;
     RunController& run;
     FileActions& files;
     ActionSet& actions;
@@ -52,8 +50,9 @@ class RunActions : public QObject {
   explicit RunActions(const Parts& parts);
 
   void openRecording(const QString& folder);
-  void openDemonstration();
-  void openTwoRows();
+  /// False: the user wants to keep the drawing.
+  bool openDemonstration();
+  bool openTwoRows();
   void askForRecording();
   void setRobot(Robot robot);
 
@@ -78,7 +77,7 @@ class RunActions : public QObject {
   void connectRun();
   void addSimulatorMenu();
   void start(RunController::Begin begin);
-  void openSimulation(const Demonstration& simulation);
+  bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
   void acceptRefinement();
   void onDrawingReplaced();

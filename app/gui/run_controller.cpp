@@ -8,9 +8,6 @@ namespace {
 constexpr double kAtOnce = 0.0;
 }
 
-RunController::RunController(QObject* parent) : QObject(parent) {}
-RunController::~RunController() = default;
-
 std::shared_ptr<const RunResult> RunController::result() const {
   return worker_ ? worker_->result() : last_result_;
 }

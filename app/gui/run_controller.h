@@ -17,8 +17,7 @@ enum class RunState { Idle, Running, Paused, Stopping };
 class RunController : public QObject {
   Q_OBJECT
  public:
-  explicit RunController(QObject* parent = nullptr);
-  ~RunController() override;
+  using QObject::QObject;
 
   RunState state() const { return state_; }
   bool isActive() const { return state_ != RunState::Idle; }

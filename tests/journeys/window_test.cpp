@@ -23,7 +23,7 @@
 namespace handmap {
 namespace {
 
-constexpr int kPatience_ms = 60'000;
+constexpr int kPatienceMs = 60'000;
 
 class WindowTest : public testing::Test {
  protected:
@@ -44,7 +44,7 @@ class WindowTest : public testing::Test {
     window.runs().runOrResume();
   }
   static bool waitFor(MainWindow& window, RunState state) {
-    return QTest::qWaitFor([&] { return window.run().state() == state; }, kPatience_ms);
+    return QTest::qWaitFor([&] { return window.run().state() == state; }, kPatienceMs);
   }
   static QString message(MainWindow& window) {
     if (!window.messages().isVisible()) return {};
@@ -92,10 +92,10 @@ TEST_F(WindowTest, PauseStepResumeStop) {
       [&] {
         return window->run().state() == RunState::Paused && window->runs().stateInWords() != before;
       },
-      kPatience_ms));
+      kPatienceMs));
   action(*window, "run.run")->trigger();
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return window->run().state() != RunState::Paused; }, kPatience_ms));
+      QTest::qWaitFor([&] { return window->run().state() != RunState::Paused; }, kPatienceMs));
   action(*window, "run.stop")->trigger();  // grey if the run was faster
   ASSERT_TRUE(waitFor(*window, RunState::Idle));
   EXPECT_TRUE(action(*window, "run.run")->isEnabled());
@@ -123,7 +123,7 @@ TEST_F(WindowTest, ClosesInTheMiddleOfARun) {
 TEST_F(WindowTest, AnotherDrawingEndsTheRun) {
   const auto window = open();
   runDemonstration(*window);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window->run().result() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->run().result() != nullptr; }, kPatienceMs));
   action(*window, "file.new")->trigger();
   EXPECT_EQ(window->run().state(), RunState::Idle);
   EXPECT_EQ(window->run().result(), nullptr);
@@ -147,7 +147,7 @@ TEST_F(WindowTest, ABadFileIsAMessageAndTheDrawingStays) {
 TEST_F(WindowTest, AFolderThatIsNoRecordingIsAMessage) {
   const auto window = open();
   window->runs().openRecording(path("nowhere"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return message(*window).contains("nowhere"); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return message(*window).contains("nowhere"); }, kPatienceMs));
   EXPECT_FALSE(action(*window, "run.run")->isEnabled());
 }
 

@@ -12,10 +12,10 @@ struct ColumnText {
 };
 
 constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
-    {"Building", "Its id in the drawing"},
+    {"Id", "Of the building in the drawing"},
     {"x", "Corrected centre, metres"},
     {"\u03c3x", "Standard deviation of x, metres"},
-    {"Width", "Corrected width along its heading, metres"},
+    {"w", "Corrected width along its heading, metres"},
     {"\u03c3w", "Standard deviation of the width, metres"},
     {"\u0394x", "Corrected minus drawn centre, metres"},
     {"\u0394y", "Corrected minus drawn centre, metres"},

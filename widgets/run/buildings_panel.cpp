@@ -15,8 +15,12 @@ BuildingsPanel::BuildingsPanel(QWidget* parent)
   table->setFrameShape(QFrame::NoFrame);
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance("-000.00") + 8);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setMinimumSectionSize(0);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * 0.85);
+  table->setFont(small);
+  table->horizontalHeader()->setFont(small);
   connect(table, &QTableView::activated, this,
           [this](const QModelIndex& index) { Q_EMIT showRequested(model_->idAt(index.row())); });
   auto* layout = new QVBoxLayout(this);

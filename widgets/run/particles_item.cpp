@@ -12,10 +12,10 @@ namespace handmap {
 
 namespace {
 
-constexpr double kTick_m = 1.0;
-constexpr double kTickAtLeast_px = 7.0;
-constexpr double kDensityAtLeast_px = 5.0;
-constexpr double kMargin_m = 20.0;  // room for ticks of that many pixels when zoomed out far
+constexpr double kTickM = 1.0;
+constexpr double kTickAtLeastPx = 7.0;
+constexpr double kDensityAtLeastPx = 5.0;
+constexpr double kMarginM = 20.0;   // room for ticks of that many pixels when zoomed out far
 constexpr int kDensityCells = 256;  // on the longer side
 
 QRectF boundsOf(const std::vector<ParticleView>& particles) {
@@ -39,9 +39,8 @@ void ParticlesItem::setColours(const Colours& colours) {
 void ParticlesItem::setParticles(const std::vector<ParticleView>& particles) {
   prepareGeometryChange();
   particle_bounds_ = boundsOf(particles);
-  bounds_ = particles.empty()
-                ? QRectF()
-                : particle_bounds_.adjusted(-kMargin_m, -kMargin_m, kMargin_m, kMargin_m);
+  bounds_ = particles.empty() ? QRectF()
+                              : particle_bounds_.adjusted(-kMarginM, -kMarginM, kMarginM, kMarginM);
   for (auto& shade : shades_) shade.clear();
   density_ = {};
   if (particles.size() > kDensityFrom) {
@@ -67,20 +66,20 @@ void ParticlesItem::fillDensity(const std::vector<ParticleView>& particles) {
   const double cells_per_m = (kDensityCells - 1) / longer;
   const int columns = static_cast<int>(particle_bounds_.width() * cells_per_m) + 1;
   const int rows = static_cast<int>(particle_bounds_.height() * cells_per_m) + 1;
-  const auto cell_of = [&](const ParticleView& particle) {
+  std::vector<int> counts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (const ParticleView& particle : particles) {
     const int column = static_cast<int>((particle.pose.x - particle_bounds_.left()) * cells_per_m);
     const int row = static_cast<int>((particle.pose.y - particle_bounds_.top()) * cells_per_m);
-    return static_cast<std::size_t>(row * columns + column);
-  };
-  std::vector<int> counts(static_cast<std::size_t>(columns * rows));
-  for (const ParticleView& particle : particles) ++counts[cell_of(particle)];
-  const int fullest = std::ranges::max(counts);
+    ++counts[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+             static_cast<std::size_t>(column)];
+  }
+  const double fullest = std::log1p(std::ranges::max(counts));
   density_ = QImage(columns, rows, QImage::Format_Alpha8);
+  auto count = counts.begin();
   for (int row = 0; row < rows; ++row) {
     uchar* line = density_.scanLine(row);
     for (int column = 0; column < columns; ++column) {
-      const int count = counts[static_cast<std::size_t>(row * columns + column)];
-      line[column] = static_cast<uchar>(255.0 * std::log1p(count) / std::log1p(fullest));
+      line[column] = static_cast<uchar>(255.0 * std::log1p(*count++) / fullest);
     }
   }
   particle_bounds_.setSize(QSizeF(columns, rows) / cells_per_m);
@@ -90,9 +89,9 @@ void ParticlesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
   const double pixels_per_metre =
       QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
   if (showsDensity()) {
-    paintDensity(*painter, kDensityAtLeast_px / std::max(pixels_per_metre, 1e-6));
+    paintDensity(*painter, kDensityAtLeastPx / std::max(pixels_per_metre, 1e-6));
   } else {
-    paintTicks(*painter, std::max(kTick_m, kTickAtLeast_px / std::max(pixels_per_metre, 1e-6)));
+    paintTicks(*painter, std::max(kTickM, kTickAtLeastPx / std::max(pixels_per_metre, 1e-6)));
   }
 }
 

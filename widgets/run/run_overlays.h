@@ -20,6 +20,7 @@ class RobotItem;
 
 class RunOverlays : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY(RunOverlays)
  public:
   /// The items lie on `scene` (metres, y up) from `z` upwards and go with this object, which must
   /// not outlive the scene.

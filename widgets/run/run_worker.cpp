@@ -20,8 +20,6 @@ RunWorker::RunWorker(RunJob job, QObject* parent)
   connect(this, &RunWorker::failed, &mailbox_, &RunMailbox::flush);
 }
 
-RunWorker::~RunWorker() = default;
-
 void RunWorker::start() {
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }

@@ -1,6 +1,6 @@
 // A run in a thread of its own. Everything it has to say comes as signals in the thread of this
 // object (the GUI thread) or through the mailbox; nothing here waits for the run, but for the
-// destructor, which waits for a cancelled step to give up (well under 100 ms).
+// destructor: it cancels and waits for the step to give up, about as long as one stereo pair takes.
 #pragma once
 
 #include <QObject>
@@ -47,8 +47,6 @@ class RunWorker : public QObject {
   Q_OBJECT
  public:
   explicit RunWorker(RunJob job, QObject* parent = nullptr);
-  /// Cancels. No signal comes after it.
-  ~RunWorker() override;
 
   /// Once, after the signals are connected. After pause() or step() it begins so.
   void start();

@@ -11,7 +11,7 @@
 namespace handmap {
 namespace {
 
-constexpr int kPatience_ms = 60'000;
+constexpr int kPatienceMs = 60'000;
 
 /// The first observations of another source; the second of them cannot be read if so wished.
 class Shortened : public ObservationSource {
@@ -89,10 +89,10 @@ class Heard {
   int reports() const { return reports_; }
   bool wait(const QString& event) {
     return QTest::qWaitFor([&] { return !events_.isEmpty() && events_.back() == event; },
-                           kPatience_ms);
+                           kPatienceMs);
   }
   bool waitForProgress() {
-    return QTest::qWaitFor([this] { return progressed_ > 0; }, kPatience_ms);
+    return QTest::qWaitFor([this] { return progressed_ > 0; }, kPatienceMs);
   }
 
  private:
@@ -133,7 +133,7 @@ TEST(RunWorker, StepsOneByOne) {
   ASSERT_TRUE(heard.wait("paused"));
   EXPECT_EQ(heard.events(), (QStringList{"started", "#1", "paused"}));
   heard.worker().step();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().size() == 6; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().size() == 6; }, kPatienceMs));
   EXPECT_EQ(heard.events().mid(3), (QStringList{"resumed", "#2", "paused"}));
   heard.worker().resume();
   ASSERT_TRUE(heard.wait("finished"));

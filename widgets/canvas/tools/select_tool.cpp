@@ -1,6 +1,7 @@
 #include "widgets/canvas/tools/select_tool.h"
 
 #include <QPainter>
+#include <utility>
 
 #include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/tools/building_handles.h"
@@ -88,7 +89,8 @@ void SelectTool::move(const ToolEvent& event) {
 void SelectTool::release(const ToolEvent& event) {
   if (!pressed_) return;
   if (preview_) {
-    const MapChange change = *std::exchange(preview_, {});
+    const MapChange change = std::move(*preview_);
+    preview_.reset();
     document().apply(change, drag_->text);
   } else if (rubber_end_) {
     const Bounds box{pressed_->position.cwiseMin(event.position),
