@@ -40,7 +40,7 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   from_ = addNumber(tr("From frame"), 0, kLastFrame, tr("First frame of a recording"));
   to_ = addNumber(tr("To frame"), kToTheEnd, kLastFrame, tr("Last frame of a recording"));
   to_->setSpecialValueText(tr("end"));
-  every_ = addNumber(tr("Every"), 1, 10'000, tr("Takes each so-manieth observation"));
+  every_ = addNumber(tr("Every"), 1, 10'000, tr("Takes each Nth observation"));
   setSetup({});
 }
 
