@@ -13,6 +13,7 @@ namespace handmap {
 namespace {
 
 constexpr double kGate = 25.0;         // squared Mahalanobis distance beyond which nothing is tried
+constexpr double kSurprising = 6.0;    // the same, beyond which a wall may not belong
 constexpr double kFoundFloor = 0.3;    // metres, one σ, of what a box may be off its building
 constexpr double kWidthRange = 60.0;   // metres over which sizes of undrawn buildings are spread
 constexpr double kMostDisorder = 4.0;  // half squares of the heading's error at most
@@ -114,27 +115,22 @@ class Assigner {
     const FoundBox found = found_[f].nearestTo(heading);
     const SeenWalls seen(found);
     if (seen.count == 0) return;
+    const auto count = static_cast<std::size_t>(seen.count);
     const DrawnBox prior(drawn, drawing_.uncertaintyOf(drawn), hypothesis.motion, found.box);
 
-    Eigen::MatrixXd slope(seen.count, 4);
-    Eigen::VectorXd error(seen.count);
-    Eigen::MatrixXd covariance(seen.count, seen.count);
-    for (int i = 0; i < seen.count; ++i) {
-      const int k = seen.index[static_cast<std::size_t>(i)];
-      slope.row(i) = prior.slope().row(k);
-      error[i] = found.box.reach[static_cast<std::size_t>(k)] - prior.mean()[k];
-      for (int j = 0; j < seen.count; ++j) {
-        covariance(i, j) = prior.covariance()(k, seen.index[static_cast<std::size_t>(j)]);
-      }
-      const double sigma = found.reach_sigma[static_cast<std::size_t>(k)];
-      covariance(i, i) += sigma * sigma + kFoundFloor * kFoundFloor;
+    if (farWalls(prior, hypothesis.motion, found, seen) > 1) return;
+    Match match = compare(prior, hypothesis.motion, found, {seen.index.data(), count});
+    // A wall may be of something built on to the building.
+    const bool surprising = match.distance > kSurprising;
+    for (std::size_t out = 0; surprising && count > 1 && out < count; ++out) {
+      std::array<int, 4> others{};
+      std::remove_copy(seen.index.begin(), seen.index.begin() + seen.count, others.begin(),
+                       seen.index[out]);
+      Match without = compare(prior, hypothesis.motion, found, {others.data(), count - 1});
+      without.log_likelihood += std::log(options_.built_on / kWidthRange);
+      if (without.log_likelihood > match.log_likelihood) match = std::move(without);
     }
-    covariance += slope * hypothesis.motion.covariance * slope.transpose();
-    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    const double distance = error.dot(factor.solve(error));
-    if (distance > kGate) return;
-    const double log_determinant =
-        2.0 * factor.matrixLLT().diagonal().array().log().sum() + seen.count * std::log(2.0 * kPi);
+    if (match.distance > kGate) return;
     const double turned = normalizedAngle(found.box.heading - heading);
     const double heading_price = 0.5 * turned * turned /
                                  (options_.heading_sigma * options_.heading_sigma +
@@ -145,13 +141,63 @@ class Assigner {
 
     Hypothesis extended = hypothesis;
     extended.found_of[building] = static_cast<int>(f);
-    extended.log_weight += -0.5 * (distance + log_determinant) - undrawn + log_present_ -
+    extended.log_weight += match.log_likelihood - undrawn + log_present_ -
                            std::min(heading_price, kMostDisorder) -
                            disorder(hypothesis, building, f);
-    const Eigen::MatrixXd gain = factor.solve(slope * hypothesis.motion.covariance).transpose();
-    extended.motion.mean += gain * error;
-    extended.motion.covariance -= gain * slope * hypothesis.motion.covariance;
+    extended.motion.mean += match.mean_change;
+    extended.motion.covariance -= match.covariance_change;
     next.push_back(std::move(extended));
+  }
+
+  /// How well some walls of a found box fit a drawn one, and what they say of the whole drawing.
+  struct Match {
+    double distance;  ///< squared Mahalanobis
+    double log_likelihood;
+    Eigen::Vector4d mean_change;
+    Eigen::Matrix4d covariance_change;
+  };
+
+  /// Walls that are beyond the gate already each for itself.
+  static int farWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox& found,
+                      const SeenWalls& seen) {
+    int far = 0;
+    for (int i = 0; i < seen.count; ++i) {
+      const int k = seen.index[static_cast<std::size_t>(i)];
+      const auto wall = static_cast<std::size_t>(k);
+      const double error = found.box.reach[wall] - prior.mean()[k];
+      const auto slope = prior.slope().row(k);
+      const double variance = prior.covariance()(k, k) + kFoundFloor * kFoundFloor +
+                              found.reach_sigma[wall] * found.reach_sigma[wall] +
+                              (slope * motion.covariance).dot(slope);
+      far += static_cast<int>(error * error > kGate * variance);
+    }
+    return far;
+  }
+
+  static Match compare(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox& found,
+                       std::span<const int> walls) {
+    const auto count = static_cast<Eigen::Index>(walls.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::DontAlign, 4, 4> slope(count, 4);
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1> error(count);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4> covariance(count, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const int k = walls[static_cast<std::size_t>(i)];
+      slope.row(i) = prior.slope().row(k);
+      error[i] = found.box.reach[static_cast<std::size_t>(k)] - prior.mean()[k];
+      for (Eigen::Index j = 0; j < count; ++j) {
+        covariance(i, j) = prior.covariance()(k, walls[static_cast<std::size_t>(j)]);
+      }
+      const double sigma = found.reach_sigma[static_cast<std::size_t>(k)];
+      covariance(i, i) += sigma * sigma + kFoundFloor * kFoundFloor;
+    }
+    covariance += slope * motion.covariance * slope.transpose();
+    const Eigen::LLT<decltype(covariance)> factor(covariance);
+    const double distance = error.dot(factor.solve(error));
+    const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum() +
+                                   static_cast<double>(count) * std::log(2.0 * kPi);
+    const auto seen_by_motion = (slope * motion.covariance).eval();
+    const auto gain = factor.solve(seen_by_motion).transpose().eval();
+    return {distance, -0.5 * (distance + log_determinant), gain * error, gain * seen_by_motion};
   }
 
   const Map& drawing_;

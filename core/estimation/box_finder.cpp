@@ -15,9 +15,11 @@ constexpr double kNear = 2.0;         // metres between a wall and the box that 
 constexpr double kAgreed = 0.5;       // metres between the ends of a wall and of its box
 constexpr double kPromising = 30.0;   // nats that a local search may bring
 constexpr int kMostSeeds = 3;         // an observation
+constexpr std::size_t kMostRivals = 20;
 constexpr double kLeastGap = 1.0;     // metres between two buildings
 constexpr double kGain = 1.0;         // nats that a change must bring
 constexpr double kCommonArea = 0.15;  // of the smaller of two boxes that cannot both be
+constexpr double kAlike = 0.8;        // of the larger of two boxes that are the same
 constexpr std::size_t kHeading = 4;   // index of the heading among the parameters
 
 void change(Box& box, std::size_t parameter, double by) {
@@ -55,14 +57,25 @@ std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   return std::nullopt;
 }
 
-bool collide(const Box& a, const Box& b) {
+double area(const Box& box) {
+  return (box.reach[0] + box.reach[2]) * (box.reach[1] + box.reach[3]);
+}
+
+double commonArea(const Box& a, const Box& b) {
   const Rectangle first = a.rectangle();
   const Rectangle second = b.rectangle();
   const double reach =
       (std::hypot(first.width, first.depth) + std::hypot(second.width, second.depth)) / 2.0;
-  if ((first.centre - second.centre).norm() > reach) return false;
-  const double common = intersectionArea(first.corners(), second.corners());
-  return common > kCommonArea * std::min(first.width * first.depth, second.width * second.depth);
+  if ((first.centre - second.centre).norm() > reach) return 0.0;
+  return intersectionArea(first.corners(), second.corners());
+}
+
+bool collide(const Box& a, const Box& b) {
+  return commonArea(a, b) > kCommonArea * std::min(area(a), area(b));
+}
+
+bool alike(const Box& a, const Box& b) {
+  return commonArea(a, b) > kAlike * std::max(area(a), area(b));
 }
 
 }  // namespace
@@ -205,7 +218,7 @@ std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<
 }
 
 void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
-                       std::span<const Frame* const> frames, const SensorModel& sensor) const {
+                       std::span<const Frame* const> frames, const SensorModel& sensor) {
   tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t b) {
     if (boxes[b].in_sight) refine(boxes[b], 0.1, frames, sensor);
   });
@@ -230,12 +243,24 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
   std::stable_sort(boxes.begin(), boxes.end(), [](const FoundBox& a, const FoundBox& b) {
     return a.in_sight != b.in_sight ? b.in_sight : a.score > b.score;
   });
+  settle(boxes);
+}
+
+/// Of boxes that cannot both be the surer stays. The other one comes back when that is given up.
+void BoxFinder::settle(std::vector<FoundBox>& boxes) {
+  boxes.insert(boxes.end(), rivals_.begin(), rivals_.end());
+  rivals_.clear();
+  const auto any = [](const std::vector<FoundBox>& others, auto relation, const FoundBox& found) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const FoundBox& other) { return relation(found.box, other.box); });
+  };
   std::vector<FoundBox> kept;
   for (const FoundBox& found : boxes) {
     if (found.score < options_.least_score) continue;
-    if (std::none_of(kept.begin(), kept.end(),
-                     [&](const FoundBox& other) { return collide(found.box, other.box); })) {
+    if (!any(kept, collide, found)) {
       kept.push_back(found);
+    } else if (found.in_sight && rivals_.size() < kMostRivals && !any(rivals_, alike, found)) {
+      rivals_.push_back(found);
     }
   }
   boxes = std::move(kept);

@@ -36,7 +36,7 @@ class BoxFinder {
   /// Changes and drops boxes in sight and adds new ones. `frames`: the last ones, back to those
   /// that saw the first of what is in sight.
   void update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
-              std::span<const Frame* const> frames, const SensorModel& sensor) const;
+              std::span<const Frame* const> frames, const SensorModel& sensor);
   /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.
   void refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
               const SensorModel& sensor) const;
@@ -54,8 +54,10 @@ class BoxFinder {
                               std::span<const Frame* const> frames,
                               const SensorModel& sensor) const;
   Box seed(const FoundWall& wall) const;
+  void settle(std::vector<FoundBox>& boxes);
 
   FinderOptions options_;
+  std::vector<FoundBox> rivals_;  ///< where a surer box stands
 };
 
 }  // namespace handmap

@@ -17,6 +17,13 @@ class PlaneCells {
   std::size_t count() const { return index(0, side_); }
   int columnOf(float x) const { return static_cast<int>((x + range_) / cell_); }
   std::size_t of(float x, float y) const { return index(columnOf(x), columnOf(y)); }
+  /// Middle of a cell.
+  Vec2 centreOf(std::size_t cell) const {
+    const auto side = static_cast<std::size_t>(side_);
+    const double middle = 0.5 * cell_ - range_;
+    return {cell_ * static_cast<double>(cell % side) + middle,
+            cell_ * static_cast<double>(cell / side) + middle};
+  }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row * side_ + column);
   }

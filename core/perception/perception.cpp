@@ -10,9 +10,9 @@ namespace handmap {
 
 Perception::Perception(const SourceInfo& source, const PerceptionOptions& options)
     : range_limit_m_(source.range_limit_m),
-      points_filter_(options.points),
+      range_walls_(source.range_limit_m, options.points),
       builder_(source.range_limit_m, options.local_map),
-      scans_(source.range_limit_m, options.points) {
+      scans_(source.range_limit_m) {
   if (source.camera) stereo_.emplace(*source.camera, options.stereo);
 }
 
@@ -37,7 +37,7 @@ Percept Perception::operator()(const Observation& observation) {
                             seen.looked_through.end());
     } else if (view.points) {
       const Stopwatch stopwatch;
-      found = wallPoints(*view.points, range_limit_m_, points_filter_);
+      found = range_walls_(*view.points, observation.odometry);
       points.insert(points.end(), view.points->begin(), view.points->end());
       classify_ms += stopwatch.ms();
     } else {
@@ -46,7 +46,7 @@ Percept Perception::operator()(const Observation& observation) {
     walls.insert(walls.end(), found.begin(), found.end());
   }
   const Stopwatch stopwatch;
-  Scan scan = image.empty() ? scans_(points) : stereoScan(walls, looked_through);
+  Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
   LocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
   return {std::move(map), std::move(scan), image,         seen.disparity,
           stereo_ms,      classify_ms,     stopwatch.ms()};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/perception/local_map.h"
+#include "core/perception/range_walls.h"
 #include "core/perception/scan.h"
 #include "core/perception/stereo_walls.h"
 
@@ -34,8 +35,8 @@ class Perception {
 
  private:
   double range_limit_m_;
-  WallFilter points_filter_;
   std::optional<StereoWalls> stereo_;
+  RangeWalls range_walls_;
   LocalMapBuilder builder_;
   ScanBuilder scans_;
 };

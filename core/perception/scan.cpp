@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/perception/range_walls.h"
+
 namespace handmap {
 
 namespace {
 
 constexpr std::size_t kDirections = 720;
 constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
-constexpr float kPlanar_m = 0.3F;  // a scan with all heights within this is planar
 constexpr float kSigma_m = 0.05F;
 constexpr float kLeastRange_m = 0.3F;
 
@@ -23,23 +24,17 @@ float bearingOf(std::size_t direction) {
   return static_cast<float>(direction == 0 ? kPi : bearing);
 }
 
-bool isPlanar(const std::vector<RangePoint>& points) {
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(),
-                          [](const RangePoint& a, const RangePoint& b) { return a.z < b.z; });
-  return points.empty() || high->z - low->z <= kPlanar_m;
-}
-
 void keepNearest(Ray& kept, const Ray& ray) {
   if (kept.range == 0.0F || ray.range < kept.range) kept = ray;
 }
 
 }  // namespace
 
-ScanBuilder::ScanBuilder(double range_limit_m, const WallFilter& filter)
-    : range_limit_m_(range_limit_m), filter_(filter), looked_at_(kDirections) {}
+ScanBuilder::ScanBuilder(double range_limit_m)
+    : range_limit_m_(range_limit_m), looked_at_(kDirections) {}
 
-Scan ScanBuilder::operator()(const std::vector<RangePoint>& points) {
+Scan ScanBuilder::operator()(const std::vector<RangePoint>& points,
+                             const std::vector<WallPoint>& walls) {
   nearest_.assign(kDirections, Ray{});
   std::vector<RangePoint> finite;
   std::copy_if(points.begin(), points.end(), std::back_inserter(finite), [&](const RangePoint& p) {
@@ -49,7 +44,7 @@ Scan ScanBuilder::operator()(const std::vector<RangePoint>& points) {
   if (isPlanar(finite)) {
     addPlanar(finite);
   } else {
-    addStanding(finite);
+    addStanding(finite, walls);
   }
   Scan scan;
   for (std::size_t i = 0; i < kDirections; ++i) {
@@ -75,8 +70,9 @@ void ScanBuilder::addPlanar(const std::vector<RangePoint>& points) {
   }
 }
 
-void ScanBuilder::addStanding(const std::vector<RangePoint>& points) {
-  for (const WallPoint& p : wallPoints(points, range_limit_m_, filter_)) {
+void ScanBuilder::addStanding(const std::vector<RangePoint>& points,
+                              const std::vector<WallPoint>& walls) {
+  for (const WallPoint& p : walls) {
     const float bearing = std::atan2(p.y, p.x);
     keepNearest(nearest_[directionOf(bearing)],
                 {bearing, std::hypot(p.x, p.y), p.sigma, p.weight, true});

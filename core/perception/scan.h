@@ -26,19 +26,18 @@ struct Scan {
 /// blind side of a 180° laser) silence does not mean that nothing is there.
 class ScanBuilder {
  public:
-  ScanBuilder(double range_limit_m, const WallFilter& filter);
+  explicit ScanBuilder(double range_limit_m);
 
-  /// Points of one observation. A planar scan is taken ray by ray. A scan with vertical structure
+  /// Points of one observation, and what RangeWalls says of them. A planar scan is taken ray by ray. A scan with vertical structure
   /// gives the nearest wall along each direction, and free space up to the farthest point of
   /// anything where there is no wall.
-  Scan operator()(const std::vector<RangePoint>& points);
+  Scan operator()(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
  private:
   void addPlanar(const std::vector<RangePoint>& points);
-  void addStanding(const std::vector<RangePoint>& points);
+  void addStanding(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
   double range_limit_m_;
-  WallFilter filter_;
   std::vector<bool> looked_at_;  ///< by direction
   std::vector<Ray> nearest_;     ///< by direction; range 0: none
 };

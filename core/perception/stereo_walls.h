@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/perception/wall_points.h"
+#include "core/recording/observation.h"
 
 namespace handmap {
 

@@ -7,6 +7,7 @@
 
 #include "core/perception/ground_plane.h"
 #include "core/perception/wall_points.h"
+#include "core/recording/observation.h"
 
 namespace handmap {
 

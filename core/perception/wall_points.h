@@ -1,9 +1,5 @@
-// Points on walls, from stereo pairs and from range points. Robot frame, metres.
+// Points on walls, as they come from stereo pairs and from range points. Robot frame, metres.
 #pragma once
-
-#include <vector>
-
-#include "core/recording/observation.h"
 
 namespace handmap {
 
@@ -14,17 +10,16 @@ struct WallPoint {
   float weight;  ///< 0 … 1: how surely it is on a building
 };
 
-/// What separates walls from the ground, cars, hedges and poles.
+/// What separates walls from the ground, cars, hedges, fences and poles.
 struct WallFilter {
   double min_height_m = 1.9;  ///< above ground: cars and low hedges end below
   double max_height_m = 12.0;
   double min_extent_m = 1.0;  ///< vertical extent of what is seen in one column above min_height
   double min_range_m = 1.0;
-};
+  double sensor_height_m = 1.5;  ///< of a range sensor; a metre more or less makes no difference
 
-/// A scan with vertical structure (a spinning lidar) is filtered by height and vertical extent in
-/// cells of the plane; a planar scan (all heights within 0.3 m) is taken as it is.
-std::vector<WallPoint> wallPoints(const std::vector<RangePoint>& points, double range_limit_m,
-                                  const WallFilter& filter);
+  /// What is known to end lower is no wall of a building.
+  double leastTop() const { return min_height_m + min_extent_m; }
+};
 
 }  // namespace handmap

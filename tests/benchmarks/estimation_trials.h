@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 #include "core/estimation/estimator.h"
 #include "core/evaluation/comparison.h"
+#include "core/perception/range_walls.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -41,7 +42,8 @@ inline TrialResult runTrial(const Map& drawing, const Map& truth, ObservationSou
                             std::uint64_t seed = 1) {
   TrialResult result;
   HandmapEstimator estimator(drawing, options, seed);
-  ScanBuilder scans(source.info().range_limit_m, WallFilter{});
+  RangeWalls range_walls(source.info().range_limit_m, {});
+  ScanBuilder scans(source.info().range_limit_m);
   std::vector<StampedPose> odometry;
   const Pose2 first = source.info().start_odometry;
   estimator.startFrom(first);
@@ -56,7 +58,7 @@ inline TrialResult runTrial(const Map& drawing, const Map& truth, ObservationSou
       const auto nearer = static_cast<float>(random.uniform(0.05, 1.0));
       p = {p.x * nearer, p.y * nearer, p.z, p.w};
     }
-    const Scan scan = scans(points);
+    const Scan scan = scans(points, range_walls(points, observation->odometry));
     const double begin = processorMs();
     estimator.step(observation->time_s, observation->odometry, scan);
     result.frame_ms.push_back(processorMs() - begin);

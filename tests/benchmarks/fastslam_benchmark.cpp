@@ -3,13 +3,14 @@
 #include <tbb/task_arena.h>
 
 #include "core/localization/fastslam_psom.h"
+#include "core/perception/range_walls.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
 namespace {
 
 std::vector<WallPoint> wallsOf(const Observation& observation) {
-  return wallPoints(*observation.views.front().points, 40.0, WallFilter{});
+  return RangeWalls(40.0, {})(*observation.views.front().points, {});
 }
 
 void steps(benchmark::State& state, bool refine) {

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/evaluation/comparison.h"
 #include "core/map/map_io.h"
-#include "core/perception/scan.h"
+#include "core/perception/perception.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -21,14 +21,14 @@ struct Outcome {
 Outcome runThrough(const World& world, const Map& drawing, int observations) {
   const auto source = simulate(world, SimulationOptions{}, 5);
   HandmapEstimator estimator(drawing, EstimatorOptions{}, 1);
-  ScanBuilder scans(source->info().range_limit_m, WallFilter{});
+  Perception perception(source->info(), {});
   Outcome run;
   Pose2 odometry;
   for (int i = 0; i < observations; ++i) {
     const auto observation = source->next();
     if (!observation) break;
     odometry = observation->odometry;
-    estimator.step(observation->time_s, odometry, scans(*observation->views.front().points));
+    estimator.step(observation->time_s, odometry, perception(*observation).scan);
   }
   estimator.finish();
   run.refined = estimator.refinedMap();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/perception/range_walls.h"
+
 namespace handmap {
 namespace {
 
@@ -11,6 +13,10 @@ RangePoint pointAt(double bearing_deg, double range, double z, float w) {
   const double bearing = toRadians(bearing_deg);
   return {static_cast<float>(range * std::cos(bearing)),
           static_cast<float>(range * std::sin(bearing)), static_cast<float>(z), w};
+}
+
+Scan scanOf(ScanBuilder& scans, const std::vector<RangePoint>& points) {
+  return scans(points, RangeWalls(40.0, {})(points, {}));
 }
 
 const Ray* rayAt(const Scan& scan, double bearing_deg) {
@@ -21,8 +27,8 @@ const Ray* rayAt(const Scan& scan, double bearing_deg) {
 }
 
 TEST(ScanBuilder, APlanarScanKeepsLabelsAndOrder) {
-  ScanBuilder scans(40.0, WallFilter{});
-  const Scan scan = scans({pointAt(90.0, 10.0, 1.0, 1.0F), pointAt(0.0, 5.0, 1.0, 0.0F)});
+  ScanBuilder scans(40.0);
+  const Scan scan = scanOf(scans, {pointAt(90.0, 10.0, 1.0, 1.0F), pointAt(0.0, 5.0, 1.0, 0.0F)});
   ASSERT_EQ(scan.rays.size(), 2u);
   EXPECT_LT(scan.rays[0].bearing, scan.rays[1].bearing);
   EXPECT_FLOAT_EQ(scan.rays[0].wall, 0.0F);
@@ -31,9 +37,9 @@ TEST(ScanBuilder, APlanarScanKeepsLabelsAndOrder) {
 }
 
 TEST(ScanBuilder, SilenceCountsOnlyWhereSomethingWasEverSeen) {
-  ScanBuilder scans(40.0, WallFilter{});
-  scans({pointAt(90.0, 10.0, 1.0, 1.0F)});
-  const Scan scan = scans({pointAt(0.0, 10.0, 1.0, 1.0F)});
+  ScanBuilder scans(40.0);
+  scanOf(scans, {pointAt(90.0, 10.0, 1.0, 1.0F)});
+  const Scan scan = scanOf(scans, {pointAt(0.0, 10.0, 1.0, 1.0F)});
   const Ray* silent = rayAt(scan, 90.0);
   ASSERT_NE(silent, nullptr);
   EXPECT_FALSE(silent->returned);
@@ -42,13 +48,13 @@ TEST(ScanBuilder, SilenceCountsOnlyWhereSomethingWasEverSeen) {
 }
 
 TEST(ScanBuilder, AStandingScanLooksThroughWhatIsNoWall) {
-  ScanBuilder scans(40.0, WallFilter{});
+  ScanBuilder scans(40.0);
   std::vector<RangePoint> points;
   for (int i = 0; i < 30; ++i) {
     points.push_back(pointAt(45.0, 10.0 + 0.001 * i, 0.15 * i, 1.0F));  // a wall, 4 m high
   }
   points.push_back(pointAt(-45.0, 15.0, 0.0, 1.0F));  // the ground
-  const Scan scan = scans(points);
+  const Scan scan = scanOf(scans, points);
   const Ray* wall = rayAt(scan, 45.0);
   ASSERT_NE(wall, nullptr);
   EXPECT_TRUE(wall->returned);
@@ -60,8 +66,8 @@ TEST(ScanBuilder, AStandingScanLooksThroughWhatIsNoWall) {
 }
 
 TEST(ScanBuilder, PointsThatAreNoNumbersAreLeftOut) {
-  ScanBuilder scans(40.0, WallFilter{});
-  EXPECT_TRUE(scans({{std::nanf(""), 1.0F, 1.0F, 1.0F}, {1.0F, 1e30F, 1.0F, 1.0F}}).rays.empty());
+  ScanBuilder scans(40.0);
+  EXPECT_TRUE(scanOf(scans, {{std::nanf(""), 1.0F, 1.0F, 1.0F}, {1.0F, 1e30F, 1.0F, 1.0F}}).rays.empty());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/map_io.h"
+#include "core/perception/range_walls.h"
 #include "core/perception/stereo_walls.h"
 #include "core/recording/recording.h"
 
@@ -81,8 +82,9 @@ class Street : public testing::Test {
 
 TEST_F(Street, LidarWalls) {
   const auto source = replay(recording_, {.from = 40, .kind = SourceKind::Points});
+  RangeWalls walls(40.0, {});
   while (const auto observation = source->next()) {
-    score(*observation, wallPoints(*observation->views[0].points, 40.0, {}));
+    score(*observation, walls(*observation->views[0].points, observation->odometry));
   }
   EXPECT_GT(share(), 0.48);
 }

@@ -1,4 +1,4 @@
-#include "core/perception/wall_points.h"
+#include "core/perception/range_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,8 @@ bool near(const WallPoint& point, double x) {
   return std::abs(static_cast<double>(point.x) - x) < 0.05;
 }
 
-TEST(WallPoints, TakesAPlanarScanAsItIs) {
-  const auto walls = wallPoints({{5, 1, 0.2F, 1.0F}, {0, -7, 0.3F, 0.4F}}, 40.0, {});
+TEST(RangeWalls, TakesAPlanarScanAsItIs) {
+  const auto walls = RangeWalls(40.0, {})({{5, 1, 0.2F, 1.0F}, {0, -7, 0.3F, 0.4F}}, {});
   ASSERT_EQ(walls.size(), 2u);
   EXPECT_EQ(walls[0].x, 5.0F);
   EXPECT_EQ(walls[1].y, -7.0F);
@@ -47,33 +47,33 @@ TEST(WallPoints, TakesAPlanarScanAsItIs) {
   EXPECT_GT(walls[1].sigma, 0.0F);
 }
 
-TEST(WallPoints, DropsWhatIsOutOfRangeOrNotANumber) {
+TEST(RangeWalls, DropsWhatIsOutOfRangeOrNotANumber) {
   const std::vector<RangePoint> points{{0.5F, 0, 0, 1},     {41, 0, 0, 1},   {kNan, 0, 0, 1},
                                        {5, 0, kNan, 1},     {5, 0, 0, kNan}, {5, 0, 0, 0},
                                        {INFINITY, 0, 0, 1}, {39, 0, 0, 1}};
-  const auto walls = wallPoints(points, 40.0, {});
+  const auto walls = RangeWalls(40.0, {})(points, {});
   ASSERT_EQ(walls.size(), 1u);
   EXPECT_EQ(walls[0].x, 39.0F);
-  EXPECT_TRUE(wallPoints({}, 40.0, {}).empty());
+  EXPECT_TRUE(RangeWalls(40.0, {})({}, {}).empty());
 }
 
-TEST(WallPoints, KeepsWallsAndLeavesOutTheLow) {
+TEST(RangeWalls, KeepsWallsAndLeavesOutTheLow) {
   std::vector<RangePoint> points = ground(0.0);
   addUpright(points, {12, -4}, {12, 4}, 3.0, 0.0);  // a house
   addUpright(points, {6, 2}, {6, 4}, 1.6, 0.0);     // a car
-  for (const WallPoint& wall : wallPoints(points, 40.0, {})) EXPECT_TRUE(near(wall, 12.0));
-  const auto walls = wallPoints(points, 40.0, {});
+  for (const WallPoint& wall : RangeWalls(40.0, {})(points, {})) EXPECT_TRUE(near(wall, 12.0));
+  const auto walls = RangeWalls(40.0, {})(points, {});
   EXPECT_GE(walls.size(), 80u);           // every 0.1 m of it
   EXPECT_LE(walls.size(), 3u * 2 * 81u);  // and no more than three points a spot
 }
 
-TEST(WallPoints, FollowsTheStreetUpAndDown) {
+TEST(RangeWalls, FollowsTheStreetUpAndDown) {
   for (const double slope : {-0.08, 0.08}) {
     std::vector<RangePoint> points = ground(slope);
     addUpright(points, {30, -4}, {30, 4}, 3.0, slope);
     addUpright(points, {25, 2}, {25, 4}, 1.6, slope);
     addUpright(points, {-25, 2}, {-25, 4}, 1.6, slope);
-    const auto walls = wallPoints(points, 40.0, {});
+    const auto walls = RangeWalls(40.0, {})(points, {});
     EXPECT_GE(walls.size(), 80u);
     EXPECT_TRUE(std::all_of(walls.begin(), walls.end(), [](const auto& w) { return near(w, 30); }))
         << "slope " << slope;
