@@ -13,10 +13,10 @@ namespace handmap {
 
 struct AssignmentOptions {
   int hypotheses = 100;
-  double undrawn = 0.1;   ///< found buildings that no one drew, as a share of the drawn ones
-  double phantom = 0.05;  ///< drawn buildings that are not there or were not found, share
+  double undrawn = 0.1;    ///< found buildings that no one drew, as a share of the drawn ones
+  double phantom = 0.05;   ///< drawn buildings that are not there or were not found, share
   double built_on = 0.02;  ///< share of the walls that are of something no one drew
-  double disorder = 2.0;  ///< price of two buildings that change places in the drawing, nats
+  double disorder = 2.0;   ///< price of two buildings that change places in the drawing, nats
   double heading_sigma = toRadians(3.0);  ///< of a building against the drawing
   double scale_sigma = 0.05;              ///< of the whole drawing
   double turn_sigma = toRadians(1.0);

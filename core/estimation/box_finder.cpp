@@ -11,10 +11,10 @@ namespace handmap {
 namespace {
 
 constexpr double kParallel = toRadians(7.0);
-constexpr double kNear = 2.0;         // metres between a wall and the box that explains it
-constexpr double kAgreed = 0.5;       // metres between the ends of a wall and of its box
-constexpr double kPromising = 30.0;   // nats that a local search may bring
-constexpr int kMostSeeds = 3;         // an observation
+constexpr double kNear = 2.0;        // metres between a wall and the box that explains it
+constexpr double kAgreed = 0.5;      // metres between the ends of a wall and of its box
+constexpr double kPromising = 30.0;  // nats that a local search may bring
+constexpr int kMostSeeds = 3;        // an observation
 constexpr std::size_t kMostRivals = 20;
 constexpr double kLeastGap = 1.0;     // metres between two buildings
 constexpr double kGain = 1.0;         // nats that a change must bring

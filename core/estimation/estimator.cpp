@@ -151,7 +151,7 @@ void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, con
                                        const Scan& scan) {
   frames.push_back(makeFrame(time_s, odometry, at, scan));
   frames.back().sightings = compactThings(frames.back().rays, sensor);
-  landmarks.associate(frames.back());
+  landmarks.associate(frames.back(), sensor.options().noise);
 }
 
 std::size_t HandmapEstimator::State::firstWorkedOn() const {
@@ -226,6 +226,7 @@ void HandmapEstimator::State::updateNoise() {
   smoother.setSystematic(noise.systematic());
   SensorOptions changed = sensor.options();
   changed.noise = noise.fitted(changed.noise);
+  changed.noise.bias_per_m = smoother.biasPerMetre();
   if (!differMuch(changed.noise, sensor.options().noise)) return;
   for (const ActiveFrame& a : active) evidence.remove(*a.frame, a.held_at, sensor);
   sensor = SensorModel(changed, options.range_limit_m);

@@ -33,6 +33,7 @@ struct Frame {
   Pose2 pose;                  ///< map frame, best so far
   std::vector<FrameRay> rays;  ///< by bearing
   std::vector<Sighting> sightings;
+  double bias_sigma_per_m = 0.0;  ///< as that of the scan
 };
 
 Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const Scan& scan);

@@ -98,10 +98,11 @@ std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const Sen
   return sightings;
 }
 
-void Landmarks::associate(Frame& frame) {
+void Landmarks::associate(Frame& frame, const RangeNoise& noise) {
   std::vector<bool> taken(positions_.size());
   for (Sighting& sighting : frame.sightings) {
-    const Vec2 place = frame.pose.toOuter(sighting.range * unitVector(sighting.bearing));
+    const double range = sighting.range - noise.bias(sighting.range);
+    const Vec2 place = frame.pose.toOuter(range * unitVector(sighting.bearing));
     double nearest = kGate;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       const double distance = (positions_[i] - place).norm();

@@ -7,15 +7,15 @@
 
 namespace handmap {
 
-/// The middle of compact things in a frame: bearing and range, robot frame. The visible side of a
-/// thing moves along with the robot; its middle does not.
+/// The middle of compact things in a frame: bearing and range as measured, robot frame. The visible
+/// side of a thing moves along with the robot; its middle does not.
 std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const SensorModel& sensor);
 
 /// Where the compact things are, map frame. A sighting names its landmark by index.
 class Landmarks {
  public:
   /// Finds the landmarks of a frame's sightings; what is seen for the first time becomes one.
-  void associate(Frame& frame);
+  void associate(Frame& frame, const RangeNoise& noise);
 
   std::vector<Vec2>& positions() { return positions_; }
 

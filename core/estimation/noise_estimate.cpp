@@ -18,6 +18,7 @@ constexpr double kAssumedSystematic = 0.03;  // metres
 constexpr double kLeastSystematic = 0.01;
 constexpr double kMostSystematic = 0.2;
 constexpr double kMuch = 1.3;
+constexpr double kMuchBias = 0.1;  // of σ
 
 }  // namespace
 
@@ -39,8 +40,10 @@ void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
       const Entry entry = view.entry(ray);
       if (entry.distance < 0.0F || entry.cosine < kSteep) return;
       const auto index = static_cast<std::size_t>(entry.distance / kBin);
-      const double error = static_cast<double>(ray.sight.range - entry.distance);
-      const double sigma = sensor.options().noise.at(static_cast<double>(entry.distance));
+      const RangeNoise& noise = sensor.options().noise;
+      const auto distance = static_cast<double>(entry.distance);
+      const double error = static_cast<double>(ray.sight.range) - distance - noise.bias(distance);
+      const double sigma = noise.at(distance);
       if (index >= bins_.size() || std::abs(error) > 4.0 * sigma) return;
       const double weight = sensor.responsibility(ray.sight.label, error, sigma);
       bins_[index].weight += weight;
@@ -81,10 +84,14 @@ RangeNoise NoiseEstimate::fitted(const RangeNoise& assumed) const {
   }
   if (bins < 2) return assumed;
   const Eigen::Vector2d fit = matrix.ldlt().solve(right);
-  RangeNoise noise{fit[0], fit[1]};
-  if (fit[1] < 0.0) noise = {right[0] / matrix(0, 0), 0.0};
+  RangeNoise noise{fit[0], fit[1], assumed.bias_per_m};
+  if (fit[1] < 0.0) {
+    noise.offset_m = right[0] / matrix(0, 0);
+    noise.quadratic_per_m = 0.0;
+  }
   if (noise.offset_m < kLeastSigma) {
-    noise = {kLeastSigma, std::max(0.0, (right[1] - kLeastSigma * matrix(0, 1)) / matrix(1, 1))};
+    noise.offset_m = kLeastSigma;
+    noise.quadratic_per_m = std::max(0.0, (right[1] - kLeastSigma * matrix(0, 1)) / matrix(1, 1));
   }
   return noise;
 }
@@ -93,6 +100,7 @@ bool differMuch(const RangeNoise& a, const RangeNoise& b) {
   for (const double distance : {8.0, 24.0}) {
     const double ratio = a.at(distance) / b.at(distance);
     if (ratio > kMuch || ratio < 1.0 / kMuch) return true;
+    if (std::abs(a.bias(distance) - b.bias(distance)) > kMuchBias * b.at(distance)) return true;
   }
   return false;
 }

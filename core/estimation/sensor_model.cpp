@@ -21,8 +21,10 @@ SensorModel::SensorModel(const SensorOptions& options, double range_limit_m)
       silent_(static_cast<float>(options.temper * std::log(options.silent))) {
   const auto bins = static_cast<std::size_t>(range_limit_m / kDistanceStep) + 2;
   for (std::size_t i = 0; i < bins; ++i) {
-    const double sigma = options.noise.at((static_cast<double>(i) + 0.5) * kDistanceStep);
-    sigma_squared_.push_back(static_cast<float>(sigma * sigma));
+    const double distance = (static_cast<double>(i) + 0.5) * kDistanceStep;
+    const double sigma = options.noise.at(distance);
+    returns_.push_back(
+        {static_cast<float>(sigma * sigma), static_cast<float>(options.noise.bias(distance))});
   }
   table_.resize(kLevels * kLabels * kSteps);
   for (std::size_t level = 0; level < kLevels; ++level) {
@@ -64,7 +66,8 @@ double SensorModel::responsibility(int label, double error, double sigma) const 
 }
 
 float SensorModel::reach(float range) const {
-  return kReach * static_cast<float>(options_.noise.at(range));
+  return static_cast<float>(kReach * options_.noise.at(range) +
+                            std::abs(options_.noise.bias(range)));
 }
 
 }  // namespace handmap

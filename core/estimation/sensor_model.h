@@ -9,10 +9,13 @@
 
 namespace handmap {
 
-/// Noise of a range return at the distance of the wall: σ(d) = offset + quadratic · d².
+/// Noise of a range return at the distance of the wall: σ(d) = offset + quadratic · d², around
+/// d + bias · d². Stereo has such a bias where its disparities are off by a part of a pixel.
 struct RangeNoise {
   double offset_m = 0.1;
   double quadratic_per_m = 0.002;
+  double bias_per_m = 0.0;
+  double bias(double distance_m) const { return bias_per_m * distance_m * distance_m; }
   double at(double distance_m) const {
     return offset_m + quadratic_per_m * distance_m * distance_m;
   }
@@ -49,8 +52,9 @@ class SensorModel {
   /// `slack_m`: how far, along the ray, the wall may be off for other reasons than range noise.
   float operator()(const Sight& sight, float distance, float slack_m) const {
     if (sight.label == kSilent) return distance < sight.range ? silent_ : 0.0F;
-    const std::size_t level = levelOf(distance, slack_m);
-    const float z = (sight.range - distance) * per_sigma_[level];
+    const Return expected = returnFrom(distance);
+    const std::size_t level = levelOf(expected.variance + slack_m * slack_m);
+    const float z = (sight.range - distance - expected.bias) * per_sigma_[level];
     if (z <= -kReach) return 0.0F;
     if (z >= kReach) return passed_;
     const auto step = static_cast<std::size_t>((z + kReach) * kStepsPerSigma);
@@ -76,11 +80,16 @@ class SensorModel {
 
   static constexpr int kLeastLevel = 117 * 4;  // a variance of 2⁻¹⁰ m²
 
-  /// Four levels for each doubling of the variance, read off the bits of the number.
-  std::size_t levelOf(float distance, float slack_m) const {
+  struct Return {
+    float variance;
+    float bias;
+  };
+  Return returnFrom(float distance) const {
     const auto bin = static_cast<std::size_t>(distance * (1.0F / kDistanceStep));
-    const float variance =
-        sigma_squared_[std::min(bin, sigma_squared_.size() - 1)] + slack_m * slack_m;
+    return returns_[std::min(bin, returns_.size() - 1)];
+  }
+  /// Four levels for each doubling of the variance, read off the bits of the number.
+  static std::size_t levelOf(float variance) {
     const int level = static_cast<int>(std::bit_cast<std::uint32_t>(variance) >> 21) - kLeastLevel;
     return static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(kLevels) - 1));
   }
@@ -91,7 +100,7 @@ class SensorModel {
   double range_limit_m_;
   float passed_;
   float silent_;
-  std::vector<float> sigma_squared_;  ///< by distance
+  std::vector<Return> returns_;  ///< by distance
   std::array<float, kLevels> per_sigma_{};
   std::vector<float> table_;
 };

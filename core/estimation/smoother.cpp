@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kPoseSize = 3;
 constexpr int kBoxSize = 5;
+constexpr int kBias = kPoseSize + kBoxSize;
 constexpr double kReachPrior = 4.0;  // metres, one σ: what nobody saw stays where it is
 constexpr double kHeadingPrior = 0.2;
 constexpr double kLeastSize = 2.0;  // metres
@@ -18,6 +19,7 @@ constexpr double kMostTurn = 0.05;  // radians an iteration
 constexpr double kEndsAreWorse = 3.0;
 constexpr int kLeastSightings = 3;  // of a landmark that is to be trusted
 constexpr float kLeastCosine = 0.02F;
+constexpr double kLeastBias = 1e-9;  // 1/m, one σ
 
 /// Walls that would pass one another stay.
 void move(Box& box, const Eigen::Matrix<double, kBoxSize, 1>& step) {
@@ -58,7 +60,9 @@ bool Smoother::addReturns(const Frame& frame, const FoundBox& found, double slac
     if (entry.distance + 2.0 * noise > sensor_.rangeLimit()) return;
     const double cosine = std::max(entry.cosine, kLeastCosine);
     const double sigma = std::hypot(noise, slack_m / cosine);
-    const double range_error = static_cast<double>(ray.sight.range - entry.distance);
+    const double squared = static_cast<double>(entry.distance * entry.distance);
+    const double range_error =
+        static_cast<double>(ray.sight.range - entry.distance) - bias_per_m_ * squared;
     if (std::abs(range_error) > 4.0 * sigma) return;
     const double weight = sensor_.responsibility(ray.sight.label, range_error, sigma) /
                           (sigma * sigma * cosine * cosine);
@@ -72,6 +76,7 @@ bool Smoother::addReturns(const Frame& frame, const FoundBox& found, double slac
     jacobian.head<3>() << n.x(), n.y(), n.dot(perpendicular(turned));
     jacobian[kPoseSize + entry.wall] = -1.0;
     jacobian[kPoseSize + 4] = perpendicular(n).dot(from_pivot);
+    jacobian[kBias] = -squared * n.dot(direction);
     walls[wall].add(jacobian, range_error * n.dot(direction), weight);
     information[wall] += weight;
   });
@@ -114,12 +119,16 @@ void Smoother::addBlock(int row, int column, const Eigen::MatrixXd& block) {
 
 void Smoother::scatter(const Normal& normal, int pose, int box) {
   const int box_at = poses_ * kPoseSize + box * kBoxSize;
-  addBlock(box_at, box_at, normal.matrix.bottomRightCorner<kBoxSize, kBoxSize>());
-  right_.segment<kBoxSize>(box_at) += normal.right.tail<kBoxSize>();
+  addBlock(box_at, box_at, normal.matrix.block<kBoxSize, kBoxSize>(kPoseSize, kPoseSize));
+  addBlock(bias_at_, box_at, normal.matrix.block<1, kBoxSize>(kBias, kPoseSize));
+  addBlock(bias_at_, bias_at_, normal.matrix.block<1, 1>(kBias, kBias));
+  right_.segment<kBoxSize>(box_at) += normal.right.segment<kBoxSize>(kPoseSize);
+  right_[bias_at_] += normal.right[kBias];
   if (pose < 0) return;
   const int pose_at = pose * kPoseSize;
   addBlock(pose_at, pose_at, normal.matrix.topLeftCorner<kPoseSize, kPoseSize>());
-  addBlock(box_at, pose_at, normal.matrix.bottomLeftCorner<kBoxSize, kPoseSize>());
+  addBlock(box_at, pose_at, normal.matrix.block<kBoxSize, kPoseSize>(kPoseSize, 0));
+  addBlock(bias_at_, pose_at, normal.matrix.block<1, kPoseSize>(kBias, 0));
   right_.segment<kPoseSize>(pose_at) += normal.right.head<kPoseSize>();
 }
 
@@ -170,6 +179,13 @@ void Smoother::addPrior(const Box& box, int at) {
   right_[at + kBoxSize - 1] -= weight[kBoxSize - 1] * std::clamp(turned, -most, most);
 }
 
+void Smoother::addBiasPrior(std::span<Frame* const> frames) {
+  double sigma = kLeastBias;
+  for (const Frame* frame : frames) sigma = std::max(sigma, frame->bias_sigma_per_m);
+  triplets_.emplace_back(bias_at_, bias_at_, 1.0 / (sigma * sigma));
+  right_[bias_at_] -= bias_per_m_ / (sigma * sigma);
+}
+
 void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark,
                            int pose, int landmark_at) {
   const Vec2 offset = landmark - frame.pose.position();
@@ -178,24 +194,28 @@ void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const V
   const Vec2 sideways = perpendicular(along) / range;
   const double bearing = std::atan2(offset.y(), offset.x()) - frame.pose.heading;
   const Eigen::Vector2d residual(normalizedAngle(bearing - sighting.bearing),
-                                 range - sighting.range);
+                                 range + bias_per_m_ * range * range - sighting.range);
   const Eigen::Vector2d sigma(
       std::hypot(sighting.bearing_sigma, kEndsAreWorse * systematic_m_ / range),
       std::hypot(sighting.range_sigma, kEndsAreWorse * systematic_m_));
-  Eigen::Matrix<double, 2, 5> jacobian;                                        // pose, landmark
-  jacobian << -sideways.x(), -sideways.y(), -1.0, sideways.x(), sideways.y(),  //
-      -along.x(), -along.y(), 0.0, along.x(), along.y();
+  Eigen::Matrix<double, 2, 6> jacobian;  // pose, landmark, bias
+  jacobian << -sideways.x(), -sideways.y(), -1.0, sideways.x(), sideways.y(), 0.0,  //
+      -along.x(), -along.y(), 0.0, along.x(), along.y(), range * range;
   // Cauchy's weight: some sightings are of something else.
   const double robust = 1.0 / (1.0 + residual.cwiseQuotient(sigma).squaredNorm() / 4.0);
-  const Eigen::Matrix<double, 5, 2> weighted =
+  const Eigen::Matrix<double, 6, 2> weighted =
       jacobian.transpose() * (robust * sigma.cwiseInverse().cwiseAbs2()).asDiagonal();
-  const Eigen::Matrix<double, 5, 5> matrix = weighted * jacobian;
-  const Eigen::Matrix<double, 5, 1> right = -weighted * residual;
-  addBlock(landmark_at, landmark_at, matrix.bottomRightCorner<2, 2>());
-  right_.segment<2>(landmark_at) += right.tail<2>();
+  const Eigen::Matrix<double, 6, 6> matrix = weighted * jacobian;
+  const Eigen::Matrix<double, 6, 1> right = -weighted * residual;
+  addBlock(landmark_at, landmark_at, matrix.block<2, 2>(3, 3));
+  addBlock(bias_at_, landmark_at, matrix.block<1, 2>(5, 3));
+  addBlock(bias_at_, bias_at_, matrix.block<1, 1>(5, 5));
+  right_.segment<2>(landmark_at) += right.segment<2>(3);
+  right_[bias_at_] += right[5];
   if (pose < 0) return;
   addBlock(pose * kPoseSize, pose * kPoseSize, matrix.topLeftCorner<3, 3>());
-  addBlock(landmark_at, pose * kPoseSize, matrix.bottomLeftCorner<2, 3>());
+  addBlock(landmark_at, pose * kPoseSize, matrix.block<2, 3>(3, 0));
+  addBlock(bias_at_, pose * kPoseSize, matrix.block<1, 3>(5, 0));
   right_.segment<3>(pose * kPoseSize) += right.head<3>();
 }
 
@@ -213,6 +233,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     landmark_at[i] = size;
     size += 2;
   }
+  bias_at_ = size++;
   triplets_.clear();
   right_ = Eigen::VectorXd::Zero(size);
   const auto indexOf = [&](std::size_t frame) {
@@ -232,6 +253,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     }
     addPrior(boxes[b].box, poses_ * kPoseSize + static_cast<int>(b) * kBoxSize);
   }
+  addBiasPrior(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     for (const Sighting& sighting : frames[i]->sightings) {
       const auto id = static_cast<std::size_t>(sighting.landmark);
@@ -239,7 +261,6 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
       addSighting(*frames[i], sighting, landmarks[id], indexOf(i), landmark_at[id]);
     }
   }
-  if (size == 0) return;
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(triplets_.begin(), triplets_.end());
   solver_.compute(matrix);
@@ -255,6 +276,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     const int at = poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
     move(boxes[b].box, step.segment<kBoxSize>(at));
   }
+  bias_per_m_ += step[bias_at_];
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     if (landmark_at[i] >= 0) landmarks[i] += step.segment<2>(landmark_at[i]);
   }

@@ -38,6 +38,8 @@ class Smoother {
     headings_ = std::move(headings);
     heading_sigma_ = sigma;
   }
+  /// What the ranges are off systematically, see RangeNoise, is estimated with all the rest.
+  double biasPerMetre() const { return bias_per_m_; }
   /// Moves the poses of `frames` from index `fixed` on, the boxes and the landmarks that the frames
   /// saw. The frames are in the order
   /// of time; consecutive ones are bound by odometry. `slack_m` (across a wall, one
@@ -48,8 +50,8 @@ class Smoother {
   Eigen::Matrix3d covariances(std::span<FoundBox> boxes);
 
  private:
-  using Local = Eigen::Matrix<double, 8, 8>;  ///< of a pose (3) and a box (5)
-  using LocalVector = Eigen::Matrix<double, 8, 1>;
+  using Local = Eigen::Matrix<double, 9, 9>;  ///< of a pose (3), a box (5) and the bias
+  using LocalVector = Eigen::Matrix<double, 9, 1>;
   struct Normal {
     Local matrix = Local::Zero();
     LocalVector right = LocalVector::Zero();
@@ -63,10 +65,12 @@ class Smoother {
   void addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark, int pose,
                    int landmark_at);
   void addPrior(const Box& box, int at);
+  void addBiasPrior(std::span<Frame* const> frames);
   void addBlock(int row, int column, const Eigen::MatrixXd& block);
 
   OdometryNoise odometry_;
   double systematic_m_ = 0.03;
+  double bias_per_m_ = 0.0;
   std::vector<double> headings_;
   double heading_sigma_ = 0.1;
   const SensorModel& sensor_;
@@ -74,6 +78,7 @@ class Smoother {
   Eigen::VectorXd right_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
   int poses_ = 0;  ///< free ones
+  int bias_at_ = 0;
 };
 
 }  // namespace handmap

@@ -20,6 +20,9 @@ struct Ray {
 /// At most one ray a direction, sorted by bearing. Directions without a ray were not looked at.
 struct Scan {
   std::vector<Ray> rays;
+  /// What all ranges may be off together: bias · range², one σ of it. Of stereo, whose disparities
+  /// may all be off by a part of a pixel.
+  double bias_sigma_per_m = 0.0;
 };
 
 /// Scans from range points. Remembers which directions ever returned anything: elsewhere (the

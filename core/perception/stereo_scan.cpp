@@ -57,6 +57,10 @@ Scan stereoScan(const std::vector<WallPoint>& walls, const std::vector<Vec2>& lo
     });
   }
   Scan scan;
+  for (const WallPoint& wall : walls) {
+    const double squared = wall.x * wall.x + wall.y * wall.y;
+    scan.bias_sigma_per_m = std::max(scan.bias_sigma_per_m, wall.sigma / squared);
+  }
   for (const auto& [direction, ray] : by_direction) scan.rays.push_back(ray);
   std::sort(scan.rays.begin(), scan.rays.end(),
             [](const Ray& a, const Ray& b) { return a.bearing < b.bearing; });

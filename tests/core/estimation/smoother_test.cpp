@@ -73,7 +73,7 @@ TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
     Frame frame = makeFrame(0.0, pose, pose, scan);
     frame.sightings = compactThings(frame.rays, sensor);
     ASSERT_EQ(frame.sightings.size(), 1u);
-    landmarks.associate(frame);
+    landmarks.associate(frame, sensor.options().noise);
     const Sighting& s = frame.sightings.front();
     EXPECT_LT((pose.toOuter(s.range * unitVector(s.bearing)) - tree).norm(), 0.25);
   }
