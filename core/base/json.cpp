@@ -50,6 +50,20 @@ class Guard {
     return true;
   }
 
+  /// Where the parser is.
+  std::string path() const {
+    std::string path;
+    for (const Level& level : levels_) {
+      if (level.is_object) {
+        if (!path.empty()) path += '.';
+        path += level.key.substr(0, 40);
+      } else {
+        path += fmt::format("[{}]", level.index);
+      }
+    }
+    return path;
+  }
+
  private:
   struct Level {
     bool is_object;
@@ -63,19 +77,6 @@ class Guard {
     if (++values_ > kMaxValues) {
       throwBadInput(source_, "", fmt::format("more than {} values", kMaxValues), "fewer");
     }
-  }
-
-  std::string path() const {
-    std::string path;
-    for (const Level& level : levels_) {
-      if (level.is_object) {
-        if (!path.empty()) path += '.';
-        path += level.key.substr(0, 40);
-      } else {
-        path += fmt::format("[{}]", level.index);
-      }
-    }
-    return path;
   }
 
   const std::string& source_;
@@ -125,7 +126,7 @@ json parseJson(std::string_view text, const std::string& source) {
     throw Error(ErrorCode::BadInput, fmt::format("{}: line {}, column {}: no valid JSON: {}",
                                                  source, line, column, reasonOf(error)));
   } catch (const json::out_of_range&) {
-    throwBadInput(source, "", "a number too large to represent", "finite numbers");
+    throwBadInput(source, guard.path(), "a number too large to represent", "a finite number");
   }
 }
 

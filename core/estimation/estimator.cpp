@@ -99,14 +99,7 @@ struct HandmapEstimator::State {
 
 HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& options,
                                    std::uint64_t seed) {
-  if (drawing.buildings.empty()) {
-    throw Error(ErrorCode::BadInput, "the map has no building, expected at least one",
-                "draw the buildings that the robot will pass");
-  }
-  if (!drawing.start) {
-    throw Error(ErrorCode::BadInput, "the map has no start pose, expected one",
-                "set where the robot starts and where it looks");
-  }
+  requireReadyToRun(drawing);
   state_ = std::make_unique<State>(drawing, options, seed);
   state_->pose = *drawing.start;
   state_->hypotheses = assign(drawing, {}, options.assignment);
@@ -242,10 +235,11 @@ void HandmapEstimator::State::findBuildings() {
   finder.update(found, walls, last, sensor);
 }
 
-void HandmapEstimator::finish() {
+void HandmapEstimator::finish(const std::stop_token& stop) {
   State& state = *state_;
   if (state.frames.empty()) return;
   for (const double slack : {0.2, 0.1, kFinalSlack, kFinalSlack, kFinalSlack}) {
+    if (stop.stop_requested()) return;
     state.smoothAll(slack);
   }
   state.covariance = state.smoother.covariances(state.found);

@@ -52,8 +52,8 @@ class HandmapEstimator {
   /// One observation. Returns false and leaves the state as it was when `stop` was requested.
   bool step(double time_s, const Pose2& odometry, const Scan& scan, std::stop_token stop = {},
             const std::function<void(double)>& progress = {});
-  /// Smooths everything once more, after the last observation.
-  void finish();
+  /// Smooths everything once more, after the last observation, as far as `stop` allows.
+  void finish(const std::stop_token& stop = {});
 
   const Pose2& pose() const;
   const Eigen::Matrix3d& poseCovariance() const;

@@ -23,14 +23,7 @@ enum Purpose : std::uint32_t { kMotion = 0, kResampling = 1, kSwarms = 2 };
 FastSlamPsom::FastSlamPsom(const Map& drawing, const Pose2& start_odometry,
                            const SlamOptions& options, std::uint64_t seed)
     : drawing_(drawing), options_(options), seed_(seed), odometry_(start_odometry) {
-  if (drawing.buildings.empty()) {
-    throw Error(ErrorCode::BadInput, "the map has no building, expected at least one",
-                "draw the buildings that the robot will pass");
-  }
-  if (!drawing.start) {
-    throw Error(ErrorCode::BadInput, "the map has no start pose, expected one",
-                "set where the robot starts and where it looks");
-  }
+  requireReadyToRun(drawing);
   for (const Building& building : drawing.buildings) models_.emplace_back(building);
   Particle first;
   first.pose = *drawing.start;

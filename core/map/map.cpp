@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
+
 namespace handmap {
 
 Polygon Building::footprint() const {
@@ -36,6 +38,17 @@ const Building* Map::find(const std::string& id) const {
   const auto found = std::find_if(buildings.begin(), buildings.end(),
                                   [&](const Building& building) { return building.id == id; });
   return found == buildings.end() ? nullptr : &*found;
+}
+
+void requireReadyToRun(const Map& drawing) {
+  if (drawing.buildings.empty()) {
+    throw Error(ErrorCode::BadInput, "the map has no building, expected at least one",
+                "draw the buildings that the robot will pass");
+  }
+  if (!drawing.start) {
+    throw Error(ErrorCode::BadInput, "the map has no start pose, expected one",
+                "set where the robot starts and where it looks");
+  }
 }
 
 }  // namespace handmap

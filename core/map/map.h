@@ -97,4 +97,7 @@ struct Map {
   bool operator==(const Map&) const = default;
 };
 
+/// Throws BadInput for a drawing in which no robot can be localized: no buildings, or no start.
+void requireReadyToRun(const Map& drawing);
+
 }  // namespace handmap

@@ -16,7 +16,8 @@ Perception::Perception(const SourceInfo& source, const PerceptionOptions& option
   if (source.camera) stereo_.emplace(*source.camera, options.stereo);
 }
 
-Percept Perception::operator()(const Observation& observation) {
+std::optional<Percept> Perception::operator()(const Observation& observation,
+                                              const std::stop_token& stop) {
   std::vector<WallPoint> walls;
   std::vector<RangePoint> points;
   std::vector<Vec2> looked_through;
@@ -25,6 +26,7 @@ Percept Perception::operator()(const Observation& observation) {
   double stereo_ms = 0.0;
   double classify_ms = 0.0;
   for (const View& view : observation.views) {
+    if (stop.stop_requested()) return std::nullopt;
     std::vector<WallPoint> found;
     if (!view.left.empty() || !view.right.empty()) {
       if (!stereo_) throwBadInput("observation", "images", "no camera calibration", "one");
@@ -45,11 +47,12 @@ Percept Perception::operator()(const Observation& observation) {
     }
     walls.insert(walls.end(), found.begin(), found.end());
   }
+  if (stop.stop_requested()) return std::nullopt;
   const Stopwatch stopwatch;
   Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
   LocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
-  return {std::move(map), std::move(scan), image,         seen.disparity,
-          stereo_ms,      classify_ms,     stopwatch.ms()};
+  return Percept{std::move(map), std::move(scan), image,         seen.disparity,
+                 stereo_ms,      classify_ms,     stopwatch.ms()};
 }
 
 }  // namespace handmap

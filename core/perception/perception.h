@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "core/perception/local_map.h"
 #include "core/perception/range_walls.h"
@@ -30,8 +31,10 @@ class Perception {
  public:
   Perception(const SourceInfo& source, const PerceptionOptions& options);
 
-  /// Throws BadInput for a view that cannot be used (sizes, channels): the frame is then skipped.
-  Percept operator()(const Observation& observation);
+  /// nullopt when `stop` was requested. Throws BadInput for a view that cannot be used (sizes,
+  /// channels): the frame is then skipped.
+  std::optional<Percept> operator()(const Observation& observation,
+                                    const std::stop_token& stop = {});
 
  private:
   double range_limit_m_;

@@ -31,9 +31,9 @@ class ScanBuilder {
  public:
   explicit ScanBuilder(double range_limit_m);
 
-  /// Points of one observation, and what RangeWalls says of them. A planar scan is taken ray by ray. A scan with vertical structure
-  /// gives the nearest wall along each direction, and free space up to the farthest point of
-  /// anything where there is no wall.
+  /// Points of one observation, and what RangeWalls says of them. A planar scan is taken ray by
+  /// ray. A scan with vertical structure gives the nearest wall along each direction, and free
+  /// space up to the farthest point of anything where there is no wall.
   Scan operator()(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
  private:

@@ -73,8 +73,8 @@ class HandmapMethod : public EstimationMethod {
             const std::function<void(double)>& progress) override {
     return estimator_.step(time_s, odometry, percept.scan, std::move(stop), progress);
   }
-  bool finish() override {
-    estimator_.finish();
+  bool finish(const std::stop_token& stop) override {
+    estimator_.finish(stop);
     return true;
   }
   void describe(FrameReport& report) const override {

@@ -19,8 +19,8 @@ class EstimationMethod {
   /// requested. `progress` may be called from any thread.
   virtual bool step(double time_s, const Pose2& odometry, const Percept& percept,
                     std::stop_token stop, const std::function<void(double)>& progress) = 0;
-  /// After the last observation. Returns whether that changed the result.
-  virtual bool finish() { return false; }
+  /// After the last observation, as far as `stop` allows. Returns whether the result has changed.
+  virtual bool finish(const std::stop_token& /*stop*/) { return false; }
 
   /// Fills in what the method knows of the last observation.
   virtual void describe(FrameReport& report) const = 0;

@@ -42,9 +42,9 @@ struct RunSession::State {
         arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {}
 
   std::optional<Observation> nextReadable();
-  std::optional<Percept> perceive(const Observation& observation);
+  std::optional<Percept> perceive(const Observation& observation, const std::stop_token& stop);
   std::shared_ptr<const Snapshot> snapshot(const Observation& observation, Percept percept);
-  std::shared_ptr<const Snapshot> lastSnapshot();
+  std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop);
   void fill(Snapshot& snapshot) const;
 
   Map drawing;
@@ -80,9 +80,10 @@ std::optional<Observation> RunSession::State::nextReadable() {
   }
 }
 
-std::optional<Percept> RunSession::State::perceive(const Observation& observation) {
+std::optional<Percept> RunSession::State::perceive(const Observation& observation,
+                                                   const std::stop_token& stop) {
   try {
-    return perception(observation);
+    return perception(observation, stop);
   } catch (const Error& error) {
     skipped.push_back({observation.frame, error.what()});
     return std::nullopt;
@@ -96,13 +97,13 @@ std::shared_ptr<const Snapshot> RunSession::step(std::stop_token stop,
     const auto begin = Clock::now();
     const std::optional<Observation> observation = state.nextReadable();
     if (!observation) {
-      if (!state.frames.empty()) return state.lastSnapshot();
+      if (!state.frames.empty()) return state.lastSnapshot(stop);
       throw Error(ErrorCode::RunFailed,
                   fmt::format("none of {} observations could be used{}{}", source().observations,
                               state.skipped.empty() ? "" : "; the first: ",
                               state.skipped.empty() ? "" : state.skipped.front().reason));
     }
-    std::optional<Percept> percept = state.perceive(*observation);
+    std::optional<Percept> percept = state.perceive(*observation, stop);
     if (!percept) continue;
 
     FrameReport report;
@@ -147,11 +148,11 @@ std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& o
 }
 
 /// What the end of the run has changed.
-std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot() {
+std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(const std::stop_token& stop) {
   if (finished) return nullptr;
   finished = true;
   bool changed = false;
-  arena.execute([&] { changed = method->finish(); });
+  arena.execute([&] { changed = method->finish(stop); });
   if (!changed) return nullptr;
   method->describe(frames.back());
   auto snapshot = std::make_shared<Snapshot>(*newest);

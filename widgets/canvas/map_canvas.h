@@ -21,6 +21,7 @@ inline constexpr double kOverlayZ = 100.0;
 /// Scene coordinates are metres of the map frame, y up; the view flips. scene() takes overlays.
 class MapCanvas : public QGraphicsView {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(MapCanvas)
  public:
   explicit MapCanvas(MapDocument& document, QWidget* parent = nullptr);
   ~MapCanvas() override;

@@ -18,6 +18,7 @@ namespace handmap {
 /// counter-clockwise polygons.
 class MapDocument : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(MapDocument)
  public:
   explicit MapDocument(QObject* parent = nullptr);
   ~MapDocument() override;

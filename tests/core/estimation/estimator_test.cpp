@@ -28,7 +28,7 @@ Outcome runThrough(const World& world, const Map& drawing, int observations) {
     const auto observation = source->next();
     if (!observation) break;
     odometry = observation->odometry;
-    estimator.step(observation->time_s, odometry, perception(*observation).scan);
+    estimator.step(observation->time_s, odometry, perception(*observation)->scan);
   }
   estimator.finish();
   run.refined = estimator.refinedMap();

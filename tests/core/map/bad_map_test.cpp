@@ -38,7 +38,7 @@ TEST(BadMap, WrongTypesAndRanges) {
       {"\"width\": 40.0", "\"width\": 0", {"buildings[0].width: found 0"}},
       {"\"width\": 40.0", "\"width\": -3.5", {"buildings[0].width: found -3.5"}},
       {"\"width\": 40.0", "\"width\": 1e6", {"buildings[0].width", "at most 100000"}},
-      {"\"width\": 40.0", "\"width\": 1e999", {"campus.handmap", "number"}},
+      {"\"width\": 40.0", "\"width\": 1e999", {"campus.handmap", "buildings[0].width", "number"}},
       {"\"width\": 40.0", "\"width\": NaN", {"line 7", "no valid JSON"}},
       {"\"width\": 40.0,", "", {"buildings[0].width: found nothing"}},
       {"\"depth\": 15.0", "\"depth\": null", {"buildings[0].depth: found null"}},

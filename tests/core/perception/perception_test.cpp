@@ -35,15 +35,15 @@ View imageView(const test::Scene& scene, double pan) {
 
 TEST(Perception, MapsRangePoints) {
   Perception perception(SourceInfo{}, {});
-  const Percept percept = perception(
+  const auto percept = perception(
       observed({pointsView({{5.05F, 1.05F, 0, 1}}), pointsView({{-4.05F, 0.05F, 0, 1}})}));
-  EXPECT_GT(percept.local_map.at(5.05, 1.05), 0.0F);
-  EXPECT_GT(percept.local_map.at(-4.05, 0.05), 0.0F);
-  EXPECT_EQ(percept.local_map.range(), 40.0);
-  EXPECT_TRUE(percept.image.empty());
-  EXPECT_TRUE(percept.disparity.empty());
-  EXPECT_EQ(percept.stereo_ms, 0.0);
-  EXPECT_GT(percept.local_map_ms, 0.0);
+  EXPECT_GT(percept->local_map.at(5.05, 1.05), 0.0F);
+  EXPECT_GT(percept->local_map.at(-4.05, 0.05), 0.0F);
+  EXPECT_EQ(percept->local_map.range(), 40.0);
+  EXPECT_TRUE(percept->image.empty());
+  EXPECT_TRUE(percept->disparity.empty());
+  EXPECT_EQ(percept->stereo_ms, 0.0);
+  EXPECT_GT(percept->local_map_ms, 0.0);
 }
 
 TEST(Perception, APanoramaIsOneMap) {
@@ -54,18 +54,18 @@ TEST(Perception, APanoramaIsOneMap) {
   Observation observation =
       observed({imageView(scene, toRadians(90.0)), imageView(scene, toRadians(-90.0))});
   observation.standing = true;
-  const Percept percept = perception(observation);
+  const auto percept = perception(observation);
   for (const double y : {-9.0, 9.0}) {
     float best = 0.0F;
     for (double d = -0.3; d <= 0.3; d += 0.1) {
-      best = std::max(best, percept.local_map.at(0.0, y + d));
+      best = std::max(best, percept->local_map.at(0.0, y + d));
     }
     EXPECT_GT(best, 0.2F) << "wall at y = " << y;
   }
-  EXPECT_EQ(percept.image.data, observation.views.back().left.data);
-  EXPECT_EQ(percept.disparity.cols, 621);
-  EXPECT_GT(percept.stereo_ms, 0.0);
-  EXPECT_GT(percept.classify_ms, 0.0);
+  EXPECT_EQ(percept->image.data, observation.views.back().left.data);
+  EXPECT_EQ(percept->disparity.cols, 621);
+  EXPECT_GT(percept->stereo_ms, 0.0);
+  EXPECT_GT(percept->classify_ms, 0.0);
 }
 
 TEST(Perception, RefusesViewsThatCannotBeUsed) {

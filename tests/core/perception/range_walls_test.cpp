@@ -80,6 +80,46 @@ TEST(RangeWalls, FollowsTheStreetUpAndDown) {
   }
 }
 
+/// What a lidar that looks 2° upwards sees of a wall along y = 8 of that height, and of a house
+/// behind it where it looks over.
+std::vector<RangePoint> lookingUpALittle(double robot_x, double wall_height) {
+  constexpr double kSensor = 1.7;
+  std::vector<RangePoint> points;
+  for (double x = -6.0; x <= 6.0; x += 0.2) {
+    for (double elevation = -8.0; elevation <= 2.0; elevation += 0.4) {
+      const double slope = std::tan(toRadians(elevation));
+      const Vec2 direction = Vec2(x - robot_x, 8.0).normalized();
+      double range = Vec2(x - robot_x, 8.0).norm();
+      if (kSensor + range * slope > wall_height) range += 6.0;
+      points.push_back({static_cast<float>(range * direction.x()),
+                        static_cast<float>(range * direction.y()),
+                        static_cast<float>(kSensor + range * slope), 1.0F});
+    }
+  }
+  return points;
+}
+
+TEST(RangeWalls, AFenceIsToldFromAHouseOnceItWasLookedOver) {
+  for (const double height : {2.1, 6.0}) {
+    RangeWalls walls(40.0, {});
+    const auto onTheWall = [&](double robot_x) {
+      const auto found = walls(lookingUpALittle(robot_x, height), {robot_x, 0.0, 0.0});
+      return std::count_if(found.begin(), found.end(), [](const WallPoint& p) {
+        return std::abs(static_cast<double>(p.y) - 8.0) < 0.1;
+      });
+    };
+    const auto near_by_at_first = RangeWalls(40.0, {})(lookingUpALittle(0.0, height), {}).size();
+    EXPECT_GT(near_by_at_first, 50u) << "from near by both are walls";
+    onTheWall(-25.0);
+    onTheWall(-20.0);
+    if (height > 3.0) {
+      EXPECT_GT(onTheWall(0.0), 50);
+    } else {
+      EXPECT_LT(onTheWall(0.0), 20);
+    }
+  }
+}
+
 TEST(GroundHeight, IgnoresStraysBelowAndRoofsAbove) {
   std::vector<RangePoint> points = ground(0.0);
   points.push_back({10, 0, -3, 1});
