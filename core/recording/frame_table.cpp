@@ -19,9 +19,10 @@ constexpr double kMaxTime = 1e12;
 constexpr double kMaxPanDeg = 3600.0;
 constexpr int kMaxNumber = 1'000'000'000;
 
-enum Column { Frame, Time, Stop, Pan, Left, Right, Points };
-constexpr std::array<std::string_view, 7> kColumns = {"frame", "time_s", "stop",  "pan_deg",
-                                                      "left",  "right",  "points"};
+enum Column { Frame, Time, Stop, Pan, Left, Right, Points, RightTime };
+constexpr std::array<std::string_view, 8> kColumns = {"frame", "time_s", "stop",   "pan_deg",
+                                                      "left",  "right",  "points", "right_time_s"};
+constexpr std::string_view kHeader = "frame,time_s,stop,pan_deg,left,right,points";
 
 /// Reads the rows of one table, remembering what the next row has to be checked against.
 class TableReader {
@@ -41,7 +42,7 @@ class TableReader {
     for (const Column needed : {Column::Frame, Column::Time}) {
       if (index_[needed] == width_) {
         fail("", "no column " + std::string(kColumns[needed]),
-             fmt::format("a header with {}", fmt::join(kColumns, ",")));
+             fmt::format("a header with {}", kHeader));
       }
     }
   }
@@ -60,6 +61,7 @@ class TableReader {
     row.left = file(Column::Left);
     row.right = file(Column::Right);
     row.points = file(Column::Points);
+    if (!field(Column::RightTime).empty()) row.right_time_s = number(Column::RightTime, kMaxTime);
     if (row.left.empty() != row.right.empty()) fail("", "one image of a pair", "both or none");
     if (row.left.empty() && row.points.empty()) fail("", "neither images nor points", "some");
     checkOrder(row);
@@ -149,7 +151,7 @@ std::vector<FrameRow> readFrameTable(const std::filesystem::path& path) {
   return rows;
 }
 
-std::string frameTableHeader() { return fmt::format("{}\n", fmt::join(kColumns, ",")); }
+std::string frameTableHeader() { return fmt::format("{}\n", kHeader); }
 
 std::string formatFrameRow(const FrameRow& row) {
   return fmt::format("{},{},{},{},{},{},{}\n", row.frame, formatNumber(row.time_s),

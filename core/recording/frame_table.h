@@ -9,9 +9,9 @@
 
 namespace handmap {
 
-/// Columns are found by their names; of them `frame` and `time_s` must be there. Checks that frames
-/// and times increase (rows of one stop may share them) and that files lie inside the folder.
-/// Throws BadInput with the line.
+/// Columns are found by their names; of them `frame` and `time_s` must be there. A column
+/// `right_time_s` tells when the right image was taken. Checks that frames and times increase (rows
+/// of one stop may share them) and that files lie inside the folder. Throws BadInput with the line.
 std::vector<FrameRow> readFrameTable(const std::filesystem::path& path);
 
 /// The header line, with its line end.

@@ -49,24 +49,36 @@ CameraMount readMount(const JsonValue& json) {
           toRadians(numberOr(json, "yaw_deg", kMaxAngleDeg, 0.0))};
 }
 
-StereoCamera readCamera(const JsonValue& json, const fs::path& folder) {
-  const fs::path calibration = json.textOr("calibration", kMaxTextBytes, "calib.txt");
-  const auto rectified = json.find("rectified");
+/// Whether the images on disk still have to be rectified. A calibration of OpenCV says so, too.
+bool isUnrectified(const JsonValue& camera, const fs::path& calibration) {
   const std::string ending = calibration.extension().string();
-  if ((rectified && !rectified->flag()) || ending == ".yaml" || ending == ".yml" ||
-      ending == ".xml") {
-    throw Error(ErrorCode::BadInput,
-                json.source() +
-                    ": camera: found an unrectified camera, not supported by this "
-                    "version, expected rectified images and a calibration of KITTI form",
-                "rectify the images before");
+  const bool by_opencv = ending == ".yaml" || ending == ".yml" || ending == ".xml";
+  const auto rectified = camera.find("rectified");
+  if (!rectified) return by_opencv;
+  if (rectified->flag() == by_opencv) {
+    camera.at("calibration")
+        .fail(by_opencv ? "that of rectified images, as KITTI writes it (\"rectified\" is true)"
+                        : "a .yml, .yaml or .xml of OpenCV (\"rectified\" is false)");
   }
+  return by_opencv;
+}
+
+/// Fills in camera and rectifier.
+void readCamera(const JsonValue& json, Recording& recording) {
+  const fs::path calibration = json.textOr("calibration", kMaxTextBytes, "calib.txt");
   if (!staysInside(calibration)) json.at("calibration").fail("a path inside the folder");
   CameraMount mount;
   mount.z = kDefaultCameraHeight;
   if (const auto given = json.find("mount")) mount = readMount(*given);
-  return readCalibration(folder / calibration, json.textOr("left", kMaxTextBytes, "P0"),
-                         json.textOr("right", kMaxTextBytes, "P1"), mount);
+  const fs::path path = recording.folder / calibration;
+  if (isUnrectified(json, calibration)) {
+    recording.rectifier =
+        std::make_shared<const Rectifier>(readStereoCalibration(path), path.string());
+    recording.camera = recording.rectifier->camera(mount);
+  } else {
+    recording.camera = readCalibration(path, json.textOr("left", kMaxTextBytes, "P0"),
+                                       json.textOr("right", kMaxTextBytes, "P1"), mount);
+  }
 }
 
 Recording openHandmapFolder(const fs::path& folder) {
@@ -85,10 +97,10 @@ Recording openHandmapFolder(const fs::path& folder) {
   const bool has_images = std::any_of(recording.rows.begin(), recording.rows.end(),
                                       [](const FrameRow& row) { return !row.left.empty(); });
   if (const auto camera = json.find("camera")) {
-    recording.camera = readCamera(*camera, folder);
+    readCamera(*camera, recording);
   } else if (has_images) {
     const auto defaults = nlohmann::json::object();
-    recording.camera = readCamera(JsonValue(defaults, path.string()), folder);
+    readCamera(JsonValue(defaults, path.string()), recording);
   }
   if (fileExists(folder / "odometry.tum")) recording.odometry = readTum(folder / "odometry.tum");
   if (fileExists(folder / "truth.tum")) recording.truth = readTum(folder / "truth.tum");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/recording/observation.h"
+#include "core/recording/rectifier.h"
 
 namespace handmap {
 
@@ -20,13 +21,15 @@ struct FrameRow {
   std::string left;
   std::string right;
   std::string points;
+  std::optional<double> right_time_s = {};  ///< where it is not time_s that both were taken at
 };
 
 struct Recording {
   std::filesystem::path folder;
   std::string name;
   double range_limit_m = 40.0;
-  std::optional<StereoCamera> camera;
+  std::optional<StereoCamera> camera;          ///< rectified
+  std::shared_ptr<const Rectifier> rectifier;  ///< null where the images on disk are rectified
   std::vector<FrameRow> rows;
   Trajectory odometry;  ///< odometry frame; may be empty where only --odometry can give it
   Trajectory truth;     ///< map frame; may be empty

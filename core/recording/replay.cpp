@@ -86,7 +86,7 @@ class ReplaySource : public ObservationSource {
   ReplaySource(Recording recording, std::vector<RowGroup> groups, SourceKind kind, double start_s)
       : groups_(std::move(groups)),
         kind_(kind),
-        reader_(recording.folder),
+        reader_(recording),
         odometry_(std::move(recording.odometry)) {
     info_.name = std::move(recording.name);
     info_.observations = static_cast<int>(groups_.size());

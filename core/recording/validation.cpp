@@ -9,7 +9,7 @@ namespace handmap {
 
 std::vector<std::string> problemsOf(const Recording& recording) {
   std::vector<std::string> problems;
-  ViewReader reader(recording.folder);
+  ViewReader reader(recording);
   for (const FrameRow& row : recording.rows) {
     const auto check = [&](auto read) {
       try {

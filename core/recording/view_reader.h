@@ -3,15 +3,18 @@
 
 #include <filesystem>
 
+#include "core/recording/image_check.h"
 #include "core/recording/recording.h"
 
 namespace handmap {
 
 class ViewReader {
  public:
-  explicit ViewReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit ViewReader(const Recording& recording);
 
-  /// Both throw BadInput. All images must have the size of the first one read.
+  /// Both throw BadInput. All images must have one size: that of the calibration where it tells
+  /// one, else that of the first one read. A pair that nothing can be seen with (taken at two
+  /// times, covered, overexposed, swapped) is refused. The views get rectified images.
   void readImages(const FrameRow& row, View& view);
   void readPoints(const FrameRow& row, View& view) const;
 
@@ -19,7 +22,10 @@ class ViewReader {
   cv::Mat readSized(const std::string& name);
 
   std::filesystem::path folder_;
+  std::optional<StereoCamera> camera_;
+  std::shared_ptr<const Rectifier> rectifier_;
   cv::Size size_;
+  SwapCheck swap_check_;
 };
 
 }  // namespace handmap

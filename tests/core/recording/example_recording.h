@@ -41,8 +41,8 @@ class ExampleRecording {
                  "mount": {"x_m": 0.1, "y_m": 0.2, "z_m": 1.5, "pitch_deg": 3, "yaw_deg": 4}}})");
     folder_.write("calib.txt",
                   "calib_time: 09-Jan-2012\n"
-                  "P0: 700 0 600 0 0 710 180 0 0 0 1 0\n"
-                  "P1: 700 0 600 -350 0 710 180 0 0 0 1 0\n");
+                  "P0: 700 0 16 0 0 710 8 0 0 0 1 0\n"
+                  "P1: 700 0 16 -350 0 710 8 0 0 0 1 0\n");
     std::string table = "frame,time_s,stop,pan_deg,left,right,points\n";
     std::string odometry = "# time x y z qx qy qz qw\n";
     for (int i = 0; i < kRows; ++i) {

@@ -63,8 +63,12 @@ TEST(Recording, RefusesBadDescriptions) {
   refuse(head + R"(, "camera": {"left": "P7"})", {"calib.txt", "no line P7"});
   refuse(head + R"(, "camera": {"calibration": "../calib.txt"})", {"camera.calibration", "inside"});
   refuse(head + R"(, "camera": {"calibration": "none.txt"})", {"none.txt", "no such file"});
-  refuse(head + R"(, "camera": {"rectified": false})", {"camera", "not supported by this version"});
-  refuse(head + R"(, "camera": {"calibration": "stereo.yaml"})", {"not supported by this version"});
+  refuse(head + R"(, "camera": {"rectified": false})", {"camera.calibration", "nothing"});
+  refuse(head + R"(, "camera": {"rectified": false, "calibration": "calib.txt"})",
+         {"camera.calibration", "\"rectified\" is false"});
+  refuse(head + R"(, "camera": {"rectified": true, "calibration": "stereo.yml"})",
+         {"camera.calibration", "\"rectified\" is true"});
+  refuse(head + R"(, "camera": {"calibration": "stereo.yaml"})", {"stereo.yaml", "no such file"});
   refuse(head + ", oops", {"recording.json: line 1", "no valid JSON"});
 }
 
@@ -110,8 +114,8 @@ class Kitti : public ::testing::Test {
   Kitti() {
     folder_.write("times.txt", "0.0\n1.0e-01\n2.0e-01\n");
     folder_.write("calib.txt",
-                  "P2: 700 0 600 70 0 700 180 0 0 0 1 0\n"
-                  "P3: 700 0 600 -280 0 700 180 0 0 0 1 0\n");
+                  "P2: 700 0 16 70 0 700 8 0 0 0 1 0\n"
+                  "P3: 700 0 16 -280 0 700 8 0 0 0 1 0\n");
     for (const char* camera : {"image_2", "image_3"}) {
       for (const char* name : {"000000.png", "000001.png", "000002.png"}) {
         std::filesystem::create_directories(folder_.path() / camera);

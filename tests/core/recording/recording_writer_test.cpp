@@ -12,7 +12,7 @@ SourceInfo cameraInfo() {
   SourceInfo info;
   info.name = "Recorded \"live\"";
   info.range_limit_m = 25.0;
-  info.camera = StereoCamera{700.5, 701.5, 320.25, 120, 0.4, {0.1, 0.2, 1.5, 0.05, -0.1}};
+  info.camera = StereoCamera{700.5, 701.5, 16.25, 120, 0.4, {0.1, 0.2, 1.5, 0.05, -0.1}};
   return info;
 }
 
@@ -44,7 +44,7 @@ TEST(RecordingWriter, WhatItWritesReplays) {
   EXPECT_EQ(recording.range_limit_m, 25.0);
   ASSERT_TRUE(recording.camera);
   EXPECT_EQ(recording.camera->fx, 700.5);
-  EXPECT_EQ(recording.camera->cx, 320.25);
+  EXPECT_EQ(recording.camera->cx, 16.25);
   EXPECT_NEAR(recording.camera->baseline, 0.4, 1e-12);
   EXPECT_NEAR(recording.camera->mount.pitch, 0.05, 1e-12);
   EXPECT_NEAR(recording.camera->mount.yaw, -0.1, 1e-12);
