@@ -34,7 +34,8 @@ struct Observation {
   int frame = 0;
   double time_s = 0.0;
   bool standing = false;
-  Pose2 odometry;  ///< in the odometry frame
+  Pose2 odometry;                 ///< in the odometry frame
+  bool odometry_guessed = false;  ///< nothing measured the last motion; the one before went on
   std::vector<View> views;
   double read_ms = 0.0;  ///< time it took to get
 };

@@ -46,10 +46,12 @@ struct ReplayOptions {
   int every = 1;                        ///< takes each Nth observation that the chosen kind has
   SourceKind kind = SourceKind::Auto;   ///< Auto: images where there are any, else points
   std::filesystem::path odometry = {};  ///< TUM file instead of the recording's own
+  bool visual_odometry = false;         ///< from the images instead: see core/odometry
 };
 
 /// Replays a recording. Rows of one stop make one observation. Throws BadInput when nothing is
-/// selected, when there is no odometry, or when it does not cover the selected frames.
+/// selected, when there is no odometry, or when it does not cover the selected frames. With
+/// `visual_odometry` all odometry is left at the origin, for withVisualOdometry() to fill in.
 std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptions& options);
 
 /// Reads one points file (little-endian float32 x y z w). Throws BadInput.

@@ -93,7 +93,7 @@ class ReplaySource : public ObservationSource {
     info_.range_limit_m = recording.range_limit_m;
     if (kind == SourceKind::Images) info_.camera = recording.camera;
     info_.truth = recording.truth.poses();
-    info_.start_odometry = odometry_.at(start_s).value();
+    info_.start_odometry = odometryAt(start_s);
     const double end_s = groups_.back().back().time_s;
     for (const StampedPose& stamped : odometry_.poses()) {
       if (stamped.time_s >= start_s && stamped.time_s <= end_s) info_.odometry.push_back(stamped);
@@ -114,13 +114,17 @@ class ReplaySource : public ObservationSource {
   }
 
  private:
+  Pose2 odometryAt(double time_s) const {
+    return odometry_.empty() ? Pose2{} : odometry_.at(time_s).value();
+  }
+
   Observation read(const RowGroup& group) {
     const auto start = std::chrono::steady_clock::now();
     Observation observation;
     observation.frame = group.front().frame;
     observation.time_s = group.front().time_s;
     observation.standing = group.front().stop.has_value();
-    observation.odometry = odometry_.at(observation.time_s).value();
+    observation.odometry = odometryAt(observation.time_s);
     for (const FrameRow& row : group) {
       View& view = observation.views.emplace_back();
       view.pan = row.pan;
@@ -164,15 +168,22 @@ std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptio
   if (kind == SourceKind::Images && !recording.camera) {
     throwBadInput(source, "", "images but no camera", "the calibration of the camera");
   }
+  const FrameRow& start = startRow(recording, options);
+  const double start_s = start.time_s;
+  if (options.visual_odometry) {
+    if (kind != SourceKind::Images) {
+      throwBadInput(source, "", "points chosen to see with", "images for visual odometry");
+    }
+    recording.odometry = {};
+    return std::make_unique<ReplaySource>(std::move(recording), std::move(groups), kind, start_s);
+  }
   if (!options.odometry.empty()) recording.odometry = readTum(options.odometry);
   if (recording.odometry.empty()) {
     throw Error(ErrorCode::BadInput, source + ": found no odometry, expected odometry.tum",
                 "give one: --odometry FILE.tum");
   }
-  const FrameRow& start = startRow(recording, options);
   checkCovered(start, groups, recording.odometry,
                options.odometry.empty() ? source : options.odometry.string());
-  const double start_s = start.time_s;
   return std::make_unique<ReplaySource>(std::move(recording), std::move(groups), kind, start_s);
 }
 
