@@ -13,6 +13,7 @@ using ChosenCommand = std::function<int()>;
 void addRunCommand(CLI::App& app, ChosenCommand& chosen);
 void addSimulateCommand(CLI::App& app, ChosenCommand& chosen);
 void addPerturbCommand(CLI::App& app, ChosenCommand& chosen);
+void addOdometryCommand(CLI::App& app, ChosenCommand& chosen);
 void addCompareCommand(CLI::App& app, ChosenCommand& chosen);
 void addValidateCommand(CLI::App& app, ChosenCommand& chosen);
 

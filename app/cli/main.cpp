@@ -30,6 +30,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(app, chosen);
   addSimulateCommand(app, chosen);
   addPerturbCommand(app, chosen);
+  addOdometryCommand(app, chosen);
   addCompareCommand(app, chosen);
   addValidateCommand(app, chosen);
   try {

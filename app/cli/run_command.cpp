@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
-#include "core/recording/recording.h"
+#include "core/odometry/visual_odometry_source.h"
 #include "core/session/run_session.h"
 
 namespace handmap {
@@ -55,6 +55,9 @@ bool runToEnd(RunSession& session, const Interrupt& interrupt) {
     const int before = done();
     more = session.step(interrupt.token(), [&](double share) { progress.update(before, share); }) !=
            nullptr;
+    if (more && session.frames().back().odometry_guessed && done() > before) {
+      progress.message(fmt::format("frame {}: motion guessed", session.frames().back().frame));
+    }
     for (; skipped < session.skipped().size(); ++skipped) {
       const SkippedFrame& frame = session.skipped()[skipped];
       progress.message(fmt::format("frame {} skipped: {}", frame.frame, frame.reason));
@@ -76,10 +79,11 @@ void writeOutputs(const RunArguments& arguments, const RunSession& session) {
 
 int run(RunArguments arguments) {
   check(arguments);
-  arguments.replay.odometry = arguments.odometry;
+  arguments.replay.visual_odometry = arguments.odometry == "visual";
+  if (!arguments.replay.visual_odometry) arguments.replay.odometry = arguments.odometry;
   arguments.settings.slam.refine = !arguments.localize_only;
   Map drawing = readDrawing(arguments.map);
-  auto source = replay(openRecording(arguments.recording), arguments.replay);
+  auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
 
   const Interrupt interrupt;
   RunSession session(std::move(drawing), std::move(source), arguments.settings);
@@ -112,8 +116,10 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       *command, "--source", a.replay.kind,
       {{"auto", SourceKind::Auto}, {"images", SourceKind::Images}, {"points", SourceKind::Points}},
       "What to see with; auto takes images where there are any");
-  command->add_option("--odometry", a.odometry, "In place of the recording's own")
-      ->option_text("FILE.tum");
+  command
+      ->add_option("--odometry", a.odometry,
+                   "In place of the recording's own; visual: from the images")
+      ->option_text("FILE.tum|visual");
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},
             "Ours (handmap) or the published FastSLAM/PSOM (paper)");

@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "core/odometry/visual_odometry_source.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -11,7 +12,7 @@ Robot recordedRobot(std::shared_ptr<const Recording> recording) {
   robot.name = QString::fromStdString(recording->name);
   robot.truth = recording->truth.poses();
   robot.connect = [recording = std::move(recording)](const ReplayOptions& options) {
-    return replay(*recording, options);
+    return replayWithOdometry(*recording, options);
   };
   return robot;
 }

@@ -48,19 +48,21 @@ Json settingsJson(const RunSettings& settings) {
 
 Json frameJson(const FrameReport& frame) {
   const StageTimes& ms = frame.ms;
-  return {{"frame", frame.frame},
-          {"time_s", frame.time_s},
-          {"ms",
-           {{"read", ms.read},
-            {"stereo", ms.stereo},
-            {"classify", ms.classify},
-            {"local_map", ms.local_map},
-            {"slam", ms.slam},
-            {"total", ms.total}}},
-          {"effective_sample_size", frame.effective_sample_size},
-          {"visible_buildings", frame.visible_buildings},
-          {"pose", {frame.pose.x, frame.pose.y, frame.pose.heading}},
-          {"pose_sigma", frame.pose_sigma}};
+  Json json{{"frame", frame.frame},
+            {"time_s", frame.time_s},
+            {"ms",
+             {{"read", ms.read},
+              {"stereo", ms.stereo},
+              {"classify", ms.classify},
+              {"local_map", ms.local_map},
+              {"slam", ms.slam},
+              {"total", ms.total}}},
+            {"effective_sample_size", frame.effective_sample_size},
+            {"visible_buildings", frame.visible_buildings},
+            {"pose", {frame.pose.x, frame.pose.y, frame.pose.heading}},
+            {"pose_sigma", frame.pose_sigma}};
+  if (frame.odometry_guessed) json["odometry_guessed"] = true;
+  return json;
 }
 
 }  // namespace

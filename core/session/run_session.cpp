@@ -122,6 +122,7 @@ std::shared_ptr<const Snapshot> RunSession::step(std::stop_token stop,
     report.ms.total = millisecondsSince(begin);
     report.frame = observation->frame;
     report.time_s = observation->time_s;
+    report.odometry_guessed = observation->odometry_guessed;
     state.method->describe(report);
     state.frames.push_back(report);
     return state.snapshot(*observation, std::move(*percept));

@@ -1,6 +1,7 @@
 // What people and broken disks hand in: a clear word, exit status 2, nothing written.
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "tests/cli/program.h"
 
@@ -36,7 +37,7 @@ void writeRecording() {
   for (const std::string frame : {"0", "1", "2"}) {
     writeText("rec/points/" + frame + ".bin", bytes);
     for (const std::string camera : {"0", "1"}) {
-      fs::copy(fs::path(HANDMAP_TEST_DATA) / "grey-160x96.png",
+      fs::copy(fs::path(HANDMAP_TEST_DATA) / "tiles-160x96.png",
                "rec/image_" + camera + "/" + frame + ".png");
     }
   }
@@ -75,6 +76,14 @@ std::function<void()> fileHas(const std::string& name, const std::string& from,
 }
 std::function<void()> gone(const std::string& name) {
   return [=] { fs::remove_all(name); };
+}
+
+/// With that as the calibration of OpenCV, or none.
+std::function<void()> unrectified(const std::optional<std::string>& calibration) {
+  return [=] {
+    replaceIn("rec/recording.json", "{}", R"({"rectified": false, "calibration": "calib.yml"})");
+    if (calibration) writeText("rec/calib.yml", *calibration);
+  };
 }
 
 std::string nameOf(const testing::TestParamInfo<Case>& info) { return info.param.name; }
@@ -177,14 +186,33 @@ INSTANTIATE_TEST_SUITE_P(
              "100 m: the right camera to the right of the left one\n"},
         Case{"HugeBaseline", fileHas("calib.txt", "-50", "-50e6"),
              "rec/calib.txt: P0 and P1: found a baseline of 5e+05 m, expected one > 0 and at most "
-             "100 m: the right camera to the right of the left one\n"}),
+             "100 m: the right camera to the right of the left one\n"},
+        Case{"UnrectifiedMissing", unrectified({}),
+             "rec/calib.yml: found no such file, expected a readable file\n"},
+        Case{"UnrectifiedEmpty", unrectified(""),
+             "rec/calib.yml: found an empty file, expected a YAML or XML file of OpenCV with M1 D1 "
+             "M2 D2 R T\n"},
+        Case{"UnrectifiedTruncated", unrectified("%YAML:1.0\n---\nimage_width: 160\n"),
+             "rec/calib.yml: image_height: found nothing, expected the size of the images, 1 to "
+             "32768 pixels\n"},
+        Case{"UnrectifiedWithoutMatrix",
+             unrectified("%YAML:1.0\n---\nimage_width: 160\nimage_height: 96\n"),
+             "rec/calib.yml: M1: found nothing, expected a matrix\n"},
+        Case{"UnrectifiedOfKitti",
+             fileHas("recording.json", "{}", R"({"rectified": false, "calibration": "calib.txt"})"),
+             "rec/recording.json: camera.calibration: found \"calib.txt\" (string), expected a "
+             ".yml, .yaml or .xml of OpenCV (\"rectified\" is false)\n"}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
     Odometries, BadInput,
     testing::Values(
         Case{
-            "Missing", gone("rec/odometry.tum"),
+            "Missing",
+            [] {  // where there were images, they would tell the motion
+              fs::remove("rec/odometry.tum");
+              writeText("rec/frames.csv", "frame,time_s,points\n0,0,points/0.bin\n");
+            },
             "rec: found no odometry, expected odometry.tum\nhint: give one: --odometry FILE.tum\n"},
         Case{"Empty", fileIs("odometry.tum", ""),
              "rec/odometry.tum: found no pose, expected lines of time x y z qx qy qz qw\n"},
@@ -241,6 +269,15 @@ INSTANTIATE_TEST_SUITE_P(
              "rec/image_0/1.png: found an image that is cut off, expected a whole one\n"},
         Case{"NoImage", fileIs("image_0/1.png", "a picture"),
              "rec/image_0/1.png: found no image, expected a PNG or JPEG image\n"},
+        Case{"RightImageLate",
+             [] {
+               replaceIn("rec/frames.csv", "right,points", "right,points,right_time_s");
+               replaceIn("rec/frames.csv", "0.bin", "0.bin,0");
+               replaceIn("rec/frames.csv", "1.bin", "1.bin,1.25");
+               replaceIn("rec/frames.csv", "2.bin", "2.bin,2.01");
+             },
+             "rec/image_1/1.png: found the right image taken at 1.25 s, the left one at 1 s, "
+             "expected both within 0.01 s\n"},
         Case{"PointsMissing", gone("rec/points/1.bin"),
              "rec/points/1.bin: found no such file, expected a readable file\n"},
         Case{"PointsEmpty", fileIs("points/1.bin", ""),

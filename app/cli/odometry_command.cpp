@@ -1,0 +1,105 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/options.h"
+#include "app/cli/progress.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/odometry/visual_odometry_source.h"
+
+namespace handmap {
+
+namespace {
+
+struct OdometryArguments {
+  std::string recording;
+  ReplayOptions replay;
+  std::string out;
+};
+
+struct Drive {
+  std::vector<StampedPose> poses;
+  double length_m = 0.0;
+  int guessed = 0;
+  int skipped = 0;
+};
+
+void add(Drive& drive, const Observation& observation) {
+  if (!drive.poses.empty()) {
+    drive.length_m += (observation.odometry.position() - drive.poses.back().pose.position()).norm();
+  }
+  drive.poses.push_back({observation.time_s, observation.odometry});
+  drive.guessed += observation.odometry_guessed;
+}
+
+/// nullopt when it was interrupted.
+std::optional<Drive> driveToEnd(ObservationSource& source) {
+  const Interrupt interrupt;
+  Progress progress(source.info().observations);
+  Drive drive;
+  std::string first_reason;
+  const auto done = [&] { return static_cast<int>(drive.poses.size()) + drive.skipped; };
+  while (!interrupt.requested()) {
+    try {
+      const auto observation = source.next();
+      if (!observation) break;
+      add(drive, *observation);
+      if (observation->odometry_guessed) {
+        progress.message(fmt::format("frame {}: motion guessed", observation->frame));
+      }
+    } catch (const FrameError& error) {
+      ++drive.skipped;
+      if (first_reason.empty()) first_reason = error.what();
+      progress.message(fmt::format("frame {} skipped: {}", error.frame(), error.what()));
+    }
+    progress.update(done(), 0.0);
+  }
+  progress.finish(done());
+  if (interrupt.requested()) {
+    progress.message("interrupted, nothing written");
+    return std::nullopt;
+  }
+  if (drive.poses.empty()) {
+    throw Error(ErrorCode::RunFailed, fmt::format("none of {} observations could be used; the "
+                                                  "first: {}",
+                                                  drive.skipped, first_reason));
+  }
+  return drive;
+}
+
+int odometry(OdometryArguments arguments) {
+  checkOutputFiles({arguments.out}, {});
+  arguments.replay.visual_odometry = true;
+  arguments.replay.kind = SourceKind::Images;
+  const auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
+  const std::optional<Drive> drive = driveToEnd(*source);
+  if (!drive) return Interrupt::kExitStatus;
+  writeFileAtomically(arguments.out, formatTum(drive->poses));
+  fmt::print("{}: {} poses over {:.2f} m, {} guessed, {} frames skipped\n", arguments.out,
+             drive->poses.size(), drive->length_m, drive->guessed, drive->skipped);
+  return 0;
+}
+
+}  // namespace
+
+void addOdometryCommand(CLI::App& app, ChosenCommand& chosen) {
+  const auto arguments = std::make_shared<OdometryArguments>();
+  OdometryArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand("odometry", "Tell the robot's motion from its images");
+  command->callback(
+      [&chosen, arguments] { chosen = [arguments] { return odometry(*arguments); }; });
+  constexpr double kLastFrame = 2147483647;
+  command->add_option("--recording", a.recording, "What the robot saw (required)")
+      ->required()
+      ->option_text("DIR");
+  addNumber(*command, "--from", a.replay.from, 0, kLastFrame, "First frame number");
+  addNumber(*command, "--to", a.replay.to, 0, kLastFrame, "Last frame number");
+  addNumber(*command, "--every", a.replay.every, 1, 1e6, "Take each Nth pair");
+  command->add_option("--out", a.out, "Poses from the first pair on (required)")
+      ->required()
+      ->option_text("odometry.tum");
+}
+
+}  // namespace handmap
