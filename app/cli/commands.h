@@ -14,6 +14,7 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen);
 void addSimulateCommand(CLI::App& app, ChosenCommand& chosen);
 void addPerturbCommand(CLI::App& app, ChosenCommand& chosen);
 void addOdometryCommand(CLI::App& app, ChosenCommand& chosen);
+void addCalibrateCommand(CLI::App& app, ChosenCommand& chosen);
 void addCompareCommand(CLI::App& app, ChosenCommand& chosen);
 void addValidateCommand(CLI::App& app, ChosenCommand& chosen);
 

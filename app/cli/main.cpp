@@ -31,6 +31,7 @@ int runProgram(int argc, char** argv) {
   addSimulateCommand(app, chosen);
   addPerturbCommand(app, chosen);
   addOdometryCommand(app, chosen);
+  addCalibrateCommand(app, chosen);
   addCompareCommand(app, chosen);
   addValidateCommand(app, chosen);
   try {

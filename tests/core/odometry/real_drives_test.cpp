@@ -66,7 +66,7 @@ TEST(StereoOdometry, FollowsTheRealStreet) {
   if (!std::filesystem::exists(std::filesystem::path(HANDMAP_SHARED_DATA) / "street")) {
     GTEST_SKIP() << "no street recording";
   }
-  for (const int every : {2, 10}) {  // 1.5 m and 8 m from pair to pair
+  for (const int every : {4, 10}) {  // 3 m and 8 m from pair to pair
     const Drive street = drive("street", {.from = 40, .every = every, .kind = SourceKind::Images});
     EXPECT_EQ(street.guessed, 0);
     EXPECT_LT(street.end_m, 0.006 * street.length_m);

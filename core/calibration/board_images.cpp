@@ -1,0 +1,135 @@
+#include "core/calibration/board_images.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/recording/image_file.h"
+
+namespace handmap {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kWindowShare = 0.35;  // of the distance of two corners, to either side
+constexpr double kMaxWindow_px = 8.0;
+
+std::map<std::string, fs::path> imagesOf(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throwBadInput(folder.string(), "", "no such folder", "a folder of images");
+  }
+  std::map<std::string, fs::path> images;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") continue;
+    images[entry.path().stem().string()] = entry.path();
+  }
+  if (images.empty()) throwBadInput(folder.string(), "", "no images", "PNG or JPEG images");
+  return images;
+}
+
+class Finder {
+ public:
+  explicit Finder(const Board& board) : board_(board) {}
+
+  void add(const std::string& name, const fs::path& left, const fs::path& right) {
+    try {
+      const cv::Mat left_image = readImage(left);
+      const cv::Mat right_image = readImage(right);
+      requireSize(left_image, left);
+      requireSize(right_image, right);
+      found.views.push_back({name, cornersOf(left_image, "left"), cornersOf(right_image, "right")});
+      alignOrder(found.views.back());
+    } catch (const OtherSize& other) {
+      throw Error(ErrorCode::BadInput, other.what());
+    } catch (const Error& error) {
+      found.refused.push_back({name, error.what()});
+    }
+  }
+
+  BoardImages found;
+
+ private:
+  struct OtherSize : std::runtime_error {
+    using std::runtime_error::runtime_error;
+  };
+
+  void requireSize(const cv::Mat& image, const fs::path& path) {
+    if (found.size.empty()) found.size = image.size();
+    if (image.size() == found.size) return;
+    throw OtherSize(fmt::format("{}: found {} × {} pixels, expected {} × {} as the images before",
+                                path.string(), image.cols, image.rows, found.size.width,
+                                found.size.height));
+  }
+
+  std::vector<cv::Point2f> cornersOf(const cv::Mat& image, const char* side) const {
+    cv::Mat grey = image;
+    if (image.channels() == 3) cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+    std::vector<cv::Point2f> corners;
+    if (cv::findChessboardCornersSB(grey, board_.corners, corners, cv::CALIB_CB_NORMALIZE_IMAGE)) {
+      refine(grey, corners);
+      return corners;
+    }
+    throw Error(ErrorCode::BadInput,
+                fmt::format("no whole board of {} × {} corners in the {} image",
+                            board_.corners.width, board_.corners.height, side));
+  }
+
+  /// Halves the error of the detector at least, as far as no other corner is in the window.
+  static void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners) {
+    double spacing = kMaxWindow_px / kWindowShare;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      spacing = std::min(spacing, cv::norm(corners[i] - corners[i - 1]));
+    }
+    const int half = std::max(2, static_cast<int>(kWindowShare * spacing));
+    const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 1e-3);
+    cv::cornerSubPix(grey, corners, {half, half}, {-1, -1}, until);
+  }
+
+  /// A board that looks the same upside down may be numbered from either end.
+  static void alignOrder(BoardView& view) {
+    const cv::Point2f along = view.left.back() - view.left.front();
+    const cv::Point2f other = view.right.back() - view.right.front();
+    if (along.dot(other) < 0.0F) std::reverse(view.right.begin(), view.right.end());
+  }
+
+  Board board_;
+};
+
+}  // namespace
+
+BoardImages findBoards(const fs::path& left, const fs::path& right, const Board& board,
+                       const std::function<bool(int, int)>& tell) {
+  const auto left_images = imagesOf(left);
+  auto right_images = imagesOf(right);
+  Finder finder(board);
+  const int all = static_cast<int>(left_images.size());
+  int done = 0;
+  int pairs = 0;
+  for (const auto& [name, path] : left_images) {
+    if (tell && !tell(done++, all)) break;
+    const auto partner = right_images.extract(name);
+    if (partner.empty()) {
+      finder.found.refused.push_back({name, "no image of that name in the right folder"});
+      continue;
+    }
+    ++pairs;
+    finder.add(name, path, partner.mapped());
+  }
+  for (const auto& [name, path] : right_images) {
+    finder.found.refused.push_back({name, "no image of that name in the left folder"});
+  }
+  if (pairs == 0) {
+    throwBadInput(left.string(), "", "no image of the same name as one in " + right.string(),
+                  "both images of a pair with one name");
+  }
+  return std::move(finder.found);
+}
+
+}  // namespace handmap
