@@ -28,6 +28,7 @@ class VisualOdometrySource : public ObservationSource {
       : source_(std::move(source)), info_(source_->info()), odometry_(camera) {
     info_.start_odometry = {};
     info_.odometry.clear();
+    info_.visual_odometry = true;
   }
 
   const SourceInfo& info() const override { return info_; }

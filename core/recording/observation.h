@@ -34,10 +34,10 @@ struct Observation {
   int frame = 0;
   double time_s = 0.0;
   bool standing = false;
-  Pose2 odometry;                 ///< in the odometry frame
-  bool odometry_guessed = false;  ///< nothing measured the last motion; the one before went on
+  Pose2 odometry;  ///< in the odometry frame
   std::vector<View> views;
-  double read_ms = 0.0;  ///< time it took to get
+  double read_ms = 0.0;           ///< time it took to get
+  bool odometry_guessed = false;  ///< nothing measured the last motion; the one before went on
 };
 
 /// One observation could not be had; the source has moved on and can be asked for the next.
@@ -60,6 +60,7 @@ struct SourceInfo {
   Pose2 start_odometry;
   std::vector<StampedPose> odometry;  ///< the whole odometry, for drawing
   std::vector<StampedPose> truth;     ///< map frame; for scoring and drawing only, may be empty
+  bool visual_odometry = false;       ///< odometry comes from the images
 };
 
 /// Recording, simulator or live robot.

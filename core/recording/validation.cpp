@@ -1,5 +1,7 @@
 #include "core/recording/validation.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -25,7 +27,10 @@ std::vector<std::string> problemsOf(const Recording& recording) {
       problems.push_back(fmt::format("frame {}: no odometry at {} s", row.frame, row.time_s));
     }
   }
-  if (recording.odometry.empty()) {
+  const auto& rows = recording.rows;
+  const bool has_images =
+      std::any_of(rows.begin(), rows.end(), [](const FrameRow& row) { return !row.left.empty(); });
+  if (recording.odometry.empty() && !has_images) {  // images tell the motion, too
     problems.push_back(recording.folder.string() + ": no odometry");
   }
   return problems;

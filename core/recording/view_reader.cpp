@@ -67,9 +67,10 @@ cv::Mat ViewReader::readSized(const std::string& name) {
     size_ = image.size();
   }
   if (image.size() != size_) {
-    throwBadInput(file, "", fmt::format("{} × {} pixels", image.cols, image.rows),
-                  fmt::format("{} × {} as {}", size_.width, size_.height,
-                              rectifier_ ? "the calibration says" : "the images before"));
+    throwBadInput(
+        file, "", fmt::format("{} × {} pixels", image.cols, image.rows),
+        fmt::format("{} × {} as {}", size_.width, size_.height,
+                    rectifier_ ? "the calibration says" : "the images before: one camera"));
   }
   return image;
 }

@@ -69,14 +69,15 @@ Json frameJson(const FrameReport& frame) {
 
 std::string refinementJson(const RunSettings& settings, const SourceInfo& source,
                            const std::vector<FrameReport>& frames) {
-  return Json{{"program", "handmap " HANDMAP_VERSION},
-              {"recording", source.name},
-              {"seed", settings.seed},
-              {"first_frame", frames.empty() ? 0 : frames.front().frame},
-              {"last_frame", frames.empty() ? 0 : frames.back().frame},
-              {"observations", frames.size()},
-              {"settings", settingsJson(settings)}}
-      .dump();
+  Json json{{"program", "handmap " HANDMAP_VERSION},
+            {"recording", source.name},
+            {"seed", settings.seed},
+            {"first_frame", frames.empty() ? 0 : frames.front().frame},
+            {"last_frame", frames.empty() ? 0 : frames.back().frame},
+            {"observations", frames.size()},
+            {"settings", settingsJson(settings)}};
+  if (source.visual_odometry) json["odometry"] = "visual";
+  return json.dump();
 }
 
 std::string runReportJson(const RunSettings& settings, const SourceInfo& source,

@@ -34,8 +34,8 @@ struct FrameReport {
   double effective_sample_size = 0.0;
   int visible_buildings = 0;
   Pose2 pose;
-  bool odometry_guessed = false;       ///< see Observation
   std::array<double, 3> pose_sigma{};  ///< x, y in metres, heading in radians
+  bool odometry_guessed = false;       ///< see Observation
 };
 
 struct Snapshot {

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/program.h"
 
 namespace handmap {
@@ -53,6 +55,8 @@ TEST_F(Odometry, IsTakenByARunOnRequestAndWhereThereIsNoOther) {
   visual.insert(visual.end(), {"--odometry", "visual"});
   EXPECT_EQ(run(visual).status, 0);
   EXPECT_EQ(contentOf("a.handmap"), contentOf("b.handmap"));
+  const auto map = nlohmann::json::parse(contentOf("a.handmap"));
+  EXPECT_EQ(map["refinement"]["odometry"], "visual");
   expectFailed(run({"run", "--map", "row-drawn.handmap", "--recording", "rec", "--source", "points",
                     "--odometry", "visual"}),
                2,
@@ -68,6 +72,13 @@ TEST_F(Odometry, GuessesAndSaysSo) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "out.tum: 3 poses over 0.00 m, 1 guessed, 0 frames skipped\n");
   EXPECT_EQ(outcome.err, "handmap-cli: frame 1: motion guessed\n");
+  const Outcome localized =
+      run({"run", "--map", "row-drawn.handmap", "--recording", "rec", "--report", "report.json"});
+  EXPECT_EQ(localized.err, "handmap-cli: frame 1: motion guessed\n");
+  const auto report = nlohmann::json::parse(contentOf("report.json"));
+  EXPECT_EQ(report["frames"][1]["odometry_guessed"], true);
+  EXPECT_FALSE(report["frames"][2].contains("odometry_guessed"));
+  expectDone(run({"validate", "rec"}), "ok: rec: recording of 3 frames\n");
 }
 
 TEST_F(Odometry, EndsWhereNothingTellsTheMotion) {
