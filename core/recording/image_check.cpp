@@ -23,8 +23,9 @@ constexpr double kMinEdges = 0.001;  // shares of the samples
 constexpr double kMaxBlack = 0.95;
 constexpr double kMaxSaturated = 0.6;
 
-constexpr int kSwapWidth_px = 320;  // disparities at that width decide
-constexpr int kPatch_px = 4;        // half of it
+constexpr int kSwapWidth_px = 320;   // disparities at that width decide
+constexpr int kMinDisparity_px = 2;  // a small error of the calibration is less
+constexpr int kPatch_px = 4;         // half of it
 constexpr int kMaxCorners = 150;
 constexpr double kUnlike = 15.0;     // mean absolute difference, grey levels
 constexpr double kAmbiguous = 0.75;  // best over second best
@@ -121,8 +122,8 @@ void SwapCheck::operator()(const cv::Mat& left, const cv::Mat& right, const std:
       continue;
     }
     const int disparity = disparityAt(l, r, at);
-    right_way += disparity > 0;
-    wrong_way += disparity < 0;
+    right_way += disparity >= kMinDisparity_px;
+    wrong_way += disparity <= -kMinDisparity_px;
   }
   const double votes = right_way + wrong_way;
   if (votes >= kMinVotes && wrong_way > kMajority * votes) {
