@@ -2,33 +2,28 @@
 
 #include <chrono>
 
-#include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/simulation/drive.h"
 #include "core/simulation/ray_cast.h"
-#include "core/simulation/route.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr std::uint32_t kOdometry = 5;
 constexpr std::uint32_t kRays = 6;
 constexpr double kLeastRange = 0.3;
 
 class SimulatedSource : public ObservationSource {
  public:
   SimulatedSource(const World& world, const SimulationOptions& options, std::uint64_t seed)
-      : options_(options), seed_(seed), obstacles_(world.obstacles) {
-    for (const Building& building : world.map.buildings) {
-      const Polygon corners = building.footprint();
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        walls_.push_back({corners[i], corners[(i + 1) % corners.size()]});
-      }
+      : options_(options),
+        seed_(seed),
+        obstacles_(world.obstacles),
+        info_(infoOf(world, options, seed)) {
+    for (const Building& building : world.map.buildings) addEdges(building.footprint(), walls_);
+    for (const Thing& thing : world.things) {
+      if (thing.height > options.sensor_height_m) addEdges(thing.footprint.corners(), sides_);
     }
-    info_.name = world.map.name;
-    info_.range_limit_m = options.range_limit_m;
-    drive(world.map);
-    info_.observations = static_cast<int>(info_.truth.size());
   }
 
   const SourceInfo& info() const override { return info_; }
@@ -55,31 +50,16 @@ class SimulatedSource : public ObservationSource {
     bool wall = true;
   };
 
-  void drive(const Map& map) {
-    const std::optional<Route> route = routeOf(map);
-    if (!route) throwBadInput("route", "", "no way to drive", "a route or a start");
-    RandomStream random(seed_, 0, 0, kOdometry);
-    const int steps = static_cast<int>(route->length() / options_.step_m + 1e-9);
-    Pose2 odometry;
-    for (int i = 0; i <= steps; ++i) {
-      Pose2 truth = route->poseAt(i * options_.step_m);
-      if (i == 0 && map.start) truth = *map.start;
-      if (i > 0) {
-        Pose2 step = between(info_.truth.back().pose, truth);
-        const double stretch = random.normal(1.0, options_.odometry_length);
-        step = {stretch * step.x, stretch * step.y,
-                step.heading + random.normal(0.0, options_.odometry_heading)};
-        odometry = odometry * step;
-      }
-      const double time_s = i * options_.step_m / options_.speed_m_s;
-      info_.truth.push_back({time_s, truth});
-      info_.odometry.push_back({time_s, odometry});
+  static void addEdges(const Polygon& corners, std::vector<Segment>& edges) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
     }
   }
 
   std::vector<RangePoint> scan(const Pose2& pose, std::uint32_t frame) const {
-    const std::vector<Segment> walls =
-        near(walls_, [&](const Segment& wall) { return distanceTo(wall, pose.position()); });
+    const auto away = [&](const Segment& edge) { return distanceTo(edge, pose.position()); };
+    const std::vector<Segment> walls = near(walls_, away);
+    const std::vector<Segment> sides = near(sides_, away);
     const std::vector<Obstacle> obstacles = near(obstacles_, [&](const Obstacle& obstacle) {
       return (obstacle.centre - pose.position()).norm() - obstacle.radius;
     });
@@ -88,7 +68,8 @@ class SimulatedSource : public ObservationSource {
     for (int ray = 0; ray < options_.rays; ++ray) {
       const double bearing = 2.0 * kPi * ray / options_.rays;
       const Hit hit = measured(
-          cast(pose.position(), unitVector(pose.heading + bearing), walls, obstacles), random);
+          cast(pose.position(), unitVector(pose.heading + bearing), walls, sides, obstacles),
+          random);
       if (hit.distance < kLeastRange || hit.distance > options_.range_limit_m) continue;
       const Vec2 point = hit.distance * unitVector(bearing);
       const double recognised =
@@ -110,10 +91,14 @@ class SimulatedSource : public ObservationSource {
   }
 
   static Hit cast(const Vec2& origin, const Vec2& direction, const std::vector<Segment>& walls,
-                  const std::vector<Obstacle>& obstacles) {
+                  const std::vector<Segment>& sides, const std::vector<Obstacle>& obstacles) {
     Hit hit;
     for (const Segment& wall : walls) {
       hit.distance = std::min(hit.distance, rayToSegment(origin, direction, wall));
+    }
+    for (const Segment& side : sides) {
+      const double distance = rayToSegment(origin, direction, side);
+      if (distance < hit.distance) hit = {distance, false};
     }
     for (const Obstacle& obstacle : obstacles) {
       const double distance = rayToCircle(origin, direction, obstacle.centre, obstacle.radius);
@@ -137,6 +122,7 @@ class SimulatedSource : public ObservationSource {
   SimulationOptions options_;
   std::uint64_t seed_;
   std::vector<Segment> walls_;
+  std::vector<Segment> sides_;  ///< of cars and hedges
   std::vector<Obstacle> obstacles_;
   SourceInfo info_;
   std::size_t next_ = 0;

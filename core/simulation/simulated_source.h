@@ -24,6 +24,9 @@ struct SimulationOptions {
   double odometry_heading = 0.012;  ///< σ of a step's turn, radians
 };
 
+/// The same robot stepping differently: its odometry is as wrong after the same way.
+SimulationOptions atStep(SimulationOptions options, double step_m);
+
 /// The robot stands at every observation, the first time at the start of the map; there the
 /// odometry is the identity. Deterministic by seed. Truth is in info().truth. Throws BadInput where
 /// the map has no way to drive.

@@ -19,10 +19,10 @@ constexpr std::uint32_t kFromMap = 3;
 constexpr double kRobotRadius = 0.3;
 constexpr double kMaxLength = 20e3;  // of a route from a file
 
-World worldOf(Map map, RandomStream& random) {
+World worldOf(Map map, std::uint64_t seed, RandomStream& random) {
   const std::optional<Route> route = routeOf(map);
   std::vector<Obstacle> trees = treesAlong(*route, map, random);
-  return {std::move(map), std::move(trees)};
+  return {std::move(map), std::move(trees), {}, seed};
 }
 
 Polygon grown(const Rectangle& box, double margin) {
@@ -91,7 +91,7 @@ World twoRowWorld(std::uint64_t seed) {
     }
   }
   map.route = {Vec2::Zero(), {end, 0.0}};
-  return worldOf(std::move(map), random);
+  return worldOf(std::move(map), seed, random);
 }
 
 World campusWorld(std::uint64_t seed) {
@@ -130,7 +130,7 @@ World campusWorld(std::uint64_t seed) {
       map.buildings.push_back(building);
     }
   }
-  return worldOf(std::move(map), random);
+  return worldOf(std::move(map), seed, random);
 }
 
 World worldFromMap(const Map& map, std::uint64_t seed) {
@@ -151,7 +151,7 @@ World worldFromMap(const Map& map, std::uint64_t seed) {
     own.route = {begin, begin + route->length() * unitVector(own.start->heading)};
   }
   RandomStream random(seed, 0, 0, kFromMap);
-  return worldOf(std::move(own), random);
+  return worldOf(std::move(own), seed, random);
 }
 
 }  // namespace handmap

@@ -14,10 +14,20 @@ struct Obstacle {
   double radius = 0.0;
 };
 
+/// A parked car or a hedge: lower than a house, and drawn by no one.
+struct Thing {
+  enum class Kind { Car, Hedge };
+  Kind kind = Kind::Car;
+  Rectangle footprint;  ///< a car looks along its heading
+  double height = 0.0;
+};
+
 /// `map` has a start and a route for the robot.
 struct World {
   Map map;
   std::vector<Obstacle> obstacles;
+  std::vector<Thing> things;
+  std::uint64_t seed = 0;  ///< of what things look like, see appearance.h
 };
 
 /// The paper's kind of scene (Fig. 7): six buildings N1–N3, S1–S3 in two rows, 45–65 m wide, gaps
@@ -25,10 +35,16 @@ struct World {
 World twoRowWorld(std::uint64_t seed);
 /// Buildings of any heading, some L-shaped, on both sides of a route with turns.
 World campusWorld(std::uint64_t seed);
+/// A residential street, straight or slightly bent: 12–18 detached houses 8–20 m wide, L1 … on the
+/// left and R1 … on the right, gaps of 2–8 m, set back 4–8 m from the kerb; furnished.
+World streetWorld(std::uint64_t seed);
 /// Any map with a route (or a start: the route then leads through between the buildings) becomes a
 /// world. Throws BadInput where there is neither, or where the route is endless or runs through a
 /// building.
 World worldFromMap(const Map& map, std::uint64_t seed);
+/// The world with parked cars beside the route and hedges before some buildings; nothing that was
+/// there before changes.
+World furnished(World world, std::uint64_t seed);
 
 /// The map as one remembers it: centre and width (and depth) of every building off by a normal
 /// error of `sigma_m`; sizes stay positive, buildings do not come to overlap, neither each other
