@@ -1,0 +1,182 @@
+#include "core/rendering/ground_map.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/rendering/noise.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kCell_m = 0.25;
+constexpr double kReach_m = 90.0;
+constexpr double kBeyond_m = 100.0;  // the road goes on past both ends of the route
+constexpr float kKerb_m = 4.0F;
+constexpr float kKerbWidth_m = 0.16F;
+constexpr float kPavement_m = 5.4F;
+constexpr int kShift = 4;  // of cv's drawing: sixteenths of a cell
+constexpr float kFar_m = 1e3F;
+
+std::vector<Vec2> prolonged(std::vector<Vec2> route) {
+  const auto past = [](const Vec2& last, const Vec2& other) -> Vec2 {
+    const double length = (last - other).norm();
+    return length > 0.0 ? Vec2(last + kBeyond_m / length * (last - other)) : last;
+  };
+  if (route.size() < 2) return route;
+  const std::size_t n = route.size();
+  route.front() = past(route[0], route[1]);
+  route.back() = past(route[n - 1], route[n - 2]);
+  return route;
+}
+
+/// Metres from the polyline for every cell. Beyond the square only its near parts matter.
+cv::Mat1f distanceMap(const std::vector<Vec2>& line, const Vec2& low, int side) {
+  cv::Mat1b off(side, side, uchar{255});
+  const Bounds square{low - Vec2::Constant(20.0), low + Vec2::Constant(side * kCell_m + 20.0)};
+  const auto cell = [&](const Vec2& p) -> cv::Point {
+    const Vec2 scaled = (p - low) / kCell_m * (1 << kShift);
+    return {static_cast<int>(std::lround(scaled.x())), static_cast<int>(std::lround(scaled.y()))};
+  };
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2& a = line[i - 1];
+    const Vec2 way = line[i] - a;
+    const int pieces = 1 + static_cast<int>(way.norm() / 20.0);  // so that cells stay small numbers
+    for (int k = 0; k < pieces; ++k) {
+      const Vec2 from = a + way * k / pieces;
+      const Vec2 to = a + way * (k + 1) / pieces;
+      if (!square.overlaps(
+              {from.cwiseMin(to) - Vec2::Constant(0.1), from.cwiseMax(to) + Vec2::Constant(0.1)})) {
+        continue;
+      }
+      cv::line(off, cell(from), cell(to), 0, 1, cv::LINE_8, kShift);
+    }
+  }
+  cv::Mat1f distance;
+  cv::distanceTransform(off, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  distance *= kCell_m;
+  return distance;
+}
+
+}  // namespace
+
+GroundMap::GroundMap(const std::vector<Vec2>& route, const Vec2& centre, std::uint64_t seed)
+    : seed_(static_cast<std::uint32_t>(seed)) {
+  // Cells stay where they are in the world however the robot moves.
+  low_ = ((centre - Vec2::Constant(kReach_m)) / kCell_m).array().floor() * kCell_m;
+  const int side = static_cast<int>(2.0 * kReach_m / kCell_m);
+  road_ = distanceMap(prolonged(route), low_, side);
+  shadow_ = cv::Mat1b::zeros(side, side);
+}
+
+cv::Point2f GroundMap::cellOf(const Vec2& place) const {
+  const Vec2 cell = (place - low_) / kCell_m - Vec2::Constant(0.5);
+  return {static_cast<float>(cell.x()), static_cast<float>(cell.y())};
+}
+
+void GroundMap::fillConvex(const std::vector<Vec2>& corners) {
+  std::vector<cv::Point> cells;
+  const cv::Rect2f square(-2e3F, -2e3F, 5e3F, 5e3F);
+  for (const Vec2& corner : corners) {
+    const cv::Point2f cell = cellOf(corner) * static_cast<float>(1 << kShift);
+    if (!square.contains(cell / static_cast<float>(1 << kShift))) return;
+    cells.emplace_back(cv::Point(cell));
+  }
+  std::vector<cv::Point> hull;
+  cv::convexHull(cells, hull);
+  cv::fillConvexPoly(shadow_, hull, 255, cv::LINE_8, kShift);
+}
+
+void GroundMap::addShadow(const Polygon& footprint, double height_m, const Vec3& to_sun) {
+  const Vec2 shift = -height_m / to_sun.z() * to_sun.head<2>();
+  for (std::size_t i = 0; i < footprint.size(); ++i) {
+    const Vec2& a = footprint[i];
+    const Vec2& b = footprint[(i + 1) % footprint.size()];
+    fillConvex({a, b, b + shift, a + shift});
+  }
+}
+
+void GroundMap::addShadow(const Vec2& centre, double radius_m, double height_m,
+                          const Vec3& to_sun) {
+  const Vec2 shift = -height_m / to_sun.z() * to_sun.head<2>();
+  const Vec2 away = shift.norm() > 0.0 ? Vec2(shift.normalized()) : Vec2(1.0, 0.0);
+  std::vector<Vec2> outline;
+  for (int i = 0; i < 16; ++i) {
+    const Vec2 on_circle = unitVector(2.0 * kPi * i / 16);
+    outline.emplace_back(
+        centre + shift +
+        radius_m * (on_circle.x() / to_sun.z() * away + on_circle.y() * perpendicular(away)));
+  }
+  fillConvex(outline);
+}
+
+void GroundMap::softenShadows() {
+  cv::Mat soft;
+  cv::GaussianBlur(shadow_, soft, {5, 5}, 0.9);
+  soft.convertTo(sun_, CV_32F, -1.0 / 255.0, 1.0);
+}
+
+float GroundMap::sampled(const cv::Mat1f& map, float x, float y, float outside) const {
+  const auto cell = static_cast<float>(kCell_m);
+  const float u = (x - static_cast<float>(low_.x())) / cell - 0.5F;
+  const float v = (y - static_cast<float>(low_.y())) / cell - 0.5F;
+  const auto last = static_cast<float>(map.cols - 2);
+  if (!(u >= 0.0F && v >= 0.0F && u < last && v < last)) return outside;
+  const int i = static_cast<int>(u);
+  const int j = static_cast<int>(v);
+  const float a = u - static_cast<float>(i);
+  const float b = v - static_cast<float>(j);
+  const float* low = map[j] + i;
+  const float* high = map[j + 1] + i;
+  return (1.0F - b) * ((1.0F - a) * low[0] + a * low[1]) + b * ((1.0F - a) * high[0] + a * high[1]);
+}
+
+float GroundMap::sunAt(float x, float y) const { return sampled(sun_, x, y, 1.0F); }
+
+Label GroundMap::labelAt(float x, float y) const {
+  const float distance = sampled(road_, x, y, kFar_m);
+  if (distance < kKerb_m) return Label::Road;
+  return distance < kPavement_m ? Label::Pavement : Label::Tree;
+}
+
+Colour GroundMap::roadAt(float x, float y, float pixel) const {
+  const float patch = smoothNoise(x / 7.0F, y / 7.0F, seed_ + 1) > 0.55F ? -0.25F : 0.0F;
+  const float bright = 1.0F + patch + 0.25F * grain(x, y, 0.05F, pixel, seed_ + 2) +
+                       0.16F * grain(x, y, 0.3F, pixel, seed_ + 3) +
+                       0.16F * grain(x, y, 1.7F, pixel, seed_ + 4);
+  return Colour(0.125F, 0.125F, 0.128F) * bright;
+}
+
+Colour GroundMap::gardenAt(float x, float y, float pixel) const {
+  const float paved = smoothNoise(x / 5.0F, y / 5.0F, seed_ + 6);
+  const float fine = 0.35F * grain(x, y, 0.06F, pixel, seed_ + 7) +
+                     0.25F * grain(x, y, 0.25F, pixel, seed_ + 8) +
+                     0.25F * grain(x, y, 1.3F, pixel, seed_ + 9);
+  if (paved > 0.5F) return Colour(0.26F, 0.23F, 0.19F) * (1.0F + 0.6F * fine);
+  const float dry = 0.5F + 0.5F * smoothNoise(x / 6.0F, y / 6.0F, seed_ + 10);
+  return Colour(0.075F + 0.05F * dry, 0.115F + 0.02F * dry, 0.035F) * (1.0F + fine);
+}
+
+Colour GroundMap::colourAt(float x, float y, float pixel) const {
+  const float distance = sampled(road_, x, y, kFar_m);
+  const float road = coverage(distance, -1.0F, kKerb_m, pixel);
+  const float kerb = coverage(distance, kKerb_m, kKerb_m + kKerbWidth_m, pixel);
+  const float pavement = coverage(distance, kKerb_m + kKerbWidth_m, kPavement_m, pixel);
+  Colour colour = Colour::Zero();
+  if (road > 0.0F) {
+    const float gutter = coverage(distance, kKerb_m - 0.3F, kKerb_m, pixel);
+    colour += road * (1.0F - 0.25F * gutter) * roadAt(x, y, pixel);
+  }
+  if (kerb + pavement > 0.0F) {
+    const float joints = std::max(stripes(x, 0.5F, 0.03F, pixel), stripes(y, 0.5F, 0.03F, pixel));
+    const float slab = randomAt(floorOf(x / 0.5F), floorOf(y / 0.5F), seed_ + 11) - 0.5F;
+    const float bright = 1.0F - 0.35F * joints + 0.22F * slab * visible(0.5F, pixel) +
+                         0.15F * grain(x, y, 0.08F, pixel, seed_ + 12) +
+                         0.18F * grain(x, y, 1.1F, pixel, seed_ + 13);
+    colour += (pavement * bright + 1.25F * kerb) * Colour(0.24F, 0.235F, 0.22F);
+  }
+  const float rest = 1.0F - road - kerb - pavement;
+  if (rest > 0.0F) colour += rest * gardenAt(x, y, pixel);
+  return colour.max(0.01F);
+}
+
+}  // namespace handmap

@@ -1,0 +1,30 @@
+// From things of a world to the surfaces that are seen of them. What is left to chance follows from
+// the seed.
+#pragma once
+
+#include <cstdint>
+
+#include "core/rendering/surface.h"
+
+namespace handmap {
+
+void addBuilding(const World& world, std::size_t building, Model& model);
+
+/// A tree (trunk and crown) where the obstacle is slim, a bush else. `clear_m`: how far a crown may
+/// reach; `leaves`: how many pieces its foliage has.
+void addPlant(const Obstacle& plant, double clear_m, int leaves, std::uint64_t seed,
+              std::uint32_t number, Model& model);
+void addHedge(const Thing& hedge, std::uint64_t seed, std::uint32_t number, Model& model);
+void addCar(const Thing& car, std::uint64_t seed, std::uint32_t number, Model& model);
+
+/// How high a plant of that kind reaches and how wide it is there, for its shadow.
+struct PlantSize {
+  bool bush;
+  double trunk_m;   ///< radius
+  double crown_m;   ///< radius
+  double bottom_m;  ///< of the crown
+  double top_m;
+};
+PlantSize sizeOf(const Obstacle& plant, double clear_m, std::uint64_t seed, std::uint32_t number);
+
+}  // namespace handmap
