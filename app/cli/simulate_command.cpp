@@ -2,24 +2,33 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
+#include "app/cli/image_truth_writer.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
 #include "core/base/error.h"
 #include "core/map/map_io.h"
 #include "core/recording/recording.h"
-#include "core/simulation/simulated_source.h"
+#include "core/rendering/rendered_source.h"
 
 namespace handmap {
 
 namespace {
 
-enum class Scene { TwoRows, Campus };
+enum class Scenery { TwoRows, Campus, Street };
+
+constexpr double kMovingStep_m = 1.0;
 
 struct SimulateArguments {
   std::string world;
-  Scene scene = Scene::TwoRows;
+  Scenery scene = Scenery::TwoRows;
   std::uint64_t seed = 1;
   double sigma_m = 5.0;
+  bool clutter = false;
   bool images = false;
+  bool moving = false;
+  bool labels = false;
+  RenderOptions rendering;
   std::string out;
 };
 
@@ -32,22 +41,60 @@ World worldOf(const SimulateArguments& arguments) {
       throw Error(error.code(), arguments.world + ": " + error.what(), error.hint());
     }
   }
-  return arguments.scene == Scene::Campus ? campusWorld(arguments.seed)
-                                          : twoRowWorld(arguments.seed);
+  switch (arguments.scene) {
+    case Scenery::Campus:
+      return campusWorld(arguments.seed);
+    case Scenery::Street:
+      return streetWorld(arguments.seed);
+    case Scenery::TwoRows:
+      break;
+  }
+  return twoRowWorld(arguments.seed);
+}
+
+std::unique_ptr<ObservationSource> sourceOf(const SimulateArguments& arguments,
+                                            const World& world) {
+  if (!arguments.images) return simulate(world, {}, arguments.seed);
+  TruthListener listener;
+  if (arguments.labels) {
+    listener = [folder = arguments.out](const Observation& observation,
+                                        const std::vector<ImageTruth>& truths) {
+      writeImageTruth(folder, observation, truths);
+    };
+  }
+  const SimulationOptions options;
+  return renderedSource(world, arguments.moving ? atStep(options, kMovingStep_m) : options,
+                        arguments.rendering, arguments.moving ? Looking::Ahead : Looking::Around,
+                        arguments.seed, std::move(listener));
+}
+
+/// Returns whether it came to its end.
+bool record(ObservationSource& source, const std::string& out) {
+  const Interrupt interrupt;
+  RecordingWriter writer(out, source.info());
+  Progress progress(source.info().observations);
+  int done = 0;
+  for (const StampedPose& truth : source.info().truth) {
+    progress.update(done, 0.0);
+    if (const auto observation = source.next()) writer.add(*observation, truth.pose);
+    ++done;
+    if (interrupt.requested()) {
+      progress.message(fmt::format("interrupted, the recording ends after {} frames", done));
+      return false;
+    }
+  }
+  progress.finish(done);
+  return true;
 }
 
 int simulateCommand(const SimulateArguments& arguments) {
-  if (arguments.images) {
-    throw Error(ErrorCode::Usage, "--images: rendered images are not in this version",
-                "leave it out: the recording then holds range points");
-  }
   checkOutputFolder(arguments.out);
-  const World world = worldOf(arguments);
-  const auto source = simulate(world, {}, arguments.seed);
-  RecordingWriter writer(arguments.out, source->info());
-  for (const StampedPose& truth : source->info().truth) {
-    if (const auto observation = source->next()) writer.add(*observation, truth.pose);
+  World world = worldOf(arguments);
+  if (arguments.clutter && world.things.empty()) {
+    world = furnished(std::move(world), arguments.seed);
   }
+  const auto source = sourceOf(arguments, world);
+  if (!record(*source, arguments.out)) return Interrupt::kExitStatus;
   const std::filesystem::path folder = arguments.out;
   const Map sketch = perturbed(world.map, arguments.sigma_m, arguments.seed);
   writeMap(world.map, folder / "truth.handmap");
@@ -55,6 +102,22 @@ int simulateCommand(const SimulateArguments& arguments) {
   fmt::print("{}: {} observations, truth.handmap and sketch.handmap of {} buildings\n",
              arguments.out, source->info().observations, sketch.buildings.size());
   return 0;
+}
+
+void addImageOptions(CLI::App& command, SimulateArguments& a) {
+  RenderOptions& r = a.rendering;
+  CLI::Option* images =
+      command.add_flag("--images", a.images, "Rendered stereo images in place of range points");
+  const auto only = [&](CLI::Option* option) { option->needs(images); };
+  only(command.add_flag("--moving", a.moving, "Look ahead every metre, not around at every stop"));
+  only(command.add_flag("--labels", a.labels,
+                        "Also labels/ (classes of CamVid) and depth/ (centimetres)"));
+  only(command.add_flag("--colour", r.colour, "In colour"));
+  only(addNumber(command, "--width", r.width, 64, 4096, "Pixels"));
+  only(addNumber(command, "--height", r.height, 64, 4096, "Pixels"));
+  only(addNumber(command, "--fov", r.horizontal_fov_deg, 10, 150, "Angle of view, degrees"));
+  only(addNumber(command, "--baseline", r.baseline_m, 0.01, 5, "Of the stereo camera, metres"));
+  only(addNumber(command, "--sun", r.light.sun, 0, 3, "0 overcast, 1 clear, 3 walls saturate"));
 }
 
 }  // namespace
@@ -68,12 +131,15 @@ void addSimulateCommand(CLI::App& app, ChosenCommand& chosen) {
       [&chosen, arguments] { chosen = [arguments] { return simulateCommand(*arguments); }; });
   CLI::Option* world = command->add_option("--world", a.world, "A map with a route or a start");
   world->option_text("W.handmap");
-  addChoice(*command, "--scene", a.scene, {{"two-rows", Scene::TwoRows}, {"campus", Scene::Campus}},
-            "A made-up world, in place of --world")
+  addChoice(
+      *command, "--scene", a.scene,
+      {{"two-rows", Scenery::TwoRows}, {"campus", Scenery::Campus}, {"street", Scenery::Street}},
+      "A made-up world, in place of --world")
       ->excludes(world);
   addSeed(*command, a.seed, "Of the world, its noise and the sketch");
   addNumber(*command, "--sigma", a.sigma_m, 0.01, 1000, "Error of the sketch, metres");
-  command->add_flag("--images", a.images, "Stereo images in place of range points");
+  command->add_flag("--clutter", a.clutter, "Parked cars and hedges; the street has them anyway");
+  addImageOptions(*command, a);
   command->add_option("--out", a.out, "A new folder (required)")->required()->option_text("DIR");
 }
 

@@ -70,6 +70,9 @@ class RecordingWriter {
   /// saw nothing leaves no row.
   void add(const Observation& observation, const std::optional<Pose2>& truth = {});
 
+  /// "000012.png", or "000012-3.png" for the third view of a stop.
+  static std::string fileName(const Observation& observation, std::size_t view, const char* ending);
+
  private:
   struct Files;
   std::unique_ptr<Files> files_;

@@ -81,13 +81,12 @@ struct RecordingWriter::Files {
         odometry(folder / "odometry.tum"),
         truth(folder / "truth.tum") {}
 
-  /// "image_0/000012.png", or "image_0/000012-3.png" for the third view of a stop.
+  /// "image_0/000012.png"
   std::string nameOf(const char* kind, const char* ending, const Observation& observation,
                      std::size_t view) const {
-    const std::string suffix = observation.views.size() > 1 ? fmt::format("-{}", view + 1) : "";
     std::error_code ignored;  // writing into it tells
     fs::create_directories(folder / kind, ignored);
-    return fmt::format("{}/{:06}{}{}", kind, observation.frame, suffix, ending);
+    return fmt::format("{}/{}", kind, fileName(observation, view, ending));
   }
 
   FrameRow writeView(const Observation& observation, std::size_t index) {
@@ -128,6 +127,12 @@ RecordingWriter::RecordingWriter(const fs::path& folder, const SourceInfo& info)
 }
 
 RecordingWriter::~RecordingWriter() = default;
+
+std::string RecordingWriter::fileName(const Observation& observation, std::size_t view,
+                                      const char* ending) {
+  const std::string suffix = observation.views.size() > 1 ? fmt::format("-{}", view + 1) : "";
+  return fmt::format("{:06}{}{}", observation.frame, suffix, ending);
+}
 
 void RecordingWriter::add(const Observation& observation, const std::optional<Pose2>& truth) {
   Files& files = *files_;

@@ -1,5 +1,7 @@
 #include "core/rendering/ground_map.h"
 
+#include <algorithm>
+
 #include <opencv2/imgproc.hpp>
 
 #include "core/rendering/noise.h"
@@ -8,8 +10,11 @@ namespace handmap {
 
 namespace {
 
-constexpr double kCell_m = 0.25;
+constexpr double kShadowCell_m = 0.25;
+constexpr double kRoadCell_m = 0.5;
 constexpr double kReach_m = 90.0;
+constexpr double kRoadReach_m = 40.0;  // a leg farther out is no part of it
+constexpr double kLeastLeg_m = 1.0;
 constexpr double kBeyond_m = 100.0;  // the road goes on past both ends of the route
 constexpr float kKerb_m = 4.0F;
 constexpr float kKerbWidth_m = 0.16F;
@@ -22,6 +27,9 @@ std::vector<Vec2> prolonged(std::vector<Vec2> route) {
     const double length = (last - other).norm();
     return length > 0.0 ? Vec2(last + kBeyond_m / length * (last - other)) : last;
   };
+  // A drawn line may have very many points.
+  const auto close = [](const Vec2& a, const Vec2& b) { return (a - b).norm() < kLeastLeg_m; };
+  route.erase(std::unique(route.begin(), route.end(), close), route.end());
   if (route.size() < 2) return route;
   const std::size_t n = route.size();
   route.front() = past(route[0], route[1]);
@@ -29,31 +37,21 @@ std::vector<Vec2> prolonged(std::vector<Vec2> route) {
   return route;
 }
 
-/// Metres from the polyline for every cell. Beyond the square only its near parts matter.
+/// Metres from the polyline for every cell; interpolation is then exact but at bends.
 cv::Mat1f distanceMap(const std::vector<Vec2>& line, const Vec2& low, int side) {
-  cv::Mat1b off(side, side, uchar{255});
-  const Bounds square{low - Vec2::Constant(20.0), low + Vec2::Constant(side * kCell_m + 20.0)};
-  const auto cell = [&](const Vec2& p) -> cv::Point {
-    const Vec2 scaled = (p - low) / kCell_m * (1 << kShift);
-    return {static_cast<int>(std::lround(scaled.x())), static_cast<int>(std::lround(scaled.y()))};
-  };
+  cv::Mat1f distance(side, side, kFar_m);
+  const Vec2 centre = low + Vec2::Constant(kReach_m);
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vec2& a = line[i - 1];
-    const Vec2 way = line[i] - a;
-    const int pieces = 1 + static_cast<int>(way.norm() / 20.0);  // so that cells stay small numbers
-    for (int k = 0; k < pieces; ++k) {
-      const Vec2 from = a + way * k / pieces;
-      const Vec2 to = a + way * (k + 1) / pieces;
-      if (!square.overlaps(
-              {from.cwiseMin(to) - Vec2::Constant(0.1), from.cwiseMax(to) + Vec2::Constant(0.1)})) {
-        continue;
+    const Segment leg{line[i - 1], line[i]};
+    if (distanceTo(leg, centre) > kReach_m + kRoadReach_m) continue;
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        const Vec2 place = low + kRoadCell_m * Vec2(column + 0.5, row + 0.5);
+        float& nearest = distance(row, column);
+        nearest = std::min(nearest, static_cast<float>(distanceTo(leg, place)));
       }
-      cv::line(off, cell(from), cell(to), 0, 1, cv::LINE_8, kShift);
     }
   }
-  cv::Mat1f distance;
-  cv::distanceTransform(off, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  distance *= kCell_m;
   return distance;
 }
 
@@ -62,14 +60,14 @@ cv::Mat1f distanceMap(const std::vector<Vec2>& line, const Vec2& low, int side) 
 GroundMap::GroundMap(const std::vector<Vec2>& route, const Vec2& centre, std::uint64_t seed)
     : seed_(static_cast<std::uint32_t>(seed)) {
   // Cells stay where they are in the world however the robot moves.
-  low_ = ((centre - Vec2::Constant(kReach_m)) / kCell_m).array().floor() * kCell_m;
-  const int side = static_cast<int>(2.0 * kReach_m / kCell_m);
-  road_ = distanceMap(prolonged(route), low_, side);
+  low_ = ((centre - Vec2::Constant(kReach_m)) / kRoadCell_m).array().floor() * kRoadCell_m;
+  road_ = distanceMap(prolonged(route), low_, static_cast<int>(2.0 * kReach_m / kRoadCell_m));
+  const int side = static_cast<int>(2.0 * kReach_m / kShadowCell_m);
   shadow_ = cv::Mat1b::zeros(side, side);
 }
 
 cv::Point2f GroundMap::cellOf(const Vec2& place) const {
-  const Vec2 cell = (place - low_) / kCell_m - Vec2::Constant(0.5);
+  const Vec2 cell = (place - low_) / kShadowCell_m - Vec2::Constant(0.5);
   return {static_cast<float>(cell.x()), static_cast<float>(cell.y())};
 }
 
@@ -116,7 +114,7 @@ void GroundMap::softenShadows() {
 }
 
 float GroundMap::sampled(const cv::Mat1f& map, float x, float y, float outside) const {
-  const auto cell = static_cast<float>(kCell_m);
+  const float cell = static_cast<float>(2.0 * kReach_m) / static_cast<float>(map.cols);
   const float u = (x - static_cast<float>(low_.x())) / cell - 0.5F;
   const float v = (y - static_cast<float>(low_.y())) / cell - 0.5F;
   const auto last = static_cast<float>(map.cols - 2);
