@@ -74,6 +74,24 @@ TEST(SimulatedSource, WithoutNoiseEveryPointLiesOnATrueSurface) {
   EXPECT_GT(trees, 100U);
 }
 
+TEST(SimulatedSource, ThingsAsHighAsTheSensorAreNoWalls) {
+  World world;
+  world.map.start = Pose2{};
+  world.map.route = {{0, 0}, {0.1, 0}};
+  world.things = {{Thing::Kind::Car, {{10.0, 0.0}, 4.0, 1.8, 0.0}, 1.5},
+                  {Thing::Kind::Hedge, {{0.0, 10.0}, 4.0, 1.0, 0.0}, 0.8}};
+  const auto source = simulate(world, exact(), 1);
+  const Observation observation = *source->next();
+  int on_car = 0;
+  for (const RangePoint& point : *observation.views.front().points) {
+    EXPECT_EQ(point.w, 0.0F);
+    EXPECT_NEAR(point.x, 8.0F, 1e-4F);  // the hedge is lower than the sensor
+    EXPECT_LE(std::abs(point.y), 0.9F);
+    ++on_car;
+  }
+  EXPECT_GT(on_car, 20);
+}
+
 TEST(SimulatedSource, NoiseIsWhatTheOptionsSay) {
   World room;
   Building building;

@@ -83,6 +83,75 @@ TEST(World, CampusesAreVariedAndPossible) {
   EXPECT_GT(turned, 100);
 }
 
+/// Cars and hedges clear of buildings, trees, each other and the robot's way.
+void expectClearThings(const World& world) {
+  const std::optional<Route> route = routeOf(world.map);
+  for (std::size_t i = 0; i < world.things.size(); ++i) {
+    const Polygon own = world.things[i].footprint.corners();
+    EXPECT_GT(route->distanceTo(own), 1.7);
+    EXPECT_GT(world.things[i].height, 0.5);
+    for (const Building& building : world.map.buildings) {
+      EXPECT_FALSE(overlap(own, building.footprint()));
+    }
+    for (std::size_t j = i + 1; j < world.things.size(); ++j) {
+      EXPECT_FALSE(overlap(own, world.things[j].footprint.corners()));
+    }
+    for (const Obstacle& tree : world.obstacles) {
+      EXPECT_GT(distanceTo(own, tree.centre), tree.radius);
+    }
+  }
+}
+
+TEST(World, StreetsHaveHousesOnBothSides) {
+  int bent = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const World world = streetWorld(seed);
+    expectPossible(world, 7.5);
+    expectClearThings(world);
+    const std::optional<Route> route = routeOf(world.map);
+    const std::size_t houses = world.map.buildings.size();
+    EXPECT_GE(houses, 12U);
+    EXPECT_LE(houses, 18U);
+    std::size_t left = 0;
+    for (const Building& house : world.map.buildings) {
+      const Rectangle own = house.box();
+      EXPECT_GE(own.width, 8.0);
+      EXPECT_LE(own.width, 20.0);
+      const bool on_left = route->project(own.centre).offset > 0.0;
+      EXPECT_EQ(house.id[0], on_left ? 'L' : 'R');
+      left += on_left ? 1 : 0;
+      const double front = route->distanceTo(house.footprint());
+      EXPECT_GT(front, 4.0 + 3.5);
+      EXPECT_LT(front, 4.0 + 8.5);
+    }
+    EXPECT_EQ(left, houses / 2);
+    const Vec2 end = (world.map.route[2] - world.map.route[1]).normalized();
+    bent += std::abs(end.y()) > 0.01 ? 1 : 0;
+    EXPECT_LT(std::abs(end.y()), std::sin(toRadians(8.1)));
+  }
+  EXPECT_GT(bent, 5);
+  EXPECT_LT(bent, 20);
+}
+
+TEST(World, FurnitureChangesNothingThatWasThere) {
+  std::size_t cars = 0;
+  std::size_t hedges = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (const World& bare : {twoRowWorld(seed), campusWorld(seed)}) {
+      EXPECT_TRUE(bare.things.empty());
+      const World full = furnished(bare, seed);
+      EXPECT_EQ(full.map, bare.map);
+      EXPECT_EQ(full.obstacles.size(), bare.obstacles.size());
+      expectClearThings(full);
+      for (const Thing& thing : full.things) {
+        (thing.kind == Thing::Kind::Car ? cars : hedges)++;
+      }
+    }
+  }
+  EXPECT_GT(cars, 200U);
+  EXPECT_GT(hedges, 30U);
+}
+
 TEST(World, FollowsFromItsSeed) {
   EXPECT_EQ(twoRowWorld(7).map, twoRowWorld(7).map);
   EXPECT_NE(twoRowWorld(7).map.buildings, twoRowWorld(8).map.buildings);
