@@ -49,7 +49,8 @@ class BuildingModel {
     const double length = (b - a).norm();
     const double top = look_.eaves_m();
     std::vector<Vec3> outline{lifted(a, 0.0), lifted(b, 0.0), lifted(b, top)};
-    if (look_.roof == Appearance::Roof::Gable && i % 2 == 1) {
+    const bool gable = look_.roof == Appearance::Roof::Gable && i % 2 == 1;
+    if (gable) {
       outline.push_back(lifted((a + b) / 2.0, top + rise_));
     }
     outline.push_back(lifted(a, top));
@@ -59,10 +60,13 @@ class BuildingModel {
     wall.facade = static_cast<std::uint32_t>(model_.facades.size());
     model_.surfaces.push_back(wall);
     model_.facades.push_back(facadeOf(length));
+    model_.facades.back().gable = gable;
   }
 
   Facade facadeOf(double length) {
-    Facade facade{look_, static_cast<float>(look_.eaves_m()), 0.0F, 0, -1};
+    Facade facade;
+    facade.look = look_;
+    facade.eaves_m = static_cast<float>(look_.eaves_m());
     facade.bays = std::max(0, static_cast<int>((length - 2.0 * kCorner_m) / look_.bay_m));
     const bool gable_end = length < 12.0 && length < box_.width - 1e-6;
     if (gable_end && random_.uniform() < 0.3) facade.bays = std::min(facade.bays, 1);

@@ -122,6 +122,7 @@ class Drawing {
                       0.9F * coverage(at_.v, top - 0.3F, top, at_.dv));
       return;
     }
+    if (facade_.gable) return;
     if (at_.v < top) colour_ *= 1.0F - 0.5F * std::max(0.0F, 1.0F - (top - at_.v) / 0.7F);
   }
 

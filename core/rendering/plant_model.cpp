@@ -124,6 +124,7 @@ PlantSize sizeOf(const Obstacle& plant, double clear_m, std::uint64_t seed, std:
   if (size.bush) {
     size.crown_m = plant.radius;
     size.top_m = plant.radius * random.uniform(1.5, 3.5);
+    size.bottom_m = -0.4 * size.top_m;  // widest near the ground, which hides the rest
     return size;
   }
   size.trunk_m = 0.45 * plant.radius;

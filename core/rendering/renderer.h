@@ -15,7 +15,7 @@ struct StereoImages {
 /// What the pixels of the left image really show, at their centres.
 struct ImageTruth {
   cv::Mat1b labels;  ///< Label
-  cv::Mat1f depth;   ///< metres along the optical axis, infinite for the sky
+  cv::Mat1f depth;   ///< metres along the optical axis, infinite for the sky and far trees
 };
 
 /// Same seed, same bytes, on any number of threads.

@@ -31,7 +31,11 @@ float sunAt(const Light& light, double time_s, std::uint64_t seed) {
 }
 
 /// Fewer and larger pieces far away.
-int leavesAt(double distance) { return distance < 30.0 ? 900 : distance < 65.0 ? 350 : 120; }
+int leavesAt(double distance) {
+  if (distance < 15.0) return 3000;
+  if (distance < 30.0) return 1200;
+  return distance < 65.0 ? 350 : 120;
+}
 
 }  // namespace
 

@@ -53,6 +53,7 @@ struct Surface {
 struct Facade {
   Appearance look;
   float eaves_m = 0.0F;
+  bool gable = false;     ///< goes on above the eaves
   float margin_m = 0.0F;  ///< before the first bay
   int bays = 0;
   int door_bay = -1;
