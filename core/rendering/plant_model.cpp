@@ -146,7 +146,7 @@ void addPlant(const Obstacle& plant, double clear_m, int leaves, std::uint64_t s
     foliage.ball({middle, {size.crown_m, size.crown_m, half}}, leaves / 2, piece, 0.0, size.top_m);
     return;
   }
-  addTrunk(plant.centre, size.trunk_m, size.bottom_m + 0.5 * half,
+  addTrunk(plant.centre, size.trunk_m, size.bottom_m + 1.2 * half,
            hashOf(static_cast<std::uint32_t>(seed), number, 7), model);
   for (int i = 0; i < kBlobs; ++i) {
     const double turn = 2.0 * kPi * (i + random.uniform()) / kBlobs;
