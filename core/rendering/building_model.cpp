@@ -56,7 +56,6 @@ class BuildingModel {
     outline.push_back(lifted(a, top));
     Surface wall = surfaceOf(outline, Material::Facade, Label::Building, colourOf(look_.wall),
                              seed_ + static_cast<std::uint32_t>(i) * 977U);
-    wall.height = static_cast<float>(top);
     wall.facade = static_cast<std::uint32_t>(model_.facades.size());
     model_.surfaces.push_back(wall);
     model_.facades.push_back(facadeOf(length));

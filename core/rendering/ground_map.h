@@ -4,7 +4,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/rendering/surface.h"
-#include "core/simulation/route.h"
 
 namespace handmap {
 

@@ -37,6 +37,27 @@ int leavesAt(double distance) {
   return distance < 65.0 ? 350 : 120;
 }
 
+/// The place on a plane that a pixel sees, and how it moves from one pixel to the next.
+struct Hit {
+  Hit(const InverseDepth& plane, const ViewCamera& camera, double u, double v) {
+    const double inverse = plane.at(u, v);
+    depth = 1.0 / inverse;
+    const Vec3 from_eye = depth * camera.ray(u, v);
+    point = camera.eye + from_eye;
+    by_column = depth * (camera.right / camera.fx - plane.at_u * from_eye);
+    by_row = depth * (camera.down / camera.fy - plane.at_v * from_eye);
+  }
+  double depth;
+  Vec3 point;
+  Vec3 by_column;
+  Vec3 by_row;
+};
+
+Colour hazed(const Colour& colour, double depth) {
+  const auto left = static_cast<float>(std::exp(-depth / kHaze_m));
+  return left * colour + (1.0F - left) * kHazeColour;
+}
+
 }  // namespace
 
 Scene::Scene(const World& world, const Light& light, const Vec2& centre, double time_s)
@@ -112,31 +133,6 @@ Colour Scene::radiance(std::int32_t seen, const ViewCamera& camera, double u, do
   if (seen == Visibility::kGround) return groundRadiance(camera, u, v);
   return surfaceRadiance(model_.surfaces[static_cast<std::size_t>(seen)], camera, u, v);
 }
-
-namespace {
-
-/// The place on a plane that a pixel sees, and how it moves from one pixel to the next.
-struct Hit {
-  Hit(const InverseDepth& plane, const ViewCamera& camera, double u, double v) {
-    const double inverse = plane.at(u, v);
-    depth = 1.0 / inverse;
-    const Vec3 from_eye = depth * camera.ray(u, v);
-    point = camera.eye + from_eye;
-    by_column = depth * (camera.right / camera.fx - plane.at_u * from_eye);
-    by_row = depth * (camera.down / camera.fy - plane.at_v * from_eye);
-  }
-  double depth;
-  Vec3 point;
-  Vec3 by_column;
-  Vec3 by_row;
-};
-
-Colour hazed(const Colour& colour, double depth) {
-  const auto left = static_cast<float>(std::exp(-depth / kHaze_m));
-  return left * colour + (1.0F - left) * kHazeColour;
-}
-
-}  // namespace
 
 Colour Scene::groundRadiance(const ViewCamera& camera, double u, double v) const {
   const InverseDepth plane(Vec3::Zero(), Vec3::UnitZ(), camera);

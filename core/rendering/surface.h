@@ -45,8 +45,8 @@ struct Surface {
   std::uint32_t seed = 0;    ///< of the texture
   std::uint32_t facade = 0;  ///< index into Model::facades, for Material::Facade
   Colour colour = Colour::Zero();
-  float length = 0.0F;  ///< along, of walls and cars
-  float height = 0.0F;
+  float length = 0.0F;  ///< of the first edge
+  float height = 0.0F;  ///< of parts of cars; negative for Material::CarEnd at the rear
 };
 
 /// The look of one wall: that of its building, and where its windows and its door are.
