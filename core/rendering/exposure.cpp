@@ -14,8 +14,9 @@ namespace handmap {
 namespace {
 
 constexpr std::uint32_t kSensor = 25;
-constexpr float kMiddle = 0.27F;                     // linear mean that a picture is brought to
-constexpr float kAdaptation = 0.75F;                 // how far
+constexpr float kMiddle = 0.33F;      // linear mean that a picture is brought to
+constexpr float kAdaptation = 0.75F;  // how far
+constexpr float kGamma = 2.2F;
 constexpr int kSteps = 4096;                         // of the gamma curve
 constexpr float kGrey[] = {0.299F, 0.587F, 0.114F};  // ITU-R BT.601
 
@@ -23,16 +24,18 @@ const std::array<float, kSteps + 1>& gammaCurve() {
   static const auto curve = [] {
     std::array<float, kSteps + 1> values{};
     for (int i = 0; i <= kSteps; ++i) {
-      values[static_cast<std::size_t>(i)] =
-          static_cast<float>(255.0 * std::pow(static_cast<double>(i) / kSteps, 1.0 / 2.2));
+      values[static_cast<std::size_t>(i)] = static_cast<float>(
+          255.0 * std::pow(static_cast<double>(i) / kSteps, 1.0 / static_cast<double>(kGamma)));
     }
     return values;
   }();
   return curve;
 }
 
+/// Goes on above 255: noise must not bring back what is far beyond the range.
 float greyLevel(float radiance) {
-  const float place = std::clamp(radiance, 0.0F, 1.0F) * kSteps;
+  if (radiance > 1.0F) return 255.0F + 255.0F / kGamma * (radiance - 1.0F);
+  const float place = std::max(radiance, 0.0F) * kSteps;
   const int low = std::min(static_cast<int>(place), kSteps - 1);
   const float* curve = gammaCurve().data() + low;
   return curve[0] + (place - static_cast<float>(low)) * (curve[1] - curve[0]);

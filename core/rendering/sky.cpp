@@ -7,6 +7,7 @@ namespace handmap {
 namespace {
 
 constexpr float kPiF = 3.14159265F;
+constexpr float kBrightness = 1.4F;  // against walls: clouds saturate when streets are well exposed
 constexpr float kHighestTrees = 0.095F;  // as a slope
 
 struct Direction {
@@ -66,6 +67,7 @@ Colour Sky::colourAt(const Vec3& ray, float pixel) const {
   const float squared = glare * glare;
   const float eighth = squared * squared * squared * squared;
   sky += Colour(0.9F, 0.85F, 0.7F) * (sun_ * eighth * eighth * eighth);
+  sky *= kBrightness;
   if (d.slope > kHighestTrees) return sky;
   const float trees = coverage(d.slope, -1.0F, treeLine(d.azimuth), pixel);
   const float rough = 1.0F + 0.35F * smoothNoise(d.azimuth * 140.0F, d.slope * 140.0F, seed_ + 36);
