@@ -1,0 +1,41 @@
+#include "core/classification/building_classifier.h"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace handmap {
+
+BuildingClassifier::BuildingClassifier(FeatureSet features, Standardization standardization,
+                                       KernelSvm svm, Logistic logistic, TrainingRecord record)
+    : features_(features),
+      standardization_(std::move(standardization)),
+      svm_(std::move(svm)),
+      logistic_(logistic),
+      record_(record) {}
+
+cv::Mat1f BuildingClassifier::probabilities(const cv::Mat& image, const cv::Mat1b& wanted) const {
+  const SampleMatrix samples = windowFeatures(image, features_);
+  const WindowGrid grid = WindowGrid::of(image.size());
+  if (!wanted.empty() && wanted.size() != cv::Size(grid.columns, grid.rows)) {
+    throwBadInput("building classifier", "wanted windows",
+                  fmt::format("{} × {}", wanted.cols, wanted.rows),
+                  fmt::format("{} × {}", grid.columns, grid.rows));
+  }
+  std::vector<Eigen::Index> judged;
+  for (int i = 0; i < grid.count(); ++i) {
+    if (wanted.empty() || wanted(i / grid.columns, i % grid.columns) != 0) judged.push_back(i);
+  }
+  cv::Mat1f result(grid.rows, grid.columns, 0.5F);
+  if (judged.empty()) return result;
+  const Eigen::VectorXf distances = svm_.decide(standardization_(samples(judged, Eigen::all)));
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    result.ptr<float>()[judged[i]] = logistic_(distances[static_cast<Eigen::Index>(i)]);
+  }
+  return result;
+}
+
+}  // namespace handmap

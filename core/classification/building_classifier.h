@@ -1,0 +1,59 @@
+// Which windows of an image show a building, section II-A.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/classification/confusion.h"
+#include "core/classification/kernel_svm.h"
+#include "core/classification/logistic.h"
+#include "core/classification/standardization.h"
+#include "core/classification/window_features.h"
+
+namespace handmap {
+
+/// What a classifier was made from, kept in its file.
+struct TrainingRecord {
+  std::uint64_t seed = 0;
+  double gamma = 0.0;  ///< SvmOptions
+  double lambda = 0.0;
+  Confusion cross_validated;
+};
+
+/// Immutable once made; any number of threads may use one.
+class BuildingClassifier {
+ public:
+  BuildingClassifier(FeatureSet features, Standardization standardization, KernelSvm svm,
+                     Logistic logistic, TrainingRecord record);
+
+  /// Throws BadInput "FILE: key: found …, expected …": not a model, of another version or window
+  /// size, damaged, numbers that are not finite.
+  static BuildingClassifier load(const std::filesystem::path& path);
+  /// `source` names the text in messages.
+  static BuildingClassifier parse(std::string_view text, const std::string& source);
+  /// The one that comes with the program, for colour or for grey images: trained on rendered
+  /// streets (resources/models).
+  static BuildingClassifier builtIn(bool colour);
+  std::string toJson() const;
+  /// Throws RunFailed.
+  void save(const std::filesystem::path& path) const;
+
+  /// Rows × columns of the whole windows: the probability that the window shows a building, if
+  /// buildings and the rest were equally frequent. Windows that are not wanted, where `wanted` is
+  /// given (same size, noWindows()), are not judged: 0.5. `image` and errors as windowFeatures().
+  cv::Mat1f probabilities(const cv::Mat& image, const cv::Mat1b& wanted = {}) const;
+
+  const FeatureSet& features() const { return features_; }
+  const TrainingRecord& record() const { return record_; }
+
+ private:
+  FeatureSet features_;
+  Standardization standardization_;
+  KernelSvm svm_;
+  Logistic logistic_;
+  TrainingRecord record_;
+};
+
+}  // namespace handmap

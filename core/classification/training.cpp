@@ -1,0 +1,208 @@
+#include "core/classification/training.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::array kGammas = {0.2, 0.4, 0.8};
+constexpr std::array kLambdas = {1e-6, 1e-5, 1e-4, 1e-3};
+/// To choose by, every so many-th window is enough; the one that is chosen gets all.
+constexpr std::size_t kEnoughToChoose = 8000;
+
+struct Samples {
+  SampleMatrix features;
+  std::vector<bool> buildings;
+};
+
+/// The fold that each sample is held out in: stretches of all of them, whatever their classes.
+std::vector<int> plainStretches(const std::vector<bool>& buildings, int folds) {
+  std::vector<int> fold_of(buildings.size());
+  for (std::size_t i = 0; i < fold_of.size(); ++i) {
+    fold_of[i] = static_cast<int>(i * static_cast<std::size_t>(folds) / fold_of.size());
+  }
+  return fold_of;
+}
+
+/// Stretches of each class by itself.
+std::vector<int> stretchesOfClasses(const std::vector<bool>& buildings, int folds) {
+  std::array<std::size_t, 2> size{};
+  for (const bool building : buildings) ++size[building ? 1 : 0];
+  std::array<std::size_t, 2> seen{};
+  std::vector<int> fold_of;
+  for (const bool building : buildings) {
+    const std::size_t place = seen[building ? 1 : 0]++ * static_cast<std::size_t>(folds);
+    fold_of.push_back(static_cast<int>(place / size[building ? 1 : 0]));
+  }
+  return fold_of;
+}
+
+/// Whether both classes are still there when any of the folds is held out.
+bool canBeHeldOut(const std::vector<int>& fold_of, const std::vector<bool>& buildings) {
+  std::array<std::set<int>, 2> folds;
+  for (std::size_t i = 0; i < fold_of.size(); ++i) folds[buildings[i] ? 1 : 0].insert(fold_of[i]);
+  return folds[0].size() > 1 && folds[1].size() > 1;
+}
+
+/// Samples with the fold that each is held out in.
+class Folds {
+ public:
+  Folds(Samples samples, int folds)
+      : samples_(std::move(samples)),
+        count_(folds),
+        fold_of_(plainStretches(samples_.buildings, folds)) {
+    if (!canBeHeldOut(fold_of_, samples_.buildings)) {
+      fold_of_ = stretchesOfClasses(samples_.buildings, folds);
+    }
+  }
+
+  /// Of every sample the distance by a machine that was trained without its fold.
+  Eigen::VectorXf heldOut(const SvmOptions& options, const std::stop_token& stop,
+                          const std::function<void()>& fold_done) const {
+    Eigen::VectorXf distances = Eigen::VectorXf::Zero(samples_.features.rows());
+    for (int fold = 0; fold < count_ && !stop.stop_requested(); ++fold) {
+      std::vector<Eigen::Index> in;
+      std::vector<Eigen::Index> out;
+      std::vector<bool> buildings;
+      for (std::size_t i = 0; i < fold_of_.size(); ++i) {
+        (fold_of_[i] == fold ? out : in).push_back(static_cast<Eigen::Index>(i));
+        if (fold_of_[i] != fold) buildings.push_back(samples_.buildings[i]);
+      }
+      const KernelSvm svm =
+          KernelSvm::train(samples_.features(in, Eigen::all), buildings, options, stop);
+      distances(out) = svm.decide(samples_.features(out, Eigen::all));
+      fold_done();
+    }
+    return distances;
+  }
+
+  Confusion score(const Eigen::VectorXf& distances) const {
+    Confusion confusion;
+    for (std::size_t i = 0; i < fold_of_.size(); ++i) {
+      confusion.add(samples_.buildings[i], distances[static_cast<Eigen::Index>(i)] > 0.0F);
+    }
+    return confusion;
+  }
+
+  const Samples& samples() const { return samples_; }
+
+ private:
+  Samples samples_;
+  int count_;
+  std::vector<int> fold_of_;
+};
+
+/// Evenly from either class, at most about `count`.
+Samples thinned(const Samples& all, std::size_t count) {
+  const std::size_t every = std::max<std::size_t>(1, (all.buildings.size() + count - 1) / count);
+  std::vector<Eigen::Index> rows;
+  Samples result;
+  std::array<std::size_t, 2> seen{};
+  for (std::size_t i = 0; i < all.buildings.size(); ++i) {
+    if (seen[all.buildings[i] ? 1 : 0]++ % every != 0) continue;
+    rows.push_back(static_cast<Eigen::Index>(i));
+    result.buildings.push_back(all.buildings[i]);
+  }
+  result.features = all.features(rows, Eigen::all);
+  return result;
+}
+
+SvmOptions chooseOptions(const Folds& folds, SvmOptions options, const std::stop_token& stop,
+                         const std::function<void()>& fold_done) {
+  SvmOptions best = options;
+  double best_accuracy = -1.0;
+  for (const double gamma : kGammas) {
+    for (const double lambda : kLambdas) {
+      options.gamma = gamma;
+      options.lambda = lambda;
+      const double accuracy =
+          folds.score(folds.heldOut(options, stop, fold_done)).balancedAccuracy();
+      if (accuracy <= best_accuracy) continue;
+      best_accuracy = accuracy;
+      best = options;
+    }
+  }
+  return best;
+}
+
+void checkClasses(const std::vector<bool>& buildings, int folds) {
+  const auto positives = std::count(buildings.begin(), buildings.end(), true);
+  const auto others = static_cast<std::ptrdiff_t>(buildings.size()) - positives;
+  for (const auto& [count, name] : {std::pair{positives, "of buildings"}, {others, "of others"}}) {
+    // Thinning leaves at least one of each fold when there are this many.
+    if (count < folds) {
+      throwBadInput("training images", "", fmt::format("{} windows {}", count, name),
+                    fmt::format("at least {}", folds));
+    }
+  }
+}
+
+}  // namespace
+
+void TrainingSet::add(const cv::Mat& image, const std::vector<WindowLabel>& labels) {
+  const SampleMatrix features = windowFeatures(image, features_);
+  const WindowGrid grid = WindowGrid::of(image.size());
+  std::vector<Eigen::Index> known;
+  for (int column = 0; column < grid.columns; ++column) {
+    for (int row = 0; row < grid.rows; ++row) {
+      const int window = row * grid.columns + column;
+      const WindowLabel label = labels.at(static_cast<std::size_t>(window));
+      if (label == WindowLabel::Unknown) continue;
+      known.push_back(window);
+      buildings_.push_back(label == WindowLabel::Building);
+    }
+  }
+  const Eigen::Index before = samples_.rows();
+  samples_.conservativeResize(before + static_cast<Eigen::Index>(known.size()), features.cols());
+  samples_.bottomRows(static_cast<Eigen::Index>(known.size())) = features(known, Eigen::all);
+}
+
+std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
+                                                  const TrainingOptions& options,
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress) {
+  checkClasses(set.buildings(), options.folds);
+  const Standardization standardization = Standardization::of(set.samples());
+  const Folds all({standardization(set.samples()), set.buildings()}, options.folds);
+  const Folds some(thinned(all.samples(), kEnoughToChoose), options.folds);
+  // In the time of one fold of `some`.
+  const double all_cost = static_cast<double>(set.buildings().size()) /
+                          static_cast<double>(some.samples().buildings.size());
+  const double total = options.folds * (kGammas.size() * kLambdas.size() + all_cost) + all_cost;
+  double done = 0.0;
+  const auto tell = [&](double cost) {
+    done += cost;
+    if (progress) progress(done / total);
+  };
+
+  const SvmOptions chosen = chooseOptions(some, {.vectors = options.vectors, .seed = options.seed},
+                                          stop, [&] { tell(1.0); });
+  const Eigen::VectorXf distances = all.heldOut(chosen, stop, [&] { tell(all_cost); });
+  KernelSvm svm = KernelSvm::train(all.samples().features, set.buildings(), chosen, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  tell(all_cost);
+  const Logistic logistic = Logistic::fit(distances, set.buildings());
+  Eigen::VectorXf probable(distances.size());
+  for (Eigen::Index i = 0; i < distances.size(); ++i) probable[i] = logistic(distances[i]) - 0.5F;
+  return BuildingClassifier(set.features(), standardization, std::move(svm), logistic,
+                            {options.seed, chosen.gamma, chosen.lambda, all.score(probable)});
+}
+
+void judge(const BuildingClassifier& classifier, const cv::Mat& image,
+           const std::vector<WindowLabel>& labels, Confusion& confusion) {
+  const cv::Mat1f probabilities = classifier.probabilities(image);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == WindowLabel::Unknown) continue;
+    confusion.add(labels[i] == WindowLabel::Building, probabilities.ptr<float>()[i] >= 0.5F);
+  }
+}
+
+}  // namespace handmap

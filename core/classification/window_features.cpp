@@ -1,0 +1,159 @@
+#include "core/classification/window_features.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/classification/edge_statistics.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kAround = 5;  ///< itself, 3×3, 9×9, above, below
+constexpr int kPlace = 2;
+
+/// Features of a window by itself.
+int ownCount(const FeatureSet& set) {
+  if (set.family == FeatureFamily::Paper) return set.colour ? 6 : 5;
+  return set.colour ? 18 : 12;
+}
+
+/// Appends values one after another.
+class Writer {
+ public:
+  explicit Writer(float* to) : to_(to) {}
+  void operator()(float value) { *to_++ = value; }
+
+ private:
+  float* to_;
+};
+
+void writeEdges(const EdgeStatistics& edges, Writer& write) {
+  write(edges.density);
+  write(edges.hough_peak);
+  write(edges.direction_variance);
+}
+
+/// Contrast and the rest of the edges; directions that mirror each other count as one.
+void writeMoreEdges(const EdgeStatistics& edges, Writer& write) {
+  write(edges.contrast);
+  write(edges.strength);
+  write(edges.directions[0]);
+  for (std::size_t i = 1; i < kEdgeDirections / 2; ++i) {
+    write(edges.directions[i] + edges.directions[kEdgeDirections - i]);
+  }
+  write(edges.directions[kEdgeDirections / 2]);
+}
+
+/// `mean_level`: of the whole image, 0 … 255.
+void writeColour(const cv::Vec3b& bgr, bool more, float mean_level, Writer& write) {
+  const float sum = static_cast<float>(bgr[0] + bgr[1] + bgr[2]) + 3.0F;
+  for (const int channel : {2, 1, 0}) write((static_cast<float>(bgr[channel]) + 1.0F) / sum);
+  if (!more) return;
+  const auto [least, greatest] = std::minmax({bgr[0], bgr[1], bgr[2]});
+  write((sum - 3.0F) / 765.0F);
+  write(static_cast<float>(greatest - least) / (static_cast<float>(greatest) + 1.0F));
+  for (const int channel : {2, 1, 0}) write(static_cast<float>(bgr[channel]) / mean_level);
+}
+
+/// Of every window by itself: rows × columns, as many channels as features.
+cv::Mat ownFeatures(const cv::Mat& image, const cv::Mat1b& grey, const FeatureSet& set) {
+  const WindowGrid grid = WindowGrid::of(grey.size());
+  const cv::Rect whole(0, 0, grid.columns * kWindow_px, grid.rows * kWindow_px);
+  const bool more = set.family == FeatureFamily::Handmap;
+  const std::vector<EdgeStatistics> edges = edgeStatistics(grey);
+  cv::Mat mean;  // colour or brightness
+  cv::resize((set.colour ? image : cv::Mat(grey))(whole), mean, {grid.columns, grid.rows}, 0, 0,
+             cv::INTER_AREA);
+  const auto mean_level = static_cast<float>(std::max(cv::mean(grey(whole))[0], 1.0));
+
+  const int count = ownCount(set);
+  cv::Mat features(grid.rows, grid.columns, CV_32FC(count));
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const EdgeStatistics& own = edges[static_cast<std::size_t>(row * grid.columns + column)];
+      Writer write(features.ptr<float>(row) + static_cast<std::ptrdiff_t>(column) * count);
+      if (set.colour) {
+        writeColour(mean.at<cv::Vec3b>(row, column), more, mean_level, write);
+      } else {
+        const auto level = static_cast<float>(mean.at<std::uint8_t>(row, column));
+        write(level / 255.0F);
+        write(more ? level / mean_level : own.contrast);
+      }
+      writeEdges(own, write);
+      if (more) writeMoreEdges(own, write);
+    }
+  }
+  return features;
+}
+
+/// Beside the features of each window those of what is around it, and its place.
+SampleMatrix withSurroundings(const cv::Mat& own) {
+  cv::Mat near;
+  cv::Mat far;
+  cv::blur(own, near, {3, 3}, {-1, -1}, cv::BORDER_REPLICATE);
+  cv::blur(own, far, {9, 9}, {-1, -1}, cv::BORDER_REPLICATE);
+  const int count = own.channels();
+  SampleMatrix samples(own.rows * own.cols, kAround * count + kPlace);
+  for (int row = 0; row < own.rows; ++row) {
+    const int above = std::max(row - 2, 0);
+    const int below = std::min(row + 2, own.rows - 1);
+    for (int column = 0; column < own.cols; ++column) {
+      float* to = samples.row(static_cast<Eigen::Index>(row) * own.cols + column).data();
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(column) * count;
+      const std::array<const float*, kAround> rows = {own.ptr<float>(row), near.ptr<float>(row),
+                                                      far.ptr<float>(row), near.ptr<float>(above),
+                                                      near.ptr<float>(below)};
+      for (const float* from : rows) {
+        to = std::copy_n(from + at, count, to);
+      }
+      *to++ = (static_cast<float>(row) + 0.5F) / static_cast<float>(own.rows);
+      *to = std::abs((static_cast<float>(column) + 0.5F) / static_cast<float>(own.cols) - 0.5F);
+    }
+  }
+  return samples;
+}
+
+void checkImage(const cv::Mat& image, const FeatureSet& set) {
+  const std::string place = "building classifier";
+  if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
+    throwBadInput(place, "image",
+                  fmt::format("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
+                  "1 or 3 channels of 8 bits");
+  }
+  if (set.colour && image.channels() != 3) {
+    throwBadInput(place, "image", "grey", "colour, or a model for grey images");
+  }
+  if (WindowGrid::of(image.size()).count() == 0) {
+    throwBadInput(place, "image", fmt::format("{} × {} pixels", image.cols, image.rows),
+                  fmt::format("at least {0} × {0}", kWindow_px));
+  }
+}
+
+}  // namespace
+
+int featureCount(const FeatureSet& set) {
+  const int own = ownCount(set);
+  return set.family == FeatureFamily::Paper ? own : kAround * own + kPlace;
+}
+
+SampleMatrix windowFeatures(const cv::Mat& image, const FeatureSet& set) {
+  checkImage(image, set);
+  cv::Mat1b grey;
+  if (image.channels() == 3) {
+    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  } else {
+    grey = image;
+  }
+  const cv::Mat own = ownFeatures(image, grey, set);
+  if (set.family == FeatureFamily::Handmap) return withSurroundings(own);
+  return Eigen::Map<const SampleMatrix>(own.ptr<float>(), own.rows * own.cols, own.channels());
+}
+
+}  // namespace handmap

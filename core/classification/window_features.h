@@ -1,0 +1,32 @@
+// What is measured of every window, section II-A.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/classification/sample_matrix.h"
+#include "core/classification/windows.h"
+
+namespace handmap {
+
+/// Paper: normalized colour (r, g, b), edge density, peak of the Hough voting, variance of the edge
+/// directions; without colour mean and deviation of the brightness in its place.
+/// Handmap: also brightness and colour against the whole image's, saturation, contrast, strength
+/// and directions of the edges; all of these also of the 3×3 and 9×9 windows around, of the 3×3
+/// around the window two above and of those around the window two below; the place in the image.
+enum class FeatureFamily { Paper, Handmap };
+
+struct FeatureSet {
+  FeatureFamily family = FeatureFamily::Handmap;
+  bool colour = true;
+
+  bool operator==(const FeatureSet&) const = default;
+};
+
+int featureCount(const FeatureSet& set);
+
+/// One row a window, one column a feature. `image`: 8 bit, grey or BGR. Left and right are alike:
+/// a mirrored image has mirrored features. Throws BadInput for an image of another kind, without
+/// colours where the set has them, or smaller than a window.
+SampleMatrix windowFeatures(const cv::Mat& image, const FeatureSet& set);
+
+}  // namespace handmap

@@ -1,0 +1,171 @@
+#include "core/classification/training.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/base/expect_error.h"
+#include "tests/core/base/temporary_folder.h"
+#include "tests/core/classification/painted_street.h"
+
+namespace handmap {
+namespace {
+
+constexpr TrainingOptions kQuick{.vectors = 40};
+
+std::vector<WindowLabel> labelsOf(const test::PaintedStreet& street) {
+  return windowLabels(street.classes, test::kBuildingClass, {});
+}
+
+TrainingSet paintedSet(FeatureSet features, int images = 10) {
+  TrainingSet set(features);
+  for (int i = 0; i < images; ++i) {
+    const test::PaintedStreet street = test::paintStreet(static_cast<std::uint64_t>(i));
+    set.add(street.image, labelsOf(street));
+  }
+  return set;
+}
+
+const BuildingClassifier& painted() {
+  static const auto classifier = trainClassifier(paintedSet({}), kQuick);
+  return classifier.value();
+}
+
+bool same(const cv::Mat1f& a, const cv::Mat1f& b) {
+  return a.size() == b.size() && cv::countNonZero(a != b) == 0;
+}
+
+TEST(Training, TeachesWhatBuildingsLookLike) {
+  for (const FeatureSet features : {FeatureSet{}, FeatureSet{FeatureFamily::Handmap, false},
+                                    FeatureSet{FeatureFamily::Paper, true}}) {
+    const auto classifier = trainClassifier(paintedSet(features), kQuick);
+    Confusion unseen;
+    for (const std::uint64_t seed : {101, 102, 103, 104}) {
+      const test::PaintedStreet street = test::paintStreet(seed);
+      judge(classifier.value(), street.image, labelsOf(street), unseen);
+    }
+    EXPECT_EQ(unseen.buildings() + unseen.others(), 4 * 80);
+    EXPECT_GT(unseen.balancedAccuracy(), 0.95);
+    const Confusion& crossed = classifier->record().cross_validated;
+    EXPECT_EQ(crossed.buildings() + crossed.others(), 10 * 80);
+    EXPECT_NEAR(crossed.balancedAccuracy(), unseen.balancedAccuracy(), 0.05);
+  }
+}
+
+TEST(Training, DependsOnTheSeedAlone) {
+  const std::string first = painted().toJson();
+  EXPECT_TRUE(trainClassifier(paintedSet({}), kQuick)->toJson() == first);
+  EXPECT_FALSE(trainClassifier(paintedSet({}), {.seed = 2, .vectors = 40})->toJson() == first);
+}
+
+TEST(Training, FindsNothingInLabelsWithoutMeaning) {
+  TrainingSet set({});
+  RandomStream random(1);
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    std::vector<WindowLabel> labels(80);
+    for (WindowLabel& label : labels) {
+      label = random.uniform() < 0.5 ? WindowLabel::Building : WindowLabel::Other;
+    }
+    set.add(test::paintStreet(seed).image, labels);
+  }
+  EXPECT_NEAR(trainClassifier(set, kQuick)->record().cross_validated.balancedAccuracy(), 0.5, 0.1);
+}
+
+TEST(Training, OfOneImageThatIsHalfPainted) {
+  const test::PaintedStreet street = test::paintStreet(1);
+  std::vector<WindowLabel> labels = labelsOf(street);
+  for (std::size_t i = 0; i < labels.size(); i += 3) labels[i] = WindowLabel::Unknown;
+  TrainingSet set({});
+  set.add(street.image, labels);
+  EXPECT_LT(set.samples().rows(), 60);
+  const auto classifier = trainClassifier(set, kQuick);
+  EXPECT_GT(classifier->record().cross_validated.balancedAccuracy(), 0.8);
+}
+
+TEST(Training, NeedsBothClasses) {
+  TrainingSet set({});
+  set.add(test::paintStreet(1).image, std::vector(80, WindowLabel::Other));
+  test::expectBadInput([&] { trainClassifier(set, kQuick); },
+                       {"found 0 windows of buildings", "at least 5"});
+  TrainingSet buildings({});
+  buildings.add(test::paintStreet(1).image, std::vector(80, WindowLabel::Building));
+  test::expectBadInput([&] { trainClassifier(buildings, kQuick); }, {"0 windows of others"});
+}
+
+TEST(Training, TellsItsProgressAndStops) {
+  std::vector<double> shares;
+  std::stop_source stop;
+  const auto classifier = trainClassifier(paintedSet({}), kQuick, stop.get_token(), [&](double s) {
+    shares.push_back(s);
+    if (s > 0.3) stop.request_stop();
+  });
+  EXPECT_FALSE(classifier.has_value());
+  EXPECT_LT(shares.back(), 0.5);
+  shares.clear();
+  EXPECT_TRUE(trainClassifier(paintedSet({}), kQuick, {}, [&](double s) { shares.push_back(s); }));
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_NEAR(shares.back(), 1.0, 1e-9);
+}
+
+TEST(BuildingClassifier, JudgesOnlyTheWindowsThatAreWanted) {
+  const cv::Mat3b image = test::paintStreet(50).image;
+  const cv::Mat1f all = painted().probabilities(image);
+  cv::Mat1b wanted = noWindows(image.size());
+  EXPECT_EQ(cv::countNonZero(painted().probabilities(image, wanted) != 0.5F), 0);
+  wanted(2, 3) = 1;
+  wanted(6, 9) = 255;
+  const cv::Mat1f some = painted().probabilities(image, wanted);
+  for (int row = 0; row < all.rows; ++row) {
+    for (int column = 0; column < all.cols; ++column) {
+      const bool is_wanted = wanted(row, column) != 0;
+      EXPECT_NEAR(some(row, column), is_wanted ? all(row, column) : 0.5F, 1e-5F);
+    }
+  }
+  test::expectBadInput([&] { painted().probabilities(image, cv::Mat1b(3, 3, std::uint8_t{1})); },
+                       {"found 3 × 3, expected 10 × 8"});
+}
+
+TEST(BuildingClassifier, IsTheSameAfterSavingAndLoading) {
+  const test::TemporaryFolder folder;
+  painted().save(folder.path() / "model.json");
+  const BuildingClassifier loaded = BuildingClassifier::load(folder.path() / "model.json");
+  EXPECT_TRUE(loaded.toJson() == painted().toJson());
+  EXPECT_EQ(loaded.features(), painted().features());
+  const cv::Mat3b image = test::paintStreet(51).image;
+  EXPECT_TRUE(same(loaded.probabilities(image), painted().probabilities(image)));
+}
+
+struct Damage {
+  std::string from;
+  std::string to;
+  std::vector<std::string> words;
+};
+
+TEST(BuildingClassifier, RefusesDamagedModels) {
+  const std::vector<Damage> damages = {
+      {"handmap-building-classifier", "handmap", {"format: found", "handmap-building-classifier"}},
+      {"\"version\":1", "\"version\":2", {"version: found 2, expected 1"}},
+      {"\"window\":16", "\"window\":8", {"window: found 8, expected 16"}},
+      {"\"features\":\"handmap\"", "\"features\":\"more\"", {"features: found \"more\""}},
+      {"\"features\":\"handmap\"", "\"features\":\"paper\"", {"mean: found 92 numbers", "6"}},
+      {"\"mean\":[", "\"mean\":[1e999,", {"model.json"}},
+      {"\"mean\":[", "\"mean\":[0,", {"mean: found 93 numbers, expected 92"}},
+      {"\"mean\":[", "\"mean\":[null,", {"mean"}},
+      {"\"vectors\":[\n[", "\"vectors\":[\n[0,", {"vectors[0]: found 93 numbers"}},
+      {"\"weights\":[", "\"weights\":[0,", {"weights: found 41 numbers, expected 40"}},
+      {"\"gamma\":", "\"gamma\":-", {"gamma"}},
+      {"\"bias\":", "\"biased\":", {"bias"}},
+      {"]]}", "]]", {"model.json"}},
+  };
+  const std::string whole = painted().toJson();
+  for (const Damage& damage : damages) {
+    std::string text = whole;
+    const auto place = text.find(damage.from);
+    ASSERT_NE(place, std::string::npos) << damage.from;
+    text.replace(place, damage.from.size(), damage.to);
+    test::expectBadInput([&] { BuildingClassifier::parse(text, "model.json"); }, damage.words);
+  }
+  test::expectBadInput([] { BuildingClassifier::parse("", "model.json"); }, {"model.json"});
+  test::expectBadInput([] { BuildingClassifier::load("no-such.json"); }, {"no-such.json"});
+}
+
+}  // namespace
+}  // namespace handmap
