@@ -17,5 +17,7 @@ void addOdometryCommand(CLI::App& app, ChosenCommand& chosen);
 void addCalibrateCommand(CLI::App& app, ChosenCommand& chosen);
 void addCompareCommand(CLI::App& app, ChosenCommand& chosen);
 void addValidateCommand(CLI::App& app, ChosenCommand& chosen);
+void addTrainCommand(CLI::App& app, ChosenCommand& chosen);
+void addClassifyCommand(CLI::App& app, ChosenCommand& chosen);
 
 }  // namespace handmap

@@ -34,6 +34,8 @@ int runProgram(int argc, char** argv) {
   addCalibrateCommand(app, chosen);
   addCompareCommand(app, chosen);
   addValidateCommand(app, chosen);
+  addTrainCommand(app, chosen);
+  addClassifyCommand(app, chosen);
   try {
     app.parse(argc, argv);
     const int status = chosen();
