@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::array kGammas = {0.2, 0.4, 0.8};
 constexpr std::array kLambdas = {1e-6, 1e-5, 1e-4, 1e-3};
-/// To choose by, every so many-th window is enough; the one that is chosen gets all.
-constexpr std::size_t kEnoughToChoose = 8000;
+// Windows of each class: to choose by, and to train with, which bounds time and memory.
+constexpr std::size_t kEnoughToChoose = 4000;
+constexpr std::size_t kMost = 30'000;
 
 struct Samples {
   SampleMatrix features;
@@ -100,18 +101,21 @@ class Folds {
   std::vector<int> fold_of_;
 };
 
-/// Evenly from either class, at most about `count`.
-Samples thinned(const Samples& all, std::size_t count) {
-  const std::size_t every = std::max<std::size_t>(1, (all.buildings.size() + count - 1) / count);
+/// Evenly from each class, at most `count` of it: rare ones stay whole.
+Samples thinned(const Eigen::Ref<const SampleMatrix>& features, const std::vector<bool>& buildings,
+                std::size_t count) {
+  std::array<std::size_t, 2> size{};
+  for (const bool building : buildings) ++size[building ? 1 : 0];
+  std::array<std::size_t, 2> seen{};
   std::vector<Eigen::Index> rows;
   Samples result;
-  std::array<std::size_t, 2> seen{};
-  for (std::size_t i = 0; i < all.buildings.size(); ++i) {
-    if (seen[all.buildings[i] ? 1 : 0]++ % every != 0) continue;
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    const std::size_t every = (size[buildings[i] ? 1 : 0] + count - 1) / count;
+    if (seen[buildings[i] ? 1 : 0]++ % every != 0) continue;
     rows.push_back(static_cast<Eigen::Index>(i));
-    result.buildings.push_back(all.buildings[i]);
+    result.buildings.push_back(buildings[i]);
   }
-  result.features = all.features(rows, Eigen::all);
+  result.features = features(rows, Eigen::all);
   return result;
 }
 
@@ -137,7 +141,6 @@ void checkClasses(const std::vector<bool>& buildings, int folds) {
   const auto positives = std::count(buildings.begin(), buildings.end(), true);
   const auto others = static_cast<std::ptrdiff_t>(buildings.size()) - positives;
   for (const auto& [count, name] : {std::pair{positives, "of buildings"}, {others, "of others"}}) {
-    // Thinning leaves at least one of each fold when there are this many.
     if (count < folds) {
       throwBadInput("training images", "", fmt::format("{} windows {}", count, name),
                     fmt::format("at least {}", folds));
@@ -150,19 +153,16 @@ void checkClasses(const std::vector<bool>& buildings, int folds) {
 void TrainingSet::add(const cv::Mat& image, const std::vector<WindowLabel>& labels) {
   const SampleMatrix features = windowFeatures(image, features_);
   const WindowGrid grid = WindowGrid::of(image.size());
-  std::vector<Eigen::Index> known;
   for (int column = 0; column < grid.columns; ++column) {
     for (int row = 0; row < grid.rows; ++row) {
       const int window = row * grid.columns + column;
       const WindowLabel label = labels.at(static_cast<std::size_t>(window));
       if (label == WindowLabel::Unknown) continue;
-      known.push_back(window);
+      const float* values = features.row(window).data();
+      values_.insert(values_.end(), values, values + features.cols());
       buildings_.push_back(label == WindowLabel::Building);
     }
   }
-  const Eigen::Index before = samples_.rows();
-  samples_.conservativeResize(before + static_cast<Eigen::Index>(known.size()), features.cols());
-  samples_.bottomRows(static_cast<Eigen::Index>(known.size())) = features(known, Eigen::all);
 }
 
 std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
@@ -170,12 +170,15 @@ std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
                                                   const std::stop_token& stop,
                                                   const std::function<void(double)>& progress) {
   checkClasses(set.buildings(), options.folds);
-  const Standardization standardization = Standardization::of(set.samples());
-  const Folds all({standardization(set.samples()), set.buildings()}, options.folds);
-  const Folds some(thinned(all.samples(), kEnoughToChoose), options.folds);
+  Samples samples = thinned(set.samples(), set.buildings(), kMost);
+  const Standardization standardization = Standardization::of(samples.features);
+  samples.features = standardization(samples.features);
+  const Folds all(std::move(samples), options.folds);
+  const std::vector<bool>& buildings = all.samples().buildings;
+  const Folds some(thinned(all.samples().features, buildings, kEnoughToChoose), options.folds);
   // In the time of one fold of `some`.
-  const double all_cost = static_cast<double>(set.buildings().size()) /
-                          static_cast<double>(some.samples().buildings.size());
+  const double all_cost =
+      static_cast<double>(buildings.size()) / static_cast<double>(some.samples().buildings.size());
   const double total = options.folds * (kGammas.size() * kLambdas.size() + all_cost) + all_cost;
   double done = 0.0;
   const auto tell = [&](double cost) {
@@ -186,10 +189,10 @@ std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
   const SvmOptions chosen = chooseOptions(some, {.vectors = options.vectors, .seed = options.seed},
                                           stop, [&] { tell(1.0); });
   const Eigen::VectorXf distances = all.heldOut(chosen, stop, [&] { tell(all_cost); });
-  KernelSvm svm = KernelSvm::train(all.samples().features, set.buildings(), chosen, stop);
+  KernelSvm svm = KernelSvm::train(all.samples().features, buildings, chosen, stop);
   if (stop.stop_requested()) return std::nullopt;
   tell(all_cost);
-  const Logistic logistic = Logistic::fit(distances, set.buildings());
+  const Logistic logistic = Logistic::fit(distances, buildings);
   Eigen::VectorXf probable(distances.size());
   for (Eigen::Index i = 0; i < distances.size(); ++i) probable[i] = logistic(distances[i]) - 0.5F;
   return BuildingClassifier(set.features(), standardization, std::move(svm), logistic,

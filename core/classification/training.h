@@ -21,12 +21,14 @@ class TrainingSet {
 
   const FeatureSet& features() const { return features_; }
   /// Image by image, in each column by column: neighbours in the image are near each other.
-  const SampleMatrix& samples() const { return samples_; }
+  Eigen::Map<const SampleMatrix> samples() const {
+    return {values_.data(), static_cast<Eigen::Index>(buildings_.size()), featureCount(features_)};
+  }
   const std::vector<bool>& buildings() const { return buildings_; }
 
  private:
   FeatureSet features_;
-  SampleMatrix samples_;
+  std::vector<float> values_;  ///< sample by sample
   std::vector<bool> buildings_;
 };
 
@@ -41,6 +43,7 @@ struct TrainingOptions {
 /// class, so that windows are judged by what was learnt from other images, or other parts of the
 /// image. nullopt once `stop` was requested. `progress` is told the share done, from this thread.
 /// The same set and options give the same classifier.
+/// Of more than 30,000 windows of a class every second, third … is taken.
 /// Throws BadInput where there are fewer windows of a class than folds.
 std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
                                                   const TrainingOptions& options,

@@ -31,7 +31,8 @@ inline void addNoise(cv::Mat3b area, double sigma, RandomStream& random) {
 /// 160×128: ten by eight windows.
 inline PaintedStreet paintStreet(std::uint64_t seed) {
   RandomStream random(seed);
-  PaintedStreet street{cv::Mat3b(128, 160, cv::Vec3b(225, 205, 190)), cv::Mat1b(128, 160, std::uint8_t{0})};
+  PaintedStreet street{cv::Mat3b(128, 160, cv::Vec3b(225, 205, 190)),
+                       cv::Mat1b(128, 160, std::uint8_t{0})};
   const int horizon = 16 * (5 + random.index(2));
   const int from = 16 * random.index(3);
   const cv::Rect house(from, 16, 64, horizon - 16);
