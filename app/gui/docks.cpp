@@ -13,6 +13,7 @@
 #include "widgets/run/charts_panel.h"
 #include "widgets/run/layers_panel.h"
 #include "widgets/run/run_setup_panel.h"
+#include "widgets/teach/teach_panel.h"
 
 namespace handmap {
 
@@ -40,6 +41,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       charts_(new ChartsPanel),
       camera_(new CameraPanel),
       buildings_(new BuildingsPanel),
+      teach_(new TeachPanel),
       objects_dock_(add("objects", tr("Objects"), objects_)),
       properties_dock_(add("properties", tr("Properties"), properties_)),
       layers_dock_(add("layers", tr("Layers"), scrolled(layers_))),
@@ -47,6 +49,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       charts_dock_(add("charts", tr("Charts"), charts_)),
       camera_dock_(add("camera", tr("Camera"), camera_)),
       buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
+      teach_dock_(add("teach", tr("Teach buildings"), teach_)),
       help_dock_(add("help", tr("Help"), new QTextBrowser)) {
   window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                          QMainWindow::AllowNestedDocks);
@@ -57,8 +60,10 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
   layers_dock_->raise();
   properties_dock_->raise();
   setup_dock_->hide();
-  help_dock_->hide();
-  help_dock_->setFloating(true);
+  for (QDockWidget* dock : {teach_dock_, help_dock_}) {
+    dock->hide();
+    dock->setFloating(true);
+  }
   for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_}) {
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
       if (shown) {
@@ -97,6 +102,14 @@ void Docks::showSetup() {
   setup_dock_->raise();
 }
 
+void Docks::showTeach() {
+  if (teach_dock_->isFloating() && !teach_dock_->isVisible()) {
+    teach_dock_->resize(teach_->sizeHint());
+  }
+  teach_dock_->show();
+  teach_dock_->raise();
+}
+
 void Docks::showHelp(const QString& title, const QString& html) {
   help_dock_->setWindowTitle(title);
   static_cast<QTextBrowser*>(help_dock_->widget())->setHtml(html);
@@ -106,7 +119,7 @@ void Docks::showHelp(const QString& title, const QString& html) {
 
 void Docks::addSwitches(QMenu& menu) const {
   for (const QDockWidget* dock : {objects_dock_, layers_dock_, properties_dock_, setup_dock_,
-                                  charts_dock_, camera_dock_, buildings_dock_}) {
+                                  charts_dock_, camera_dock_, buildings_dock_, teach_dock_}) {
     menu.addAction(dock->toggleViewAction());
   }
 }

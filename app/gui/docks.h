@@ -19,6 +19,7 @@ class MapDocument;
 class ObjectsPanel;
 class PropertyPanel;
 class RunSetupPanel;
+class TeachPanel;
 
 class Docks : public QObject {
   Q_OBJECT
@@ -32,10 +33,12 @@ class Docks : public QObject {
   ChartsPanel& charts() { return *charts_; }
   CameraPanel& camera() { return *camera_; }
   BuildingsPanel& buildings() { return *buildings_; }
+  TeachPanel& teach() { return *teach_; }
 
   /// Those of a run come and go with it; what the user has closed stays closed.
   void showRunDocks(bool run_exists, bool has_camera);
   void showSetup();
+  void showTeach();
   void showHelp(const QString& title, const QString& html);
   void addSwitches(QMenu& menu) const;
   void resize();
@@ -51,6 +54,7 @@ class Docks : public QObject {
   ChartsPanel* charts_;
   CameraPanel* camera_;
   BuildingsPanel* buildings_;
+  TeachPanel* teach_;
   QDockWidget* objects_dock_;
   QDockWidget* properties_dock_;
   QDockWidget* layers_dock_;
@@ -58,6 +62,7 @@ class Docks : public QObject {
   QDockWidget* charts_dock_;
   QDockWidget* camera_dock_;
   QDockWidget* buildings_dock_;
+  QDockWidget* teach_dock_;
   QDockWidget* help_dock_;
   QSet<QDockWidget*> closed_by_user_;
 };

@@ -24,6 +24,7 @@
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/run_setup_panel.h"
 #include "widgets/run/transport_bar.h"
+#include "widgets/teach/teach_panel.h"
 
 namespace handmap {
 
@@ -31,7 +32,7 @@ namespace {
 
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
-constexpr int kStateVersion = 1;  // of the set of docks and bars
+constexpr int kStateVersion = 2;  // of the set of docks and bars
 
 /// The file or folder that is dragged; empty for anything else.
 QString draggedPath(const QMimeData& data) {
@@ -151,6 +152,9 @@ void MainWindow::connectEditing() {
   actions_.on("edit.delete", this, [this] { document_.removeSelected(); });
   actions_.on("edit.select_all", this, [this] { document_.selectAll(); });
   actions_.on("edit.settings", this, [this] { docks_->showSetup(); });
+  actions_.on("run.teach", this, [this] { docks_->showTeach(); });
+  connect(&docks_->teach(), &TeachPanel::messageRaised, this,
+          [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
   actions_.on("file.quit", this, [this] { close(); });
   actions_.on("help.shortcuts", this,
               [this] { docks_->showHelp(tr("Keyboard shortcuts"), shortcutSheet()); });

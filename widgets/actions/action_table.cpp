@@ -79,6 +79,9 @@ constexpr std::array kActions = {
     ActionSpec{"run.accept", "&Accept Refinement", "accept", "Ctrl+Return",
                "Take the corrected shapes into the drawing, as one step that can be undone.",
                Menu::Run, ToolBar::Transport, Push, true},
+    ActionSpec{"run.teach", "Teach &Buildings…", "", "",
+               "Show in your own images what is a building and what is not.", Menu::Run,
+               ToolBar::None, Push, true},
 
     ActionSpec{"help.shortcuts", "&Keyboard Shortcuts", "", "F1", "Show every key.", Menu::Help},
     ActionSpec{"help.about", "&About Handmap", "", "", "Version and licence.", Menu::Help},
