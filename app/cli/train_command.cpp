@@ -104,6 +104,7 @@ void addTrainCommand(CLI::App& app, ChosenCommand& chosen) {
   command->callback([&chosen, arguments] {
     arguments->validation.building = arguments->training.building;
     arguments->validation.ignored = arguments->training.ignored;
+    arguments->training.seed = arguments->options.seed;
     chosen = [arguments] { return train(*arguments); };
   });
   addFolders(*command, a);
@@ -113,6 +114,8 @@ void addTrainCommand(CLI::App& app, ChosenCommand& chosen) {
   addChoice(*command, "--features", a.family,
             {{"handmap", FeatureFamily::Handmap}, {"paper", FeatureFamily::Paper}},
             "What is measured of a window");
+  addNumber(*command, "--variations", a.training.variations, 0, 100,
+            "Of each image, as other cameras would have taken it, to learn from too");
   command->add_flag("--grey", a.grey, "A model that needs no colours");
   addSeed(*command, a.options.seed, "Of the random numbers");
   command->add_option("--out", a.out, "The model (required)")->required()->option_text("MODEL");

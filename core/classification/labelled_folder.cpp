@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/classification/variation.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
@@ -55,8 +56,14 @@ void forEachLabelled(
       throwBadInput(labels.string(), "", sizeOf(classes) + " pixels",
                     sizeOf(image) + " as its image");
     }
-    use(image, windowLabels(classes, folder.building, folder.ignored),
-        static_cast<double>(i + 1) / static_cast<double>(images.size()));
+    const std::vector<WindowLabel> known = windowLabels(classes, folder.building, folder.ignored);
+    for (int k = 0; k <= folder.variations && !stop.stop_requested(); ++k) {
+      RandomStream random(folder.seed, static_cast<std::uint32_t>(i),
+                          static_cast<std::uint32_t>(k));
+      use(k == 0 ? image : varied(image, random), known,
+          (static_cast<double>(i) + (k + 1.0) / (folder.variations + 1.0)) /
+              static_cast<double>(images.size()));
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // Images and their labels in two folders.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -19,12 +20,14 @@ struct LabelledFolder {
   std::filesystem::path labels;
   int building = 1;            ///< the class number of buildings
   std::optional<int> ignored;  ///< of pixels that are not known
+  int variations = 0;          ///< of each image, beside it
+  std::uint64_t seed = 1;      ///< of the variations
 };
 
-/// Calls `use` with each image, in the order of the names. The labels of NAME.jpg are NAME.png:
-/// grey, 8 bit, a class number a pixel. `share` of the images that are done with it. Stops once
-/// `stop` is requested. Throws BadInput: no images, one without labels, one of another size than
-/// its labels, or one that cannot be read.
+/// Calls `use` with each image and its variations, in the order of the names. The labels of
+/// NAME.jpg are NAME.png: grey, 8 bit, a class number a pixel. `share` of the images that are done
+/// with it. Stops once `stop` is requested. Throws BadInput: no images, one without labels, one of
+/// another size than its labels, or one that cannot be read.
 void forEachLabelled(
     const LabelledFolder& folder,
     const std::function<void(const cv::Mat& image, const std::vector<WindowLabel>& labels,

@@ -47,6 +47,29 @@ TEST_F(Labelled, ImagesComeInTheOrderOfTheirNames) {
   EXPECT_EQ(shares, (std::vector{0.5, 1.0}));
 }
 
+TEST_F(Labelled, ImagesAreVariedTheSameWayForTheSameSeed) {
+  folder_.variations = 2;
+  const auto images = [&] {
+    std::vector<cv::Mat> seen;
+    forEachLabelled(
+        folder_, [&](const cv::Mat& image, const std::vector<WindowLabel>& labels, double) {
+          EXPECT_EQ(labels,
+                    windowLabels(test::paintStreet(seen.size() < 3 ? 'a' : 'b').classes, 1, {}));
+          seen.push_back(image.clone());
+        });
+    return seen;
+  };
+  const std::vector<cv::Mat> first = images();
+  ASSERT_EQ(first.size(), 6U);
+  EXPECT_EQ(cv::norm(first[3], test::paintStreet('b').image), 0.0);
+  EXPECT_GT(cv::norm(first[4], first[3], cv::NORM_L1) / (3.0 * 160 * 128), 2.0);
+  EXPECT_GT(cv::norm(first[5], first[4]), 0.0);
+  const std::vector<cv::Mat> second = images();
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(cv::norm(first[i], second[i]), 0.0);
+  folder_.seed = 2;
+  EXPECT_GT(cv::norm(images()[1], first[1]), 0.0);
+}
+
 TEST_F(Labelled, FoldersMustMatch) {
   fs::remove(folder_.labels / "b.png");
   expectRefused({"labels/b.png: found no such file", "the labels of b.png"});
