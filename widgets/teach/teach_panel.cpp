@@ -57,6 +57,8 @@ TeachPanel::TeachPanel(QWidget* parent)
   layout->addWidget(view_, 1, 1);
   layout->addWidget(makeTraining(), 2, 1);
   figures_->setWordWrap(true);
+  figures_->setAlignment(Qt::AlignTop);
+  figures_->setMinimumHeight(3 * fontMetrics().lineSpacing());  // the image keeps its size
   layout->addWidget(figures_, 3, 1);
   layout->setColumnStretch(1, 1);
   layout->setRowStretch(1, 1);
