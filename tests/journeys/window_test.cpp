@@ -19,6 +19,7 @@
 #include "widgets/run/layers_panel.h"
 #include "widgets/run/run_setup_panel.h"
 #include "widgets/run/transport_bar.h"
+#include "widgets/teach/teach_panel.h"
 
 namespace handmap {
 namespace {
@@ -109,6 +110,15 @@ TEST_F(WindowTest, AStepFromRestTakesOneObservation) {
   ASSERT_TRUE(waitFor(*window, RunState::Paused));
   EXPECT_TRUE(window->runs().stateInWords().startsWith("Paused, 1 of"))
       << window->runs().stateInWords().toStdString();
+}
+
+TEST_F(WindowTest, TeachingOpensItsPanelAndTellsProblems) {
+  const auto window = open();
+  EXPECT_FALSE(window->docks().teach().isVisible());
+  action(*window, "run.teach")->trigger();
+  EXPECT_TRUE(window->docks().teach().isVisible());
+  EXPECT_FALSE(window->docks().teach().loadModel(path("none.json")));
+  EXPECT_TRUE(message(*window).contains("none.json")) << message(*window).toStdString();
 }
 
 TEST_F(WindowTest, ClosesInTheMiddleOfARun) {
