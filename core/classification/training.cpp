@@ -18,6 +18,7 @@ constexpr std::array kLambdas = {1e-6, 1e-5, 1e-4, 1e-3};
 // Windows of each class: to choose by, and to train with, which bounds time and memory.
 constexpr std::size_t kEnoughToChoose = 4000;
 constexpr std::size_t kMost = 30'000;
+constexpr std::size_t kMostKept = 2'000'000;  // of both, in a set: less than a gigabyte
 
 struct Samples {
   SampleMatrix features;
@@ -153,6 +154,9 @@ void checkClasses(const std::vector<bool>& buildings, int folds) {
 void TrainingSet::add(const cv::Mat& image, const std::vector<WindowLabel>& labels) {
   const SampleMatrix features = windowFeatures(image, features_);
   const WindowGrid grid = WindowGrid::of(image.size());
+  if (buildings_.size() + labels.size() > kMostKept) {
+    throwBadInput("training images", "", fmt::format("more than {} windows", kMostKept), "fewer");
+  }
   for (int column = 0; column < grid.columns; ++column) {
     for (int row = 0; row < grid.rows; ++row) {
       const int window = row * grid.columns + column;

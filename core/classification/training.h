@@ -16,7 +16,8 @@ class TrainingSet {
  public:
   explicit TrainingSet(FeatureSet features) : features_(features) {}
 
-  /// One label a whole window. Unknown ones are left out. Errors as windowFeatures().
+  /// One label a whole window. Unknown ones are left out. Errors as windowFeatures(), and BadInput
+  /// beyond two million windows.
   void add(const cv::Mat& image, const std::vector<WindowLabel>& labels);
 
   const FeatureSet& features() const { return features_; }

@@ -21,7 +21,7 @@ constexpr int kPlace = 2;
 /// Features of a window by itself.
 int ownCount(const FeatureSet& set) {
   if (set.family == FeatureFamily::Paper) return set.colour ? 6 : 5;
-  return set.colour ? 18 : 12;
+  return set.colour ? 15 : 11;
 }
 
 /// Appends values one after another.
@@ -51,15 +51,13 @@ void writeMoreEdges(const EdgeStatistics& edges, Writer& write) {
   write(edges.directions[kEdgeDirections / 2]);
 }
 
-/// `mean_level`: of the whole image, 0 … 255.
-void writeColour(const cv::Vec3b& bgr, bool more, float mean_level, Writer& write) {
+void writeColour(const cv::Vec3b& bgr, bool more, Writer& write) {
   const float sum = static_cast<float>(bgr[0] + bgr[1] + bgr[2]) + 3.0F;
   for (const int channel : {2, 1, 0}) write((static_cast<float>(bgr[channel]) + 1.0F) / sum);
   if (!more) return;
   const auto [least, greatest] = std::minmax({bgr[0], bgr[1], bgr[2]});
   write((sum - 3.0F) / 765.0F);
   write(static_cast<float>(greatest - least) / (static_cast<float>(greatest) + 1.0F));
-  for (const int channel : {2, 1, 0}) write(static_cast<float>(bgr[channel]) / mean_level);
 }
 
 /// Of every window by itself: rows × columns, as many channels as features.
@@ -71,7 +69,6 @@ cv::Mat ownFeatures(const cv::Mat& image, const cv::Mat1b& grey, const FeatureSe
   cv::Mat mean;  // colour or brightness
   cv::resize((set.colour ? image : cv::Mat(grey))(whole), mean, {grid.columns, grid.rows}, 0, 0,
              cv::INTER_AREA);
-  const auto mean_level = static_cast<float>(std::max(cv::mean(grey(whole))[0], 1.0));
 
   const int count = ownCount(set);
   cv::Mat features(grid.rows, grid.columns, CV_32FC(count));
@@ -80,11 +77,10 @@ cv::Mat ownFeatures(const cv::Mat& image, const cv::Mat1b& grey, const FeatureSe
       const EdgeStatistics& own = edges[static_cast<std::size_t>(row * grid.columns + column)];
       Writer write(features.ptr<float>(row) + static_cast<std::ptrdiff_t>(column) * count);
       if (set.colour) {
-        writeColour(mean.at<cv::Vec3b>(row, column), more, mean_level, write);
+        writeColour(mean.at<cv::Vec3b>(row, column), more, write);
       } else {
-        const auto level = static_cast<float>(mean.at<std::uint8_t>(row, column));
-        write(level / 255.0F);
-        write(more ? level / mean_level : own.contrast);
+        write(static_cast<float>(mean.at<std::uint8_t>(row, column)) / 255.0F);
+        if (!more) write(own.contrast);
       }
       writeEdges(own, write);
       if (more) writeMoreEdges(own, write);
