@@ -26,6 +26,7 @@ struct RunArguments {
   std::string out;
   std::string trajectory;
   std::string report;
+  std::string model;
 };
 
 void check(const RunArguments& arguments) {
@@ -34,7 +35,7 @@ void check(const RunArguments& arguments) {
                                               *arguments.replay.to, arguments.replay.from));
   }
   checkOutputFiles({arguments.out, arguments.trajectory, arguments.report},
-                   {arguments.map, arguments.odometry});
+                   {arguments.map, arguments.odometry, arguments.model});
 }
 
 Map readDrawing(const std::string& path) {
@@ -82,6 +83,11 @@ int run(RunArguments arguments) {
   arguments.replay.visual_odometry = arguments.odometry == "visual";
   if (!arguments.replay.visual_odometry) arguments.replay.odometry = arguments.odometry;
   arguments.settings.slam.refine = !arguments.localize_only;
+  arguments.settings.perception.classify = arguments.model != "none";
+  if (!arguments.model.empty() && arguments.settings.perception.classify) {
+    arguments.settings.perception.classifier =
+        std::make_shared<const BuildingClassifier>(BuildingClassifier::load(arguments.model));
+  }
   Map drawing = readDrawing(arguments.map);
   auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
 
@@ -120,6 +126,11 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->add_option("--odometry", a.odometry,
                    "In place of the recording's own; visual: from the images")
       ->option_text("FILE.tum|visual");
+  command
+      ->add_option("--model", a.model,
+                   "Tells buildings in images, made by train (default: the one of the program); "
+                   "none: every wall is one")
+      ->option_text("MODEL|none");
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},
             "Ours (handmap) or the published FastSLAM/PSOM (paper)");

@@ -2,6 +2,7 @@
 
 #include <QFile>
 #include <QObject>
+#include <QStandardPaths>
 
 #include "core/map/map_io.h"
 
@@ -30,9 +31,14 @@ Demonstration simulationOf(const QString& name, const World& world, std::uint64_
 }  // namespace
 
 Demonstration demonstration() {
-  const World world = worldFromMap(bundledMap("two-rows-truth"), kDemonstrationSeed);
+  RenderedDrive drive;
+  drive.world =
+      furnished(worldFromMap(bundledMap("two-rows-truth"), kDemonstrationSeed), kDemonstrationSeed);
+  drive.seed = kDemonstrationSeed;
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
+                         QStringLiteral("/demonstration-" HANDMAP_VERSION);
   return {bundledMap("two-rows-sketch"),
-          simulatedRobot(QObject::tr("demonstration"), world, kDemonstrationSeed)};
+          renderedRobot(QObject::tr("demonstration"), std::move(drive), folder)};
 }
 
 Demonstration twoRowSimulation(std::uint64_t seed) {

@@ -5,8 +5,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "core/recording/recording.h"
+#include "core/rendering/rendered_recording.h"
 #include "core/simulation/world.h"
 
 namespace handmap {
@@ -15,11 +17,17 @@ struct Robot {
   QString name;
   std::vector<StampedPose> truth;  ///< to be drawn before the run, may be empty
   std::optional<Map> truth_map;    ///< where it is known: to be drawn, and to score the run
-  /// Called in the thread of the run. The options are those of recordings.
-  std::function<std::unique_ptr<ObservationSource>(const ReplayOptions&)> connect;
+  QString opening;  ///< what it does before the first observation, where that takes long
+  /// Called in the thread of the run. The options are those of recordings. Tells the share done of
+  /// opening. nullptr when the stop was requested before it was done.
+  std::function<std::unique_ptr<ObservationSource>(const ReplayOptions&, const std::stop_token&,
+                                                   const std::function<void(double)>&)>
+      connect;
 };
 
 Robot recordedRobot(std::shared_ptr<const Recording> recording);
 Robot simulatedRobot(const QString& name, World world, std::uint64_t seed);
+/// Sees rendered images; they are rendered into `folder` the first time.
+Robot renderedRobot(const QString& name, RenderedDrive drive, const QString& folder);
 
 }  // namespace handmap

@@ -230,7 +230,8 @@ QString RunActions::stateInWords() const {
   const QString where = last_ ? tr(", %1 of %2").arg(last_->index).arg(last_->count) : QString();
   switch (parts_.run.state()) {
     case RunState::Running:
-      return (last_ ? tr("Running") : tr("Opening")) + where;
+      if (last_) return tr("Running") + where;
+      return robot_->opening.isEmpty() ? tr("Opening") : robot_->opening;
     case RunState::Paused:
       return tr("Paused") + where;
     case RunState::Stopping:

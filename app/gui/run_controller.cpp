@@ -21,9 +21,13 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   RunJob job;
   job.drawing = drawing;
   job.settings = setup.settings;
-  job.open = [connect = robot.connect, replay = setup.replay,
-              pace = pace_](std::stop_token stop) -> std::unique_ptr<ObservationSource> {
-    return std::make_unique<PacedSource>(connect(replay), pace, std::move(stop));
+  job.open =
+      [connect = robot.connect, replay = setup.replay, pace = pace_](
+          std::stop_token stop,
+          const std::function<void(double)>& progress) -> std::unique_ptr<ObservationSource> {
+    auto source = connect(replay, stop, progress);
+    if (!source) return nullptr;
+    return std::make_unique<PacedSource>(std::move(source), pace, std::move(stop));
   };
   worker_ = std::make_unique<RunWorker>(std::move(job));
   listenTo(*worker_);

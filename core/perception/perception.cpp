@@ -13,7 +13,10 @@ Perception::Perception(const SourceInfo& source, const PerceptionOptions& option
       range_walls_(source.range_limit_m, options.points),
       builder_(source.range_limit_m, options.local_map),
       scans_(source.range_limit_m) {
-  if (source.camera) stereo_.emplace(*source.camera, options.stereo);
+  if (!source.camera) return;
+  std::optional<WallJudge> judge;
+  if (options.classify) judge.emplace(options.classifier);
+  stereo_.emplace(*source.camera, options.stereo, std::move(judge));
 }
 
 std::optional<Percept> Perception::operator()(const Observation& observation,
@@ -51,8 +54,8 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
   const Stopwatch stopwatch;
   Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
   LocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
-  return Percept{std::move(map), std::move(scan), image,         seen.disparity,
-                 stereo_ms,      classify_ms,     stopwatch.ms()};
+  return Percept{std::move(map), std::move(scan), image,       seen.disparity,
+                 seen.buildings, stereo_ms,       classify_ms, stopwatch.ms()};
 }
 
 }  // namespace handmap

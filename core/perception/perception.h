@@ -15,6 +15,9 @@ struct PerceptionOptions {
   StereoOptions stereo;
   WallFilter points;  ///< for range points
   LocalMapOptions local_map;
+  bool classify = true;  ///< tell buildings from the rest in images
+  /// nullptr: the ones that come with the program.
+  std::shared_ptr<const BuildingClassifier> classifier;
 };
 
 struct Percept {
@@ -22,6 +25,7 @@ struct Percept {
   Scan scan;            ///< of this observation alone
   cv::Mat image;        ///< left image of the last view, empty without images
   cv::Mat1f disparity;  ///< of the last view
+  cv::Mat1f buildings;  ///< as StereoResult, of the last view
   double stereo_ms = 0.0;
   double classify_ms = 0.0;
   double local_map_ms = 0.0;

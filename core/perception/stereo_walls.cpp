@@ -95,6 +95,7 @@ int disparitiesFor(const StereoCamera& reduced) {
 struct StereoWalls::Matcher {
   StereoCamera camera;
   StereoOptions options;
+  std::optional<WallJudge> judge;
   cv::Ptr<cv::StereoSGBM> sgbm = cv::StereoSGBM::create();
   cv::Mat left;
   cv::Mat right;
@@ -160,19 +161,21 @@ std::vector<WallPoint> StereoWalls::Matcher::inRobotFrame(const std::vector<Wall
         robot_range < options.filter.min_range_m) {
       continue;
     }
-    walls.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
-                     static_cast<float>(sigma),
-                     static_cast<float>(std::min(1.0, column.extent_m / kSureExtent_m))});
+    walls.push_back(
+        {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(sigma),
+         static_cast<float>(column.building * std::min(1.0, column.extent_m / kSureExtent_m))});
   }
   return walls;
 }
 
-StereoWalls::StereoWalls(const StereoCamera& camera, const StereoOptions& options) {
+StereoWalls::StereoWalls(const StereoCamera& camera, const StereoOptions& options,
+                         std::optional<WallJudge> judge) {
   check(camera);
   check(options);
   matcher_ = std::make_unique<Matcher>();
   matcher_->camera = camera;
   matcher_->options = options;
+  matcher_->judge = std::move(judge);
   const int area = options.block_size * options.block_size;
   cv::StereoSGBM& sgbm = *matcher_->sgbm;
   sgbm.setMode(cv::StereoSGBM::MODE_SGBM_3WAY);
@@ -210,8 +213,9 @@ StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, 
   const Stopwatch rest;
   const CameraRays rays(reduced, size);
   const GroundPlane ground = fitGround(result.disparity, reduced, rays);
-  const std::vector<WallColumn> columns =
+  std::vector<WallColumn> columns =
       wallColumns(result.disparity, reduced, rays, ground, options.filter, range_limit_m);
+  if (matcher_->judge) result.buildings = (*matcher_->judge)(left, size, columns);
   result.walls = matcher_->inRobotFrame(columns, reduced, pan_rad, range_limit_m);
   // Where σ_z = z² σ_d / (f B) passes its limit.
   const double max_depth_m = std::min(

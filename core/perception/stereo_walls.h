@@ -1,10 +1,12 @@
-// Rectified stereo pairs to points on walls (paper, II-A without the classifier).
+// Rectified stereo pairs to points on walls (paper, II-A).
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <opencv2/core/mat.hpp>
 
+#include "core/perception/wall_judge.h"
 #include "core/perception/wall_points.h"
 #include "core/recording/observation.h"
 
@@ -26,6 +28,9 @@ struct StereoOptions {
 struct StereoResult {
   cv::Mat1f disparity;  ///< pixels at the reduced size; < 0 where unknown
   std::vector<WallPoint> walls;
+  /// Probability of each 16×16 window of the left image; 0.5 where not asked; empty without a
+  /// judge.
+  cv::Mat1f buildings;
   std::vector<Vec2> looked_through;  ///< robot frame: where the view of each column ends
   double stereo_ms = 0.0;            ///< matching
   double walls_ms = 0.0;             ///< the rest
@@ -35,8 +40,10 @@ struct StereoResult {
 /// extent over disparity. Holds buffers: one object a thread.
 class StereoWalls {
  public:
-  /// Throws BadInput for a camera or options that cannot be.
-  StereoWalls(const StereoCamera& camera, const StereoOptions& options);
+  /// Without a judge every wall is as sure as its extent. Throws BadInput for a camera or options
+  /// that cannot be.
+  StereoWalls(const StereoCamera& camera, const StereoOptions& options,
+              std::optional<WallJudge> judge = {});
   ~StereoWalls();
   StereoWalls(const StereoWalls&) = delete;
   StereoWalls& operator=(const StereoWalls&) = delete;

@@ -15,6 +15,8 @@ struct Bin {
   float metres = 0.0F;  ///< vertical; the weight of the rest
   float level = 0.0F;   ///< sum of metres × level
   float depth = 0.0F;   ///< sum of metres × depth per metre forward
+  float row = 0.0F;     ///< sum of metres × row
+  float rows = 0.0F;    ///< pixels
 };
 
 /// Vertical metres over disparity, for every image column.
@@ -25,11 +27,13 @@ class Histogram {
         cells_(static_cast<std::size_t>(bins_ * columns)) {}
 
   int bins() const { return bins_; }
-  void add(int column, double level, double depth, double metres) {
+  void add(int column, int row, double level, double depth, double metres) {
     Bin& bin = cells_[index(column, static_cast<int>(level * kBinsPerPixel))];
     bin.metres += static_cast<float>(metres);
     bin.level += static_cast<float>(metres * level);
     bin.depth += static_cast<float>(metres * depth);
+    bin.row += static_cast<float>(metres * row);
+    bin.rows += 1.0F;
   }
   Bin windowSum(int column, int bin) const {
     Bin sum;
@@ -38,6 +42,8 @@ class Histogram {
       sum.metres += cell.metres;
       sum.level += cell.level;
       sum.depth += cell.depth;
+      sum.row += cell.row;
+      sum.rows += cell.rows;
     }
     return sum;
   }
@@ -87,7 +93,7 @@ void fill(Histogram& histogram, const cv::Mat1f& disparity, const StereoCamera& 
       const double y = x / forward * rays.left[static_cast<std::size_t>(column)];
       const double height = camera.mount.z + x * rise - ground.at(x, y);
       if (height < filter.min_height_m || height > filter.max_height_m) continue;
-      histogram.add(column, level, 1.0 / forward, x * pixel_rise);
+      histogram.add(column, row, level, 1.0 / forward, x * pixel_rise);
     }
   }
 }
@@ -118,7 +124,9 @@ std::vector<WallColumn> wallColumns(const cv::Mat1f& disparity, const StereoCame
       const auto extent = static_cast<double>(peak->metres);
       const double x = depth_disparity * extent / static_cast<double>(peak->level);
       const double depth = x * static_cast<double>(peak->depth) / extent;
-      walls.push_back({x, depth * rays.left[static_cast<std::size_t>(column)], extent});
+      walls.push_back({x, depth * rays.left[static_cast<std::size_t>(column)], extent, column,
+                       static_cast<double>(peak->row) / extent,
+                       static_cast<double>(peak->rows) / 2.0});
     }
   }
   return walls;

@@ -13,9 +13,13 @@ namespace handmap {
 
 /// A wall seen in one image column, in the levelled frame of the camera.
 struct WallColumn {
-  double x;         ///< metres forward
-  double y;         ///< metres to the left
-  double extent_m;  ///< vertical metres seen of it above the filter's min_height
+  double x;          ///< metres forward
+  double y;          ///< metres to the left
+  double extent_m;   ///< vertical metres seen of it above the filter's min_height
+  int column = 0;    ///< of the image
+  double row = 0.0;  ///< the mean of the rows that show that
+  double half_rows = 0.0;
+  double building = 1.0;  ///< probability that it is of a building
 };
 
 /// A vertical wall has one forward distance in a whole column: it stands out of a histogram over

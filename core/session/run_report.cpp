@@ -17,6 +17,10 @@ Json settingsJson(const RunSettings& settings) {
   const SlamOptions& slam = settings.slam;
   const StereoOptions& stereo = settings.perception.stereo;
   const LocalMapOptions& local_map = settings.perception.local_map;
+  const PerceptionOptions& perception = settings.perception;
+  const char* classifier = !perception.classify    ? "none"
+                           : perception.classifier ? "own"
+                                                   : "built-in";
   return {
       {"method", methodName(settings)},
       {"slam_particles", slam.slam_particles},
@@ -33,6 +37,7 @@ Json settingsJson(const RunSettings& settings) {
         {"heading_per_rad", slam.motion.heading_per_rad},
         {"min_length_m", slam.motion.min_length_m},
         {"min_heading_rad", slam.motion.min_heading_rad}}},
+      {"classifier", classifier},
       {"stereo",
        {{"scale", stereo.scale},
         {"num_disparities", stereo.num_disparities},

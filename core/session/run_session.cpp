@@ -144,6 +144,7 @@ std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& o
   snapshot->local_map = std::make_shared<const LocalMap>(std::move(percept.local_map));
   snapshot->image = percept.image;
   snapshot->disparity = percept.disparity;
+  snapshot->buildings = percept.buildings;
   newest = snapshot;
   return snapshot;
 }

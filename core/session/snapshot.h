@@ -50,6 +50,7 @@ struct Snapshot {
   std::shared_ptr<const LocalMap> local_map;  ///< around report.pose
   cv::Mat image;        ///< left image, not to be written to; empty without a camera
   cv::Mat1f disparity;  ///< the same
+  cv::Mat1f buildings;  ///< probability of each of its 16×16 windows, see StereoResult
 };
 
 }  // namespace handmap

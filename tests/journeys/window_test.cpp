@@ -180,7 +180,7 @@ TEST_F(WindowTest, TheSimulatorTakesTheDrawingItself) {
   ASSERT_TRUE(robot.truth_map);
   EXPECT_NE(robot.truth_map->buildings, drawing.buildings);
   EXPECT_EQ(simulationOfDrawing(drawing, 3).truth_map, robot.truth_map);
-  EXPECT_GT(robot.connect({})->info().observations, 1);
+  EXPECT_GT(robot.connect({}, {}, {})->info().observations, 1);
 }
 
 TEST_F(WindowTest, LayersReachTheCanvas) {

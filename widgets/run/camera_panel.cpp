@@ -4,6 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/classification/overlay.h"
+
 namespace handmap {
 
 QImage cameraImage(const cv::Mat& image) {
@@ -15,6 +17,12 @@ QImage cameraImage(const cv::Mat& image) {
   if (image.channels() == 1) return wrapped(QImage::Format_Grayscale8);
   if (image.channels() == 3) return wrapped(QImage::Format_BGR888);
   return {};
+}
+
+QImage judgedImage(const cv::Mat& image, const cv::Mat1f& buildings) {
+  if (image.empty() || buildings.empty()) return cameraImage(image);
+  // What was not judged has 0.5 and is left alone.
+  return cameraImage(withCrosses(image, buildings - 1e-4F));
 }
 
 QImage disparityImage(const cv::Mat1f& disparity) {
@@ -40,7 +48,7 @@ void CameraPanel::setSnapshot(std::shared_ptr<const Snapshot> snapshot) {
 void CameraPanel::paintEvent(QPaintEvent*) {
   if (converted_ != snapshot_) {
     converted_ = snapshot_;
-    image_ = snapshot_ ? cameraImage(snapshot_->image) : QImage();
+    image_ = snapshot_ ? judgedImage(snapshot_->image, snapshot_->buildings) : QImage();
     disparity_ = snapshot_ ? disparityImage(snapshot_->disparity) : QImage();
   }
   QPainter painter(this);

@@ -10,6 +10,8 @@ namespace handmap {
 
 /// Grey or BGR, 8 bit; a null image for anything else.
 QImage cameraImage(const cv::Mat& image);
+/// The same with a cross on every window judged to show a building.
+QImage judgedImage(const cv::Mat& image, const cv::Mat1f& buildings);
 /// Unknown disparities are black.
 QImage disparityImage(const cv::Mat1f& disparity);
 

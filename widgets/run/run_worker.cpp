@@ -83,7 +83,12 @@ void RunWorker::reportSkipped(const RunSession& session) {
 }
 
 void RunWorker::run(const std::stop_token& stop) {
-  RunSession session(job_.drawing, job_.open(stop), job_.settings);
+  auto source = job_.open(stop, [this](double share) { tellProgress(share); });
+  if (!source) {
+    Q_EMIT finished(true);
+    return;
+  }
+  RunSession session(job_.drawing, std::move(source), job_.settings);
   Q_EMIT started(std::make_shared<const SourceInfo>(session.source()));
   const auto progress = [this, &stop](double share) {
     if (mayGoOn(stop)) tellProgress(share);

@@ -24,9 +24,12 @@ namespace handmap {
 struct RunJob {
   Map drawing;
   RunSettings settings;
-  /// Called in the worker's thread: opening may take its time. The source must not wait for
-  /// anything once the stop is requested. Throws handmap::Error.
-  std::function<std::unique_ptr<ObservationSource>(std::stop_token)> open;
+  /// Called in the worker's thread: opening may take its time, and tells the share done. The source
+  /// must not wait for anything once the stop is requested; nullptr when it was requested before
+  /// the source was open. Throws handmap::Error.
+  std::function<std::unique_ptr<ObservationSource>(std::stop_token,
+                                                   const std::function<void(double)>&)>
+      open;
 };
 
 struct RunFailure {

@@ -43,7 +43,8 @@ RunJob jobOf(int observations, int slam_particles, bool with_gap = false) {
   job.settings.slam.slam_particles = slam_particles;
   job.settings.slam.pso_particles = 5;
   job.settings.slam.pso_iterations = 2;
-  job.open = [world, observations, with_gap](const std::stop_token&) {
+  job.open = [world, observations, with_gap](const std::stop_token&,
+                                             const std::function<void(double)>&) {
     return std::make_unique<Shortened>(simulate(world, {}, 1), observations, with_gap);
   };
   return job;
@@ -117,7 +118,7 @@ TEST(RunWorker, RunsToTheEndAndShowsTheLastSnapshotBeforeItSaysSo) {
 
 TEST(RunWorker, GivesTheSameMapAsARunWithoutAThread) {
   const RunJob job = jobOf(3, 10);
-  RunSession session(job.drawing, job.open({}), job.settings);
+  RunSession session(job.drawing, job.open({}, [](double) {}), job.settings);
   while (session.step()) {
   }
   Heard heard(job);
@@ -198,7 +199,8 @@ TEST(RunWorker, TellsOfABadJobWithItsCode) {
 
 TEST(RunWorker, TellsOfASourceThatCannotBeOpened) {
   RunJob job = jobOf(2, 10);
-  job.open = [](const std::stop_token&) -> std::unique_ptr<ObservationSource> {
+  job.open = [](const std::stop_token&,
+                const std::function<void(double)>&) -> std::unique_ptr<ObservationSource> {
     throw Error(ErrorCode::BadInput, "frames.csv: gone", "Put it back.");
   };
   Heard heard(std::move(job));
