@@ -48,7 +48,7 @@ int classify(const ClassifyArguments& arguments) {
   if (arguments.json) {
     fmt::print("{}", toJson(probabilities));
   } else {
-    fmt::print("{} of {} windows show a building\n", cv::countNonZero(probabilities >= 0.5F),
+    fmt::print("{} of {} windows show a building\n", cv::countNonZero(probabilities > 0.5F),
                probabilities.total());
   }
   return 0;

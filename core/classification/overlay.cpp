@@ -20,7 +20,7 @@ cv::Mat3b withCrosses(const cv::Mat& image, const cv::Mat1f& probabilities) {
        {std::pair{cv::Scalar(0, 0, 0), 3}, {cv::Scalar(0, 220, 255), 1}}) {
     for (int row = 0; row < probabilities.rows; ++row) {
       for (int column = 0; column < probabilities.cols; ++column) {
-        if (probabilities(row, column) < 0.5F) continue;
+        if (!(probabilities(row, column) > 0.5F)) continue;
         const cv::Point at(column * kWindow_px, row * kWindow_px);
         cv::line(result, at + cv::Point(kMargin, kMargin), at + cv::Point(kFar, kFar), colour,
                  width, cv::LINE_AA);

@@ -46,8 +46,8 @@ void check(const StereoCamera& camera) {
 }
 
 void check(const StereoOptions& options) {
-  require(options.scale > 0.0 && options.scale <= 1.0, "scale", formatNumber(options.scale),
-          "a number above 0, at most 1");
+  require(options.scale >= 0.0 && options.scale <= 1.0, "scale", formatNumber(options.scale),
+          "a number from 0 to 1");
   require(options.num_disparities >= 0 && options.num_disparities <= 512 &&
               options.num_disparities % 16 == 0,
           "num_disparities", std::to_string(options.num_disparities),
@@ -168,6 +168,13 @@ std::vector<WallPoint> StereoWalls::Matcher::inRobotFrame(const std::vector<Wall
   return walls;
 }
 
+double stereoScale(const StereoCamera& camera) {
+  constexpr double kLeast = 180.0;  // pixels times metres
+  double scale = 1.0;
+  while (scale > 0.25 && camera.fx * camera.baseline * scale / 2.0 >= kLeast) scale /= 2.0;
+  return scale;
+}
+
 StereoWalls::StereoWalls(const StereoCamera& camera, const StereoOptions& options,
                          std::optional<WallJudge> judge) {
   check(camera);
@@ -175,6 +182,7 @@ StereoWalls::StereoWalls(const StereoCamera& camera, const StereoOptions& option
   matcher_ = std::make_unique<Matcher>();
   matcher_->camera = camera;
   matcher_->options = options;
+  if (options.scale == 0.0) matcher_->options.scale = stereoScale(camera);
   matcher_->judge = std::move(judge);
   const int area = options.block_size * options.block_size;
   cv::StereoSGBM& sgbm = *matcher_->sgbm;

@@ -13,7 +13,8 @@
 namespace handmap {
 
 struct StereoOptions {
-  double scale = 0.5;             ///< images are reduced by this before matching
+  /// Images are reduced by this before matching; 0: as far as depth allows, see stereoScale().
+  double scale = 0.0;
   int num_disparities = 0;        ///< at the reduced size, a multiple of 16; 0: to see 4 m
   int block_size = 7;             ///< odd
   double left_right_px = 1.0;     ///< consistency, at the reduced size; rounded, at least 1
@@ -23,6 +24,10 @@ struct StereoOptions {
   double max_sigma_m = 1.0;       ///< points noisier than this are dropped
   WallFilter filter;
 };
+
+/// 1, 1/2 or 1/4: the smallest at which f·B is still 180 px·m. There a pixel of disparity is 2.2 m
+/// at 20 m; matchers pull disparities towards whole pixels, and walls with them.
+double stereoScale(const StereoCamera& camera);
 
 /// What one pair gave, for the panel and for pictures.
 struct StereoResult {

@@ -21,8 +21,7 @@ QImage cameraImage(const cv::Mat& image) {
 
 QImage judgedImage(const cv::Mat& image, const cv::Mat1f& buildings) {
   if (image.empty() || buildings.empty()) return cameraImage(image);
-  // What was not judged has 0.5 and is left alone.
-  return cameraImage(withCrosses(image, buildings - 1e-4F));
+  return cameraImage(withCrosses(image, buildings));
 }
 
 QImage disparityImage(const cv::Mat1f& disparity) {

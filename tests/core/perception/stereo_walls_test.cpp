@@ -187,7 +187,7 @@ TEST(StereoWalls, RefusesBadCamerasAndOptions) {
       StereoWalls(streetCamera(), bad);
     };
   };
-  expectBadInput(options([](StereoOptions& o) { o.scale = 0.0; }), {"scale"});
+  expectBadInput(options([](StereoOptions& o) { o.scale = -0.5; }), {"scale"});
   expectBadInput(options([](StereoOptions& o) { o.num_disparities = 20; }), {"num_disparities"});
   expectBadInput(options([](StereoOptions& o) { o.block_size = 4; }), {"block_size"});
 }

@@ -104,9 +104,9 @@ TEST(RenderedSource, PerceptionFindsTheWallsWhereTheyAre) {
                                      test::box("S", {{4.0, -18.0}, 40.0, 14.0, 0.0})});
   const auto source = renderedSource(world, {}, {}, Looking::Around, 1);
   Perception perception(source->info(), {});
-  const Percept percept = perception(*source->next());
+  const auto percept = perception(*source->next());
   std::vector<double> errors;
-  for (const Ray& ray : percept.scan.rays) {
+  for (const Ray& ray : percept->scan.rays) {
     if (!ray.returned) continue;
     const Vec2 place =
         static_cast<double>(ray.range) * unitVector(static_cast<double>(ray.bearing));
