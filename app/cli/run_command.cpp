@@ -128,8 +128,7 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->option_text("FILE.tum|visual");
   command
       ->add_option("--model", a.model,
-                   "Tells buildings in images, made by train (default: the one of the program); "
-                   "none: every wall is one")
+                   "Tells buildings in images, made by train; none: all walls are (default: own)")
       ->option_text("MODEL|none");
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},

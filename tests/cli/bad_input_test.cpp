@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"NoStart", mapHas("\"start\"", "\"begin\""),
              "map.handmap: start: found none, expected where the robot starts\n"},
         Case{"NotFinite", mapHas("\"x\": 22", "\"x\": 1e999"),
-             "map.handmap: found a number too large to represent, expected finite numbers\n"},
+             "map.handmap: buildings[0].x: found a number too large to represent, expected a "
+             "finite number\n"},
         Case{"Huge", mapHas("\"x\": 22", "\"x\": 1e300"),
              "map.handmap: buildings[0].x: found 1e+300, expected a number from -1000000 to "
              "1000000\n"},

@@ -34,13 +34,13 @@ class WindowTest : public testing::Test {
     window->show();
     return window;
   }
-  /// The demonstration with few particles, as fast as possible.
-  static void runDemonstration(MainWindow& window) {
+  /// The simulator with few particles, as fast as possible.
+  static void runSimulator(MainWindow& window) {
     RunSetup setup;
     setup.settings.slam.slam_particles = 5;
     setup.settings.slam.pso_particles = 5;
     window.docks().setup().setSetup(setup);
-    window.runs().openDemonstration();
+    window.runs().openTwoRows();
     window.transport().setSpeed(0.0);
     window.runs().runOrResume();
   }
@@ -62,9 +62,9 @@ class WindowTest : public testing::Test {
   QSettings settings_{folder_.filePath("settings.ini"), QSettings::IniFormat};
 };
 
-TEST_F(WindowTest, TheDemonstrationRunsToItsEndAndIsAcceptedAsOneStep) {
+TEST_F(WindowTest, ARunGoesToItsEndAndIsAcceptedAsOneStep) {
   const auto window = open();
-  runDemonstration(*window);
+  runSimulator(*window);
   const Map drawn = window->document().map();
   EXPECT_TRUE(action(*window, "run.pause")->isEnabled());
   EXPECT_FALSE(action(*window, "run.run")->isEnabled());
@@ -84,7 +84,7 @@ TEST_F(WindowTest, TheDemonstrationRunsToItsEndAndIsAcceptedAsOneStep) {
 
 TEST_F(WindowTest, PauseStepResumeStop) {
   const auto window = open();
-  runDemonstration(*window);
+  runSimulator(*window);
   action(*window, "run.pause")->trigger();
   ASSERT_TRUE(waitFor(*window, RunState::Paused));
   const QString before = window->runs().stateInWords();
@@ -105,7 +105,7 @@ TEST_F(WindowTest, PauseStepResumeStop) {
 
 TEST_F(WindowTest, AStepFromRestTakesOneObservation) {
   const auto window = open();
-  window->runs().openDemonstration();
+  window->runs().openTwoRows();
   action(*window, "run.step")->trigger();
   ASSERT_TRUE(waitFor(*window, RunState::Paused));
   EXPECT_TRUE(window->runs().stateInWords().startsWith("Paused, 1 of"))
@@ -123,7 +123,7 @@ TEST_F(WindowTest, TeachingOpensItsPanelAndTellsProblems) {
 
 TEST_F(WindowTest, ClosesInTheMiddleOfARun) {
   auto window = open();
-  runDemonstration(*window);
+  runSimulator(*window);
   EXPECT_TRUE(window->close());
   EXPECT_FALSE(window->run().isActive());
   window.reset();
@@ -132,7 +132,7 @@ TEST_F(WindowTest, ClosesInTheMiddleOfARun) {
 
 TEST_F(WindowTest, AnotherDrawingEndsTheRun) {
   const auto window = open();
-  runDemonstration(*window);
+  runSimulator(*window);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->run().result() != nullptr; }, kPatienceMs));
   action(*window, "file.new")->trigger();
   EXPECT_EQ(window->run().state(), RunState::Idle);
@@ -143,7 +143,7 @@ TEST_F(WindowTest, AnotherDrawingEndsTheRun) {
 
 TEST_F(WindowTest, ABadFileIsAMessageAndTheDrawingStays) {
   const auto window = open();
-  window->runs().openDemonstration();
+  window->runs().openTwoRows();
   const Map before = window->document().map();
   QFile file(path("torn.handmap"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -163,7 +163,7 @@ TEST_F(WindowTest, AFolderThatIsNoRecordingIsAMessage) {
 
 TEST_F(WindowTest, ADrawingWithoutAStartIsToldAtTheRun) {
   const auto window = open();
-  window->runs().openDemonstration();
+  window->runs().openTwoRows();
   window->document().setStart({});
   window->runs().runOrResume();
   ASSERT_TRUE(waitFor(*window, RunState::Idle));
@@ -185,7 +185,7 @@ TEST_F(WindowTest, TheSimulatorTakesTheDrawingItself) {
 
 TEST_F(WindowTest, LayersReachTheCanvas) {
   const auto window = open();
-  window->runs().openDemonstration();
+  window->runs().openTwoRows();
   window->canvas().zoomToFit();
   const auto picture = [&] { return window->canvas().viewport()->grab().toImage(); };
   const QImage all = picture();

@@ -84,9 +84,9 @@ TEST(RangeWalls, FollowsTheStreetUpAndDown) {
 /// behind it where it looks over.
 std::vector<RangePoint> lookingUpALittle(double robot_x, double wall_height) {
   constexpr double kSensor = 1.7;
-  std::vector<RangePoint> points;
+  std::vector<RangePoint> points = ground(0.0);
   for (double x = -6.0; x <= 6.0; x += 0.2) {
-    for (double elevation = -8.0; elevation <= 2.0; elevation += 0.4) {
+    for (double elevation = -8.0; elevation < 2.01; elevation += 0.4) {
       const double slope = std::tan(toRadians(elevation));
       const Vec2 direction = Vec2(x - robot_x, 8.0).normalized();
       double range = Vec2(x - robot_x, 8.0).norm();
