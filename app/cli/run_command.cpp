@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <opencv2/core.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -10,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/odometry/visual_odometry_source.h"
+#include "core/recording/image_file.h"
 #include "core/session/run_session.h"
 
 namespace handmap {
@@ -26,6 +28,7 @@ struct RunArguments {
   std::string out;
   std::string trajectory;
   std::string report;
+  std::string local_map;
   std::string model;
 };
 
@@ -34,7 +37,7 @@ void check(const RunArguments& arguments) {
     throw Error(ErrorCode::Usage, fmt::format("--to: found {}, expected {} (--from) or more",
                                               *arguments.replay.to, arguments.replay.from));
   }
-  checkOutputFiles({arguments.out, arguments.trajectory, arguments.report},
+  checkOutputFiles({arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
                    {arguments.map, arguments.odometry, arguments.model});
 }
 
@@ -45,8 +48,17 @@ Map readDrawing(const std::string& path) {
   return drawing;
 }
 
-/// Returns whether the run came to its end.
-bool runToEnd(RunSession& session, const Interrupt& interrupt) {
+/// Forward is to the right; what is surely a wall is black.
+cv::Mat picture(const LocalMap& map) {
+  cv::Mat shades;
+  map.cells().convertTo(shades, CV_8U, -255.0, 255.0);
+  cv::flip(shades, shades, 0);
+  return shades;
+}
+
+/// What it found last; nullptr when it was interrupted.
+std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const Interrupt& interrupt) {
+  std::shared_ptr<const Snapshot> last;
   Progress progress(session.source().observations);
   std::size_t skipped = 0;
   const auto done = [&] {
@@ -54,8 +66,10 @@ bool runToEnd(RunSession& session, const Interrupt& interrupt) {
   };
   for (bool more = true; more;) {
     const int before = done();
-    more = session.step(interrupt.token(), [&](double share) { progress.update(before, share); }) !=
-           nullptr;
+    auto snapshot =
+        session.step(interrupt.token(), [&](double share) { progress.update(before, share); });
+    more = snapshot != nullptr;
+    if (more) last = std::move(snapshot);
     if (more && session.frames().back().odometry_guessed && done() > before) {
       progress.message(fmt::format("frame {}: motion guessed", session.frames().back().frame));
     }
@@ -65,17 +79,18 @@ bool runToEnd(RunSession& session, const Interrupt& interrupt) {
     }
   }
   progress.finish(done());
-  if (!interrupt.requested()) return true;
+  if (!interrupt.requested()) return last;
   progress.message("interrupted, nothing written");
-  return false;
+  return nullptr;
 }
 
-void writeOutputs(const RunArguments& arguments, const RunSession& session) {
+void writeOutputs(const RunArguments& arguments, const RunSession& session, const Snapshot& last) {
   if (!arguments.out.empty()) writeMap(session.refinedMap(), arguments.out);
   if (!arguments.trajectory.empty()) {
     writeFileAtomically(arguments.trajectory, formatTum(session.trajectory()));
   }
   if (!arguments.report.empty()) writeFileAtomically(arguments.report, session.reportJson());
+  if (!arguments.local_map.empty()) writePng(picture(*last.local_map), arguments.local_map);
 }
 
 int run(RunArguments arguments) {
@@ -93,8 +108,9 @@ int run(RunArguments arguments) {
 
   const Interrupt interrupt;
   RunSession session(std::move(drawing), std::move(source), arguments.settings);
-  if (!runToEnd(session, interrupt)) return Interrupt::kExitStatus;
-  writeOutputs(arguments, session);
+  const auto last = runToEnd(session, interrupt);
+  if (!last) return Interrupt::kExitStatus;
+  writeOutputs(arguments, session, *last);
   fmt::print("{}", runSummary(session));
   return 0;
 }
@@ -148,6 +164,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--trajectory", a.trajectory, "Where the robot was")->option_text("out.tum");
   command->add_option("--report", a.report, "Times and figures a frame")
       ->option_text("report.json");
+  command->add_option("--local-map", a.local_map, "Walls around the robot at the end, black")
+      ->option_text("map.png");
 }
 
 }  // namespace handmap

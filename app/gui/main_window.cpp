@@ -153,6 +153,8 @@ void MainWindow::connectEditing() {
   actions_.on("edit.select_all", this, [this] { document_.selectAll(); });
   actions_.on("edit.settings", this, [this] { docks_->showSetup(); });
   actions_.on("run.teach", this, [this] { docks_->showTeach(); });
+  connect(&docks_->teach(), &TeachPanel::classifierChanged, &docks_->setup(),
+          &RunSetupPanel::setTaughtClassifier);
   connect(&docks_->teach(), &TeachPanel::messageRaised, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
   actions_.on("file.quit", this, [this] { close(); });

@@ -5,6 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/perception/perception.h"
+#include "core/rendering/rendered_source.h"
 #include "tests/core/perception/rendered_scene.h"
 
 namespace handmap {
@@ -61,6 +62,46 @@ BENCHMARK(sgbmAlone)
     ->ArgName("reduced_by")
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+
+const Observation& panorama(StereoCamera& camera) {
+  static const World world = furnished(twoRowWorld(1), 1);
+  static const auto source = renderedSource(world, {}, {}, Looking::Around, 1);
+  static const Observation observation = source->next().value();
+  camera = source->info().camera.value();
+  return observation;
+}
+
+/// Six pairs of 640×480 from images to local map and scan, on one thread.
+void panoramaToLocalMap(benchmark::State& state) {
+  cv::setNumThreads(1);
+  SourceInfo source;
+  source.camera.emplace();
+  const Observation& observation = panorama(*source.camera);
+  Perception perception(source, {});
+  double stereo_ms = 0.0;
+  double all_ms = 0.0;
+  for (auto _ : state) {
+    const auto percept = perception(observation);
+    stereo_ms += percept->stereo_ms;
+    all_ms += percept->stereo_ms + percept->classify_ms + percept->local_map_ms;
+  }
+  state.counters["to_matching"] = all_ms / stereo_ms;
+}
+BENCHMARK(panoramaToLocalMap)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+/// cv::StereoSGBM alone on the same pairs.
+void panoramaSgbmAlone(benchmark::State& state) {
+  cv::setNumThreads(1);
+  StereoCamera camera;
+  const Observation& observation = panorama(camera);
+  const auto sgbm = cv::StereoSGBM::create(0, 64, 7, 8 * 49, 32 * 49, 1, 31, 10, 100, 1,
+                                           cv::StereoSGBM::MODE_SGBM_3WAY);
+  cv::Mat disparity;
+  for (auto _ : state) {
+    for (const View& view : observation.views) sgbm->compute(view.left, view.right, disparity);
+  }
+}
+BENCHMARK(panoramaSgbmAlone)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 /// A robot that drives along two walls, one scan a metre: 30 scans are in every map.
 void localMap(benchmark::State& state) {

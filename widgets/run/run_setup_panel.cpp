@@ -11,6 +11,7 @@ namespace handmap {
 namespace {
 constexpr int kLastFrame = 9'999'999;
 constexpr int kToTheEnd = -1;
+enum class ToldBy { Program, Taught, Nothing };
 }  // namespace
 
 RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
@@ -31,6 +32,13 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
                     tr("The same seed and the same inputs give the same result"));
   threads_ = addNumber(tr("Threads"), 0, 256, tr("The result does not depend on it"));
   threads_->setSpecialValueText(tr("all"));
+  buildings_ = new QComboBox;
+  buildings_->addItem(tr("The program"), static_cast<int>(ToldBy::Program));
+  buildings_->addItem(tr("Nothing: all walls count"), static_cast<int>(ToldBy::Nothing));
+  buildings_->setToolTip(
+      tr("What tells buildings from trees and hedges in images; one's own "
+         "comes from Teach buildings"));
+  form->addRow(tr("Told by"), buildings_);
   source_ = new QComboBox;
   source_->addItem(tr("Images, else points"), static_cast<int>(SourceKind::Auto));
   source_->addItem(tr("Images"), static_cast<int>(SourceKind::Images));
@@ -53,6 +61,16 @@ QSpinBox* RunSetupPanel::addNumber(const QString& label, int low, int high, cons
   return box;
 }
 
+void RunSetupPanel::setTaughtClassifier(std::shared_ptr<const BuildingClassifier> classifier) {
+  taught_ = std::move(classifier);
+  int index = buildings_->findData(static_cast<int>(ToldBy::Taught));
+  if (index < 0) {
+    index = 1;
+    buildings_->insertItem(index, tr("What was taught"), static_cast<int>(ToldBy::Taught));
+  }
+  buildings_->setCurrentIndex(index);
+}
+
 RunSetup RunSetupPanel::setup() const {
   RunSetup setup;
   setup.settings.method = static_cast<Method>(method_->currentData().toInt());
@@ -61,6 +79,9 @@ RunSetup RunSetupPanel::setup() const {
   setup.settings.slam.pso_iterations = pso_iterations_->value();
   setup.settings.seed = static_cast<std::uint64_t>(seed_->value());
   setup.settings.threads = threads_->value();
+  const auto told_by = static_cast<ToldBy>(buildings_->currentData().toInt());
+  setup.settings.perception.classify = told_by != ToldBy::Nothing;
+  if (told_by == ToldBy::Taught) setup.settings.perception.classifier = taught_;
   setup.replay.kind = static_cast<SourceKind>(source_->currentData().toInt());
   setup.replay.from = from_->value();
   if (to_->value() != kToTheEnd) setup.replay.to = to_->value();
@@ -75,6 +96,13 @@ void RunSetupPanel::setSetup(const RunSetup& setup) {
   pso_iterations_->setValue(setup.settings.slam.pso_iterations);
   seed_->setValue(static_cast<int>(setup.settings.seed));
   threads_->setValue(setup.settings.threads);
+  const PerceptionOptions& perception = setup.settings.perception;
+  if (perception.classify && perception.classifier) {
+    setTaughtClassifier(perception.classifier);
+  } else {
+    const ToldBy told_by = perception.classify ? ToldBy::Program : ToldBy::Nothing;
+    buildings_->setCurrentIndex(buildings_->findData(static_cast<int>(told_by)));
+  }
   source_->setCurrentIndex(source_->findData(static_cast<int>(setup.replay.kind)));
   from_->setValue(setup.replay.from);
   to_->setValue(setup.replay.to.value_or(kToTheEnd));

@@ -22,6 +22,10 @@ class RunSetupPanel : public QWidget {
  public:
   explicit RunSetupPanel(QWidget* parent = nullptr);
 
+  /// What tells buildings from the rest in images, beside the classifier of the program; chosen at
+  /// once.
+  void setTaughtClassifier(std::shared_ptr<const BuildingClassifier> classifier);
+
   RunSetup setup() const;
   void setSetup(const RunSetup& setup);
 
@@ -37,10 +41,12 @@ class RunSetupPanel : public QWidget {
   QSpinBox* pso_iterations_;
   QSpinBox* seed_;
   QSpinBox* threads_;
+  QComboBox* buildings_;
   QComboBox* source_;
   QSpinBox* from_;
   QSpinBox* to_;
   QSpinBox* every_;
+  std::shared_ptr<const BuildingClassifier> taught_;
 };
 
 }  // namespace handmap

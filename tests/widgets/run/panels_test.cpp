@@ -88,6 +88,7 @@ TEST(RunSetupPanel, GivesBackWhatItWasGiven) {
   setup.replay.from = 40;
   setup.replay.to = 0;
   setup.replay.every = 3;
+  setup.settings.perception.classify = false;
   RunSetupPanel panel;
   panel.setSetup(setup);
   const RunSetup back = panel.setup();
@@ -101,6 +102,19 @@ TEST(RunSetupPanel, GivesBackWhatItWasGiven) {
   EXPECT_EQ(back.replay.from, 40);
   EXPECT_EQ(back.replay.to, 0);
   EXPECT_EQ(back.replay.every, 3);
+  EXPECT_FALSE(back.settings.perception.classify);
+}
+
+TEST(RunSetupPanel, WhatWasTaughtTellsBuildings) {
+  RunSetupPanel panel;
+  EXPECT_TRUE(panel.setup().settings.perception.classify);
+  EXPECT_EQ(panel.setup().settings.perception.classifier, nullptr);
+  const auto taught =
+      std::make_shared<const BuildingClassifier>(BuildingClassifier::builtIn(false));
+  panel.setTaughtClassifier(taught);
+  EXPECT_EQ(panel.setup().settings.perception.classifier, taught);
+  panel.setSetup({});
+  EXPECT_EQ(panel.setup().settings.perception.classifier, nullptr);
 }
 
 TEST(RunSetupPanel, TheDefaultsAreThoseOfTheMethod) {
