@@ -49,7 +49,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       charts_dock_(add("charts", tr("Charts"), charts_)),
       camera_dock_(add("camera", tr("Camera"), camera_)),
       buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
-      teach_dock_(add("teach", tr("Teach buildings"), teach_)),
+      teach_dock_(add("teach", tr("Teach buildings"), scrolled(teach_))),
       help_dock_(add("help", tr("Help"), new QTextBrowser)) {
   window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                          QMainWindow::AllowNestedDocks);
