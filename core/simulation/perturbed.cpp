@@ -28,8 +28,12 @@ bool sameOrder(const Place& a, const Place& true_a, const Place& b, const Place&
 
 class Perturbation {
  public:
-  Perturbation(const Map& truth, double sigma_m, std::uint64_t seed)
-      : truth_(truth), sigma_m_(sigma_m), random_(seed, 0, 0, kPerturbed), route_(routeOf(truth)) {
+  Perturbation(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping)
+      : truth_(truth),
+        sigma_m_(sigma_m),
+        keeps_(keeping == Keeping::SideAndOrder),
+        random_(seed, 0, 0, kPerturbed),
+        route_(routeOf(truth)) {
     for (const Building& building : truth.buildings) true_places_.push_back(placeOf(building));
     places_ = true_places_;
     buildings_ = truth.buildings;
@@ -80,10 +84,10 @@ class Perturbation {
 
   bool possible(std::size_t i, const Place& place) const {
     const Place& truth = true_places_[i];
-    if (route_ && place.along->offset * truth.along->offset < 0.0) return false;
+    if (keeps_ && route_ && place.along->offset * truth.along->offset < 0.0) return false;
     for (std::size_t j = 0; j < places_.size(); ++j) {
       if (j == i) continue;
-      if (!sameOrder(place, truth, places_[j], true_places_[j])) return false;
+      if (keeps_ && !sameOrder(place, truth, places_[j], true_places_[j])) return false;
       if (overlap(place.footprint, places_[j].footprint)) return false;
     }
     return !route_ || route_->distanceTo(place.footprint) >
@@ -92,6 +96,7 @@ class Perturbation {
 
   const Map& truth_;
   double sigma_m_;
+  bool keeps_;
   RandomStream random_;
   std::optional<Route> route_;
   std::vector<Place> true_places_;
@@ -101,13 +106,13 @@ class Perturbation {
 
 }  // namespace
 
-Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed) {
+Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping) {
   if (truth.buildings.size() > kMaxBuildings) {
     throwBadInput("buildings", "", std::to_string(truth.buildings.size()),
                   "at most " + std::to_string(kMaxBuildings));
   }
   Map drawn = truth;
-  drawn.buildings = Perturbation(truth, sigma_m, seed).draw();
+  drawn.buildings = Perturbation(truth, sigma_m, seed, keeping).draw();
   for (Building& building : drawn.buildings) {
     building.uncertainty.reset();
     building.estimate.reset();

@@ -46,11 +46,15 @@ World worldFromMap(const Map& map, std::uint64_t seed);
 /// there before changes.
 World furnished(World world, std::uint64_t seed);
 
+/// What a drawing keeps right about the places of its buildings, however wrong the measures are.
+enum class Keeping { SideAndOrder, Nothing };
+
 /// The map as one remembers it: centre and width (and depth) of every building off by a normal
 /// error of `sigma_m`; sizes stay positive, buildings do not come to overlap, neither each other
-/// nor the route, and keep their side of the route and their order along it. A building for which
-/// no such place is found stays where it is, and so does a fixed one. Throws BadInput for more than
-/// 5,000 buildings.
-Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed);
+/// nor the route, and keep their side of the route and their order along it, unless they need not.
+/// A building for which no such place is found stays where it is, and so does a fixed one. Throws
+/// BadInput for more than 5,000 buildings.
+Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed,
+              Keeping keeping = Keeping::SideAndOrder);
 
 }  // namespace handmap

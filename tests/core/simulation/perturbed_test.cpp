@@ -70,6 +70,26 @@ TEST(Perturbed, FollowsFromItsSeedAndTellsItsUncertainty) {
   EXPECT_EQ(drawn.start, truth.start);
 }
 
+TEST(Perturbed, NeedNotKeepSideAndOrder) {
+  int crossed = 0;
+  int swapped = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Map truth = twoRowWorld(seed).map;
+    const Map drawn = perturbed(truth, 40.0, seed, Keeping::Nothing);
+    for (std::size_t i = 0; i < truth.buildings.size(); ++i) {
+      const Vec2 centre = drawn.buildings[i].box().centre;
+      crossed += centre.y() * truth.buildings[i].box().centre.y() < 0.0;
+      if (i % 3 != 0) swapped += centre.x() < drawn.buildings[i - 1].box().centre.x();
+      EXPECT_GT(routeOf(truth)->distanceTo(drawn.buildings[i].footprint()), 1.0);
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_FALSE(overlap(drawn.buildings[i].footprint(), drawn.buildings[j].footprint()));
+      }
+    }
+  }
+  EXPECT_GT(crossed, 0);
+  EXPECT_GT(swapped, 0);
+}
+
 TEST(Perturbed, NeedsNoRoute) {
   Map truth = twoRowWorld(1).map;
   truth.route.clear();
