@@ -33,6 +33,7 @@ int runProgram(int argc, char** argv) {
   addOdometryCommand(app, chosen);
   addCalibrateCommand(app, chosen);
   addCompareCommand(app, chosen);
+  addEvaluateCommand(app, chosen);
   addValidateCommand(app, chosen);
   addTrainCommand(app, chosen);
   addClassifyCommand(app, chosen);

@@ -11,7 +11,7 @@ TEST_F(Help, OfTheProgramAndOfEveryCommand) {
   const std::filesystem::path expected = HANDMAP_CLI_EXPECTED;
   expectDone(run({"--help"}), contentOf(expected / "help.txt"));
   for (const std::string command : {"run", "odometry", "calibrate", "simulate", "perturb",
-                                    "compare", "validate", "train", "classify"}) {
+                                    "compare", "evaluate", "validate", "train", "classify"}) {
     expectDone(run({command, "--help"}), contentOf(expected / ("help-" + command + ".txt")));
   }
 }

@@ -1,0 +1,98 @@
+// The paper's experiments with few trials.
+#include "tests/cli/program.h"
+
+namespace handmap {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Evaluate : public CliTest {
+ protected:
+  /// At a σ that both methods master.
+  static Outcome evaluate(const std::string& what, std::vector<std::string> more) {
+    more.insert(more.begin(), {"evaluate", what, "--trials", "2", "--sigmas", "1",
+                               "--slam-particles", "30", "--out", "trials"});
+    return run(more);
+  }
+
+  static void expectReport(const Outcome& outcome, const std::string& title) {
+    expectDone(outcome, contentOf("trials/report.md"));
+    EXPECT_EQ(outcome.out.substr(0, title.size()), title);
+  }
+};
+
+TEST_F(Evaluate, PrintsTheReportItWrites) {
+  const Outcome outcome = evaluate("table2", {});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, contentOf(fs::path(HANDMAP_CLI_EXPECTED) / "evaluate-table2.txt"));
+  EXPECT_EQ(contentOf("trials/report.md"), outcome.out);
+  EXPECT_EQ(contentOf("trials/report.csv"),
+            "sigma_m,method,trials,loose,loose_low,loose_high,strict,strict_low,strict_high\n"
+            "1,handmap,2,2,0.3424,1.0000,2,0.3424,1.0000\n"
+            "1,paper,2,2,0.3424,1.0000,2,0.3424,1.0000\n");
+  EXPECT_TRUE(fs::exists("trials/table2-loose.png"));
+  // The same trials make the other tables.
+  const std::string trials = contentOf("trials/trials-1-of-1.csv");
+  expectReport(evaluate("fig8", {"--merge"}), "# Figure 8");
+  EXPECT_TRUE(fs::exists("trials/fig8-pose-1m.png"));
+  expectReport(evaluate("table1", {}), "# Table 1");
+  EXPECT_TRUE(fs::exists("trials/table1-front-1m.png"));
+  EXPECT_EQ(contentOf("trials/trials-1-of-1.csv"), trials);
+}
+
+TEST_F(Evaluate, MergesShards) {
+  const std::string methods = "--methods=paper";
+  const Outcome second = evaluate("table2", {methods, "--shard", "2/2", "--threads", "1"});
+  EXPECT_EQ(second.out, "trials: shard 2/2 is done, 1 trials were run\n");
+  EXPECT_NE(evaluate("table2", {methods, "--merge"}).out.find("**Not whole: 1 of 2"),
+            std::string::npos);
+  EXPECT_EQ(evaluate("table2", {methods, "--shard", "1/2"}).out,
+            "trials: shard 1/2 is done, 1 trials were run\n");
+  expectDone(evaluate("table2", {methods, "--shard", "1/2"}),
+             "trials: shard 1/2 is done, 0 trials were run\n");
+  expectReport(evaluate("table2", {methods, "--merge"}), "# Table 2");
+  const std::string merged = contentOf("trials/report.md") + contentOf("trials/report.csv") +
+                             contentOf("trials/table2-strict.png");
+  fs::rename("trials", "shards");
+  EXPECT_EQ(evaluate("table2", {methods}).status, 0);
+  EXPECT_EQ(merged, contentOf("trials/report.md") + contentOf("trials/report.csv") +
+                        contentOf("trials/table2-strict.png"));
+}
+
+TEST_F(Evaluate, RefusesOtherSettingsAndDamage) {
+  EXPECT_EQ(evaluate("table2", {"--methods", "paper", "--shard", "1/2"}).status, 0);
+  expectFailed(evaluate("table2", {"--merge", "--seed", "2"}), 2,
+               "handmap-cli: error: trials/trials-1-of-2.csv: line 1: seed: found 1, expected 2\n"
+               "hint: a folder holds trials of one setting: take the same, or another folder\n");
+  replaceIn("trials/trials-1-of-2.csv", "paper,1,0,", "paper,1,zero,");
+  expectFailed(evaluate("table2", {}), 2,
+               "handmap-cli: error: trials/trials-1-of-2.csv: line 3: found \"zero\", expected a "
+               "whole number from 0 to 2147483647\n");
+  fs::remove("trials/trials-1-of-2.csv");
+  expectFailed(evaluate("table2", {"--merge"}), 2,
+               "handmap-cli: error: trials: found no trials, expected tables trials-*.csv\n");
+}
+
+TEST_F(Evaluate, TellsWrongUsage) {
+  const auto refuses = [](const std::vector<std::string>& more, const std::string& reason) {
+    std::vector<std::string> words = {"evaluate", "table2", "--out", "trials"};
+    words.insert(words.end(), more.begin(), more.end());
+    expectFailed(run(words), 1,
+                 "handmap-cli: error: " + reason + "\nhint: handmap-cli evaluate --help\n");
+  };
+  for (const std::string shard : {"0/2", "3/2", "1", "1/2/3", "a/b", "1/100001"}) {
+    refuses({"--shard", shard},
+            "--shard: found " + shard + ", expected I/N with I from 1 to N, N up to 100000");
+  }
+  refuses({"--sigmas", "1,-5"},
+          "--sigmas: found 1,-5, expected up to 100 numbers from 0.01 to 1000, as 1,5,12.5");
+  refuses({"--methods", "ours"}, "--methods: found ours, expected handmap, paper or handmap,paper");
+  refuses({"--merge", "--shard", "1/2"}, "--shard excludes --merge");
+  expectFailed(run({"evaluate", "fig9", "--out", "trials"}), 1,
+               "handmap-cli: error: found fig9, expected table1, table2 or fig8\n"
+               "hint: handmap-cli evaluate --help\n");
+  EXPECT_FALSE(fs::exists("trials"));
+}
+
+}  // namespace
+}  // namespace handmap
