@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <filesystem>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,6 +16,7 @@ namespace handmap {
 namespace {
 
 constexpr int kMostShards = 100000;
+constexpr std::size_t kMostSigmas = 20;
 
 struct EvaluateArguments {
   Experiment experiment;
@@ -49,11 +50,11 @@ std::vector<double> sigmasOf(const std::string& words) {
   std::vector<double> sigmas_m;
   for (const std::string_view word : splitFields(words, ',')) {
     const std::optional<double> value = parseFinite(word);
-    if (!value || *value < 0.01 || *value > 1000.0 || sigmas_m.size() == 100) {
+    if (!value || *value < 0.01 || *value > 1000.0 || sigmas_m.size() == kMostSigmas) {
       throw CLI::ValidationError(
           "--sigmas",
-          fmt::format("found {}, expected up to 100 numbers from 0.01 to 1000, as 1,5,12.5",
-                      words));
+          fmt::format("found {}, expected up to {} numbers from 0.01 to 1000, as 1,5,12.5", words,
+                      kMostSigmas));
     }
     sigmas_m.push_back(*value);
   }
@@ -73,7 +74,15 @@ Shard shardOf(const std::string& words) {
   return {static_cast<int>(part(0)), static_cast<int>(part(1))};
 }
 
+void checkFolder(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error) || std::filesystem::is_directory(path, error)) return;
+  throw Error(ErrorCode::Usage,
+              fmt::format("{}: found something there, expected a folder or nothing", path));
+}
+
 int evaluate(EvaluateArguments arguments) {
+  checkFolder(arguments.out);
   Experiment& experiment = arguments.experiment;
   if (experiment.sigmas_m.empty()) experiment.sigmas_m = usualSigmas(experiment.kind);
   if (arguments.unrestricted) experiment.settings.keeping = Keeping::Nothing;
@@ -85,7 +94,10 @@ int evaluate(EvaluateArguments arguments) {
                                 progress.update(fmt::format("trial {} of {}", done, all),
                                                 static_cast<double>(done) / all);
                               });
-    if (interrupt.requested()) return Interrupt::kExitStatus;
+    if (interrupt.requested()) {
+      fmt::print(stderr, "handmap-cli: interrupted, {} trials were run and are kept\n", run);
+      return Interrupt::kExitStatus;
+    }
     if (arguments.shard) {
       fmt::print("{}: shard {}/{} is done, {} trials were run\n", arguments.out,
                  arguments.shard->index, arguments.shard->count, run);
@@ -130,7 +142,7 @@ void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen) {
       "(required)")
       ->required()
       ->option_text("table1|table2|fig8");
-  addNumber(*command, "--trials", a.experiment.trials, 1, 1e6, "For each sigma and method");
+  addNumber(*command, "--trials", a.experiment.trials, 1, 1e5, "For each sigma and method");
   add("--sigmas", sigmasOf, a.experiment.sigmas_m,
       "Errors of the drawings, metres (default 1,5,10,12.5,15 for table2, else 5)")
       ->option_text("N,N");

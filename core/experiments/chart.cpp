@@ -49,19 +49,18 @@ class Painter {
   explicit Painter(const Chart& chart)
       : chart_(chart), picture_(kHeight, kWidth, CV_8UC3, cv::Scalar::all(255)) {
     double highest = 0.0;
+    double farthest = 0.0;
     for (const ChartSeries& series : chart.series) {
       for (const ChartPoint& point : series.points) {
-        least_x_ = std::min(least_x_.value_or(point.x), point.x);
-        most_x_ = std::max(most_x_.value_or(point.x), point.x);
+        farthest = std::max(farthest, point.x);
         highest = std::max(highest, point.y.high);
       }
     }
     if (!chart.categories.empty()) {
       least_x_ = -0.5;
       most_x_ = static_cast<double>(chart.categories.size()) - 0.5;
-    } else if (chart.kind == Chart::Kind::Bars) {
-      most_x_ = most_x_.value_or(1.0) * 1.05;
-      least_x_ = 0.0;
+    } else if (farthest > 0.0) {
+      most_x_ = chart.kind == Chart::Kind::Bars ? 1.05 * farthest : farthest;
     }
     y_max_ = chart.y_max.value_or(highest > 0.0 ? highest * 1.05 : 1.0);
   }
@@ -87,8 +86,7 @@ class Painter {
 
  private:
   cv::Point2d at(double x, double y) const {
-    const double range = std::max(*most_x_ - *least_x_, 1e-9);
-    return {kPlot.x + kPlot.width * (x - *least_x_) / range,
+    return {kPlot.x + kPlot.width * (x - least_x_) / (most_x_ - least_x_),
             kPlot.br().y - kPlot.height * std::min(y / y_max_, 1.0)};
   }
 
@@ -106,17 +104,15 @@ class Painter {
   }
 
   void grid() {
-    least_x_ = least_x_.value_or(0.0);
-    most_x_ = most_x_.value_or(1.0);
     const double step_y = tickStep(y_max_);
     for (int i = 0; i * step_y <= y_max_ * (1.0 + 1e-9); ++i) {
-      const cv::Point2d left = at(*least_x_, i * step_y);
-      line(left, at(*most_x_, i * step_y), kGrid, 1);
+      const cv::Point2d left = at(least_x_, i * step_y);
+      line(left, at(most_x_, i * step_y), kGrid, 1);
       text(fmt::format("{:.6g}", i * step_y), left + cv::Point2d(-10.0, 6.0), 1.0);
     }
     if (chart_.categories.empty()) {
-      const double step = tickStep(*most_x_ - *least_x_);
-      for (double i = std::ceil(*least_x_ / step); i * step <= *most_x_; ++i) {
+      const double step = tickStep(most_x_ - least_x_);
+      for (int i = 0; i * step <= most_x_ * (1.0 + 1e-9); ++i) {
         line(at(i * step, 0.0), at(i * step, y_max_), kGrid, 1);
         text(fmt::format("{:.6g}", i * step), at(i * step, 0.0) + cv::Point2d(0.0, 26.0), 0.5);
       }
@@ -194,8 +190,8 @@ class Painter {
 
   const Chart& chart_;
   cv::Mat picture_;
-  std::optional<double> least_x_;
-  std::optional<double> most_x_;
+  double least_x_ = 0.0;
+  double most_x_ = 1.0;
   double y_max_ = 1.0;
 };
 

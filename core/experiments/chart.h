@@ -31,7 +31,7 @@ struct Chart {
   enum class Kind { Bars, Band };  ///< how intervals are shown; bands have no markers
 
   std::string title;
-  std::string x_label;  ///< with units
+  std::string x_label;  ///< with units; x is 0 or more
   std::string y_label;
   Kind kind = Kind::Bars;
   std::vector<std::string> categories;  ///< names of x = 0, 1, …; empty: numbers

@@ -68,7 +68,7 @@ Chart chartOf(const std::vector<const TrialGroup*>& groups, std::size_t measure)
   chart.title = fmt::format("Error of {}, drawings off by {} m", kMeasures[measure],
                             formatNumber(groups.front()->sigma_m));
   chart.x_label = "building";
-  chart.y_label = "median absolute error (m), 95 %";
+  chart.y_label = "median absolute error (m) with 95 % interval";
   for (const char* id : Trial::kBuildings) chart.categories.emplace_back(id);
   chart.series.push_back(series("drawn", Look::Drawing));
   for (const TrialGroup* group : groups) {

@@ -67,7 +67,10 @@ TrialWriter::TrialWriter(const fs::path& folder, const Shard& shard, const Trial
   file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) failed(path_, std::strerror(errno));
   try {
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) failed(path_, "another process writes it");
+    // Where the file system cannot lock, one has to take care oneself.
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      failed(path_, "another process writes it");
+    }
     const std::size_t whole = wholeLines(readFile(path_, kMostBytes));
     if (ftruncate(file_, static_cast<off_t>(whole)) != 0) failed(path_, std::strerror(errno));
     if (whole == 0) append(trialTableHead(settings));

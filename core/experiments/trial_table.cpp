@@ -169,7 +169,8 @@ std::vector<Trial> parseTrials(std::string_view text, const std::string& source,
     if (number == 1) {
       checkSettings(line, source, settings);
     } else if (number == 2) {
-      if (line != columns()) throwBadInput(source, "line 2", "other columns", columns());
+      if (line != columns())
+        throwBadInput(source, "line 2", "other columns", "those of this version");
     } else {
       trials.push_back(LineReader(line, source, number).trial());
     }

@@ -68,7 +68,7 @@ void addCharts(const std::vector<TrialGroup>& groups, double sigma_m, Report& re
   const std::string sigma = formatNumber(sigma_m);
   Chart pose;
   pose.title = fmt::format("Pose error, drawings off by {} m", sigma);
-  pose.y_label = "median error (m), 95 %";
+  pose.y_label = "median error (m) with 95 % interval";
   pose.x_label = "way driven (m)";
   pose.kind = Chart::Kind::Band;
   Chart map = pose;

@@ -1,4 +1,8 @@
 // The paper's experiments with few trials.
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
 #include "tests/cli/program.h"
 
 namespace handmap {
@@ -85,13 +89,38 @@ TEST_F(Evaluate, TellsWrongUsage) {
             "--shard: found " + shard + ", expected I/N with I from 1 to N, N up to 100000");
   }
   refuses({"--sigmas", "1,-5"},
-          "--sigmas: found 1,-5, expected up to 100 numbers from 0.01 to 1000, as 1,5,12.5");
+          "--sigmas: found 1,-5, expected up to 20 numbers from 0.01 to 1000, as 1,5,12.5");
   refuses({"--methods", "ours"}, "--methods: found ours, expected handmap, paper or handmap,paper");
   refuses({"--merge", "--shard", "1/2"}, "--shard excludes --merge");
   expectFailed(run({"evaluate", "fig9", "--out", "trials"}), 1,
                "handmap-cli: error: found fig9, expected table1, table2 or fig8\n"
                "hint: handmap-cli evaluate --help\n");
   EXPECT_FALSE(fs::exists("trials"));
+  expectFailed(run({"evaluate", "fig8", "--out", "row-truth.handmap"}), 1,
+               "handmap-cli: error: row-truth.handmap: found something there, expected a folder or "
+               "nothing\n");
+}
+
+TEST_F(Evaluate, KeepsItsTrialsWhenInterrupted) {
+  const pid_t program = start({"evaluate", "fig8", "--methods", "paper", "--trials", "1000",
+                               "--slam-particles", "5", "--threads", "1", "--out", "trials"});
+  const auto lines = [] {
+    const std::string table = contentOf("trials/trials-1-of-1.csv");
+    return std::count(table.begin(), table.end(), '\n');
+  };
+  for (int i = 0; i < 1000 && lines() < 4; ++i) {  // until two trials are done
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(kill(program, SIGINT), 0);
+  const Outcome outcome = finish(program);
+  EXPECT_EQ(outcome.status, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("interrupted, " + std::to_string(lines() - 2) + " trials were run"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_GE(lines(), 4);
+  EXPECT_LT(lines(), 1002);
+  EXPECT_FALSE(fs::exists("trials/report.md"));
 }
 
 }  // namespace

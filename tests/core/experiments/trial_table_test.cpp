@@ -75,6 +75,7 @@ TEST(TrialTable, RefusesADamagedOne) {
   expectBadInput([] { parse(replaced("paper,", "pape,")); },
                  {"t.csv: line 3: found \"pape\", expected handmap or paper"});
   expectBadInput([] { parse(replaced(",12.5,7,", ",12.5,")); }, {"line 3: found 51 fields", "52"});
+  expectBadInput([] { parse(replaced("paper,", "\xff\xfe,")); }, {"t.csv: line 3: found"});
   expectBadInput([] { parse(replaced(",7,", ",-7,")); }, {"line 3", "whole number"});
   expectBadInput([] { parse(replaced(",7,", ",1e99,")); }, {"line 3", "whole number"});
   expectBadInput([] { parse(replaced("0.75,1", "nan,1")); }, {"line 3", "nan", "from 0 to 1"});
