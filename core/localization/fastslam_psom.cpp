@@ -1,10 +1,10 @@
 #include "core/localization/fastslam_psom.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+
+#include <tbb/parallel_for.h>
 
 #include "core/base/error.h"
 #include "core/localization/motion_model.h"
@@ -133,8 +133,9 @@ bool FastSlamPsom::isPlausible(const Particle& particle,
 }
 
 void FastSlamPsom::resample() {
-  const auto refusing = std::any_of(particles_.begin(), particles_.end(),
-                                    [](const Particle& p) { return p.plausible && p.weight > 0.0; });
+  const auto refusing = std::any_of(particles_.begin(), particles_.end(), [](const Particle& p) {
+    return p.plausible && p.weight > 0.0;
+  });
   std::vector<double> weights;
   for (const Particle& particle : particles_) weights.push_back(particle.weight);
   normalize(weights);
@@ -147,8 +148,8 @@ void FastSlamPsom::resample() {
     }
     normalize(weights);
   }
-  best_ = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
-                                   weights.begin());
+  best_ =
+      static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
   last_step_ = {size, particles_[best_].visible};
   const double count = static_cast<double>(weights.size());
   if (size >= options_.resample_below * count) return;
@@ -162,8 +163,8 @@ void FastSlamPsom::resample() {
     next.back().weight = 1.0 / count;
   }
   // The heaviest weighs at least 1/count, and so is always drawn.
-  best_ = static_cast<std::size_t>(
-      std::find(drawn.begin(), drawn.end(), static_cast<int>(best_)) - drawn.begin());
+  best_ = static_cast<std::size_t>(std::find(drawn.begin(), drawn.end(), static_cast<int>(best_)) -
+                                   drawn.begin());
   particles_ = std::move(next);
 }
 

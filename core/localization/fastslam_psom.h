@@ -19,7 +19,7 @@ struct Particle {
   double weight = 0.0;  ///< normalized over the particles
   Path path;
   std::vector<std::shared_ptr<const Swarm>> map;  ///< one a drawn building; null: never seen
-  int visible = 0;        ///< buildings seen in the last step
+  int visible = 0;                                ///< buildings seen in the last step
   bool plausible = true;  ///< no seen buildings overlap, and the robot is in none
 };
 
@@ -39,8 +39,8 @@ class FastSlamPsom {
   /// the caller's oneTBB arena; the result does not depend on the number of threads. Returns false
   /// and leaves the state as it was when `stop` was requested. `progress` may be called from any
   /// thread.
-  bool step(double time_s, const Pose2& odometry, const LocalMap& local_map, std::stop_token stop = {},
-            const std::function<void(double)>& progress = {});
+  bool step(double time_s, const Pose2& odometry, const LocalMap& local_map,
+            std::stop_token stop = {}, const std::function<void(double)>& progress = {});
 
   const std::vector<Particle>& particles() const { return particles_; }
   const Particle& best() const { return particles_[best_]; }

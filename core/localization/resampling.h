@@ -12,8 +12,8 @@ void normalize(std::vector<double>& weights);
 /// 1 / Σ w² of normalized weights: between 1 and their number.
 double effectiveSampleSize(const std::vector<double>& weights);
 
-/// As many indices as weights, each drawn in proportion to its normalized weight; `offset` in [0, 1)
-/// is the one random number. Ascending.
+/// As many indices as weights, each drawn in proportion to its normalized weight; `offset` in [0,
+/// 1) is the one random number. Ascending.
 std::vector<int> systematicResample(const std::vector<double>& weights, double offset);
 
 }  // namespace handmap

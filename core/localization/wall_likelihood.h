@@ -35,7 +35,7 @@ class WallLikelihood {
   const BuildingModel& model_;
   const LocalMap& local_map_;
   Pose2 robot_;
-  Vec2 along_;   ///< the building's axes in the robot frame
+  Vec2 along_;  ///< the building's axes in the robot frame
   Vec2 across_;
 };
 

@@ -36,15 +36,21 @@ void steps(benchmark::State& state, bool refine) {
       arena.execute([&] { slam.step(frames++, odometry, local_map); });
     }
   }
-  state.counters["ms_per_frame"] = benchmark::Counter(
-      frames * 1e-3, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ms_per_frame"] =
+      benchmark::Counter(frames * 1e-3, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void refining(benchmark::State& state) { steps(state, true); }
 void localizing(benchmark::State& state) { steps(state, false); }
 
-BENCHMARK(refining)->ArgsProduct({{100, 1000}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(localizing)->ArgsProduct({{100, 10000}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(refining)
+    ->ArgsProduct({{100, 1000}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(localizing)
+    ->ArgsProduct({{100, 10000}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace handmap

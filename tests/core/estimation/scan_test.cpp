@@ -67,7 +67,8 @@ TEST(ScanBuilder, AStandingScanLooksThroughWhatIsNoWall) {
 
 TEST(ScanBuilder, PointsThatAreNoNumbersAreLeftOut) {
   ScanBuilder scans(40.0);
-  EXPECT_TRUE(scanOf(scans, {{std::nanf(""), 1.0F, 1.0F, 1.0F}, {1.0F, 1e30F, 1.0F, 1.0F}}).rays.empty());
+  EXPECT_TRUE(
+      scanOf(scans, {{std::nanf(""), 1.0F, 1.0F, 1.0F}, {1.0F, 1e30F, 1.0F, 1.0F}}).rays.empty());
 }
 
 }  // namespace
