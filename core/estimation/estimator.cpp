@@ -30,10 +30,10 @@ std::vector<double> mainHeadings(const Map& drawing) {
   std::vector<double> headings;
   for (const Building& building : drawing.buildings) {
     const double heading = building.box().heading;
-    const auto isNear = [&](double other) {
+    const auto is_near = [&](double other) {
       return std::abs(std::remainder(heading - other, kPi / 2.0)) < kApart / 2.0;
     };
-    if (std::none_of(headings.begin(), headings.end(), isNear)) headings.push_back(heading);
+    if (std::none_of(headings.begin(), headings.end(), is_near)) headings.push_back(heading);
   }
   return headings;
 }
@@ -112,7 +112,8 @@ void HandmapEstimator::startFrom(const Pose2& odometry) {
 }
 
 bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& scan,
-                            std::stop_token stop, const std::function<void(double)>& progress) {
+                            const std::stop_token& stop,
+                            const std::function<void(double)>& progress) {
   State& state = *state_;
   if (stop.stop_requested()) return false;
   if (state.frames.empty()) startFrom(odometry);

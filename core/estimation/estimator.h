@@ -50,8 +50,8 @@ class HandmapEstimator {
   /// the first step().
   void startFrom(const Pose2& odometry);
   /// One observation. Returns false and leaves the state as it was when `stop` was requested.
-  bool step(double time_s, const Pose2& odometry, const Scan& scan, std::stop_token stop = {},
-            const std::function<void(double)>& progress = {});
+  bool step(double time_s, const Pose2& odometry, const Scan& scan,
+            const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
   /// Smooths everything once more, after the last observation, as far as `stop` allows.
   void finish(const std::stop_token& stop = {});
 

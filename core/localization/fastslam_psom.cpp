@@ -15,8 +15,10 @@ namespace handmap {
 
 namespace {
 
-/// What a stream of random numbers is for; swarms use kSwarms + the index of their building.
-enum Purpose : std::uint32_t { kMotion = 0, kResampling = 1, kSwarms = 2 };
+// What a stream of random numbers is for; swarms use kSwarms + the index of their building.
+constexpr std::uint32_t kMotion = 0;
+constexpr std::uint32_t kResampling = 1;
+constexpr std::uint32_t kSwarms = 2;
 
 }  // namespace
 
@@ -33,7 +35,7 @@ FastSlamPsom::FastSlamPsom(const Map& drawing, const Pose2& start_odometry,
 }
 
 bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& local_map,
-                        std::stop_token stop, const std::function<void(double)>& progress) {
+                        const std::stop_token& stop, const std::function<void(double)>& progress) {
   const Pose2 motion = between(odometry_, odometry);
   std::vector<Particle> next(particles_.size());
   std::atomic<std::size_t> done = 0;

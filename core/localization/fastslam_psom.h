@@ -40,7 +40,7 @@ class FastSlamPsom {
   /// and leaves the state as it was when `stop` was requested. `progress` may be called from any
   /// thread.
   bool step(double time_s, const Pose2& odometry, const LocalMap& local_map,
-            std::stop_token stop = {}, const std::function<void(double)>& progress = {});
+            const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
 
   const std::vector<Particle>& particles() const { return particles_; }
   const Particle& best() const { return particles_[best_]; }

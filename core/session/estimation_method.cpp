@@ -14,13 +14,13 @@ namespace {
 std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   const double heading = particles.front().pose.heading;
-  const auto vectorOf = [heading](const Pose2& pose) {
+  const auto vector_of = [heading](const Pose2& pose) {
     return Eigen::Vector3d(pose.x, pose.y, normalizedAngle(pose.heading - heading));
   };
-  for (const Particle& particle : particles) mean += particle.weight * vectorOf(particle.pose);
+  for (const Particle& particle : particles) mean += particle.weight * vector_of(particle.pose);
   Eigen::Vector3d variance = Eigen::Vector3d::Zero();
   for (const Particle& particle : particles) {
-    variance += particle.weight * (vectorOf(particle.pose) - mean).cwiseAbs2();
+    variance += particle.weight * (vector_of(particle.pose) - mean).cwiseAbs2();
   }
   return {std::sqrt(variance.x()), std::sqrt(variance.y()), std::sqrt(variance.z())};
 }
@@ -30,9 +30,9 @@ class PaperMethod : public EstimationMethod {
   PaperMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
       : slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
-  bool step(double time_s, const Pose2& odometry, const Percept& percept, std::stop_token stop,
-            const std::function<void(double)>& progress) override {
-    return slam_.step(time_s, odometry, percept.local_map, std::move(stop), progress);
+  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+            const std::stop_token& stop, const std::function<void(double)>& progress) override {
+    return slam_.step(time_s, odometry, percept.local_map, stop, progress);
   }
   void describe(FrameReport& report) const override {
     report.effective_sample_size = slam_.lastStep().effective_sample_size;
@@ -69,9 +69,9 @@ class HandmapMethod : public EstimationMethod {
     estimator_.startFrom(source.start_odometry);
   }
 
-  bool step(double time_s, const Pose2& odometry, const Percept& percept, std::stop_token stop,
-            const std::function<void(double)>& progress) override {
-    return estimator_.step(time_s, odometry, percept.scan, std::move(stop), progress);
+  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+            const std::stop_token& stop, const std::function<void(double)>& progress) override {
+    return estimator_.step(time_s, odometry, percept.scan, stop, progress);
   }
   bool finish(const std::stop_token& stop) override {
     estimator_.finish(stop);

@@ -18,7 +18,7 @@ class EstimationMethod {
   /// Works in one observation. Returns false and leaves the state as it was when `stop` was
   /// requested. `progress` may be called from any thread.
   virtual bool step(double time_s, const Pose2& odometry, const Percept& percept,
-                    std::stop_token stop, const std::function<void(double)>& progress) = 0;
+                    const std::stop_token& stop, const std::function<void(double)>& progress) = 0;
   /// After the last observation, as far as `stop` allows. Returns whether the result has changed.
   virtual bool finish(const std::stop_token& /*stop*/) { return false; }
 

@@ -61,7 +61,8 @@ struct RunSession::State {
   Clock::time_point begin = Clock::now();
 };
 
-RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source, RunSettings settings)
+RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source,
+                       const RunSettings& settings)
     : state_(std::make_unique<State>(std::move(drawing), std::move(source), settings)) {}
 
 RunSession::~RunSession() = default;
@@ -90,7 +91,7 @@ std::optional<Percept> RunSession::State::perceive(const Observation& observatio
   }
 }
 
-std::shared_ptr<const Snapshot> RunSession::step(std::stop_token stop,
+std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
                                                  const std::function<void(double)>& progress) {
   State& state = *state_;
   while (!stop.stop_requested()) {

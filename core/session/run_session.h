@@ -35,7 +35,7 @@ struct SkippedFrame {
 class RunSession {
  public:
   /// Throws BadInput for a map without buildings or without a start pose.
-  RunSession(Map drawing, std::unique_ptr<ObservationSource> source, RunSettings settings);
+  RunSession(Map drawing, std::unique_ptr<ObservationSource> source, const RunSettings& settings);
   ~RunSession();
   RunSession(const RunSession&) = delete;
   RunSession& operator=(const RunSession&) = delete;
@@ -46,7 +46,7 @@ class RunSession {
   /// method may smooth once more: one more snapshot. nullptr after that, and when `stop` was
   /// requested: the observation is then dropped and the state is the one before it. `progress` is
   /// told the share done of the step, 0 … 1, from this thread.
-  std::shared_ptr<const Snapshot> step(std::stop_token stop = {},
+  std::shared_ptr<const Snapshot> step(const std::stop_token& stop = {},
                                        const std::function<void(double)>& progress = {});
 
   const std::vector<SkippedFrame>& skipped() const;
