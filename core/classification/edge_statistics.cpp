@@ -130,7 +130,7 @@ EdgeStatistics statisticsOf(const Sums& sums, const Angles& angles) {
 }  // namespace
 
 std::vector<EdgeStatistics> edgeStatistics(const cv::Mat1b& grey) {
-  static const Angles angles = makeAngles();
+  static const Angles kTable = makeAngles();
   const WindowGrid grid = WindowGrid::of(grey.size());
   cv::Mat1b framed;
   cv::copyMakeBorder(grey, framed, 1, 1, 1, 1, cv::BORDER_REPLICATE);
@@ -142,10 +142,10 @@ std::vector<EdgeStatistics> edgeStatistics(const cv::Mat1b& grey) {
       for (int y = 0; y < kWindow_px; ++y) {
         const int line = row * kWindow_px + y;
         const int from = column * kWindow_px + 1;
-        addRow(framed[line] + from, framed[line + 1] + from, framed[line + 2] + from, y, angles,
+        addRow(framed[line] + from, framed[line + 1] + from, framed[line + 2] + from, y, kTable,
                sums);
       }
-      result.push_back(statisticsOf(sums, angles));
+      result.push_back(statisticsOf(sums, kTable));
     }
   }
   return result;

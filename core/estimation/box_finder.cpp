@@ -139,20 +139,20 @@ void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> fram
   BoxScorer scorer(found.box, frames, sensor, 1);
   for (std::size_t k = 0; k < 4; ++k) {
     if (found.reach_sigma[k] < kProbe / 2.0) continue;
-    const auto scoreAt = [&](double reach) {
+    const auto score_at = [&](double reach) {
       Box changed = found.box;
       changed.reach[k] = reach;
       return objective(changed, scorer);
     };
     double best = found.box.reach[k];
-    double best_score = scoreAt(best);
+    double best_score = score_at(best);
     for (double off = -2.0 * kProbe; off <= 2.0 * kProbe; off += kProbe / 4.0) {
-      const double score = scoreAt(found.box.reach[k] + off);
+      const double score = score_at(found.box.reach[k] + off);
       if (score <= best_score) continue;
       best = found.box.reach[k] + off;
       best_score = score;
     }
-    const double drop = best_score - std::max(scoreAt(best - kProbe), scoreAt(best + kProbe));
+    const double drop = best_score - std::max(score_at(best - kProbe), score_at(best + kProbe));
     if (drop < kTelling) continue;
     found.box.reach[k] = best;
     found.reach_sigma[k] = std::min(found.reach_sigma[k], kProbe / std::sqrt(2.0 * drop));

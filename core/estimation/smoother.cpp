@@ -236,11 +236,11 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
   bias_at_ = size++;
   triplets_.clear();
   right_ = Eigen::VectorXd::Zero(size);
-  const auto indexOf = [&](std::size_t frame) {
+  const auto index_of = [&](std::size_t frame) {
     return frame < fixed ? -1 : static_cast<int>(frame - fixed);
   };
   for (std::size_t i = std::max<std::size_t>(fixed, 1); i < frames.size(); ++i) {
-    addOdometry(*frames[i - 1], *frames[i], indexOf(i - 1), indexOf(i));
+    addOdometry(*frames[i - 1], *frames[i], index_of(i - 1), index_of(i));
   }
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     boxes[b].observations = 0;
@@ -248,7 +248,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
       Normal normal;
       if (!addReturns(*frames[i], boxes[b], slack_m, normal)) continue;
       addSilhouette(*frames[i], boxes[b], normal);
-      scatter(normal, indexOf(i), static_cast<int>(b));
+      scatter(normal, index_of(i), static_cast<int>(b));
       ++boxes[b].observations;
     }
     addPrior(boxes[b].box, poses_ * kPoseSize + static_cast<int>(b) * kBoxSize);
@@ -258,7 +258,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     for (const Sighting& sighting : frames[i]->sightings) {
       const auto id = static_cast<std::size_t>(sighting.landmark);
       if (landmark_at[id] < 0) continue;
-      addSighting(*frames[i], sighting, landmarks[id], indexOf(i), landmark_at[id]);
+      addSighting(*frames[i], sighting, landmarks[id], index_of(i), landmark_at[id]);
     }
   }
   Eigen::SparseMatrix<double> matrix(size, size);
@@ -283,20 +283,20 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
 }
 
 Eigen::Matrix3d Smoother::covariances(std::span<FoundBox> boxes) {
-  const auto columnOf = [&](int index) -> Eigen::VectorXd {
+  const auto column_of = [&](int index) -> Eigen::VectorXd {
     return solver_.solve(Eigen::VectorXd::Unit(right_.size(), index));
   };
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     const int at = poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
     for (int k = 0; k < kBoxSize; ++k) {
-      const double sigma = std::sqrt(std::max(columnOf(at + k)[at + k], 0.0));
+      const double sigma = std::sqrt(std::max(column_of(at + k)[at + k], 0.0));
       (k < 4 ? boxes[b].reach_sigma[static_cast<std::size_t>(k)] : boxes[b].heading_sigma) = sigma;
     }
   }
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   const int last = (poses_ - 1) * kPoseSize;
   for (int k = 0; poses_ > 0 && k < kPoseSize; ++k) {
-    covariance.col(k) = columnOf(last + k).segment<3>(last);
+    covariance.col(k) = column_of(last + k).segment<3>(last);
   }
   return covariance;
 }

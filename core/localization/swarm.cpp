@@ -64,7 +64,7 @@ Swarm refined(Swarm swarm, const BuildingScore& score, const SlamOptions& option
   std::vector<BuildingState> own_best;
   std::vector<double> own_score;
   swarm.best_score = 0.0;
-  const auto keepBest = [&](std::size_t i) {
+  const auto keep_best = [&](std::size_t i) {
     if (own_score[i] <= swarm.best_score) return;
     swarm.best_score = own_score[i];
     swarm.best = own_best[i];
@@ -72,7 +72,7 @@ Swarm refined(Swarm swarm, const BuildingScore& score, const SlamOptions& option
   for (const SwarmMember& member : swarm.members) {
     own_best.push_back(member.position);
     own_score.push_back(score(member.position));
-    keepBest(own_best.size() - 1);
+    keep_best(own_best.size() - 1);
   }
   if (swarm.best_score <= 0.0) return swarm;
 
@@ -85,7 +85,7 @@ Swarm refined(Swarm swarm, const BuildingScore& score, const SlamOptions& option
       if (value <= own_score[i]) continue;
       own_score[i] = value;
       own_best[i] = member.position;
-      keepBest(i);
+      keep_best(i);
     }
   }
   ++swarm.observations;

@@ -45,13 +45,13 @@ WallLikelihood::WallLikelihood(const BuildingModel& model, const Pose2& robot,
 
 WallCells WallLikelihood::operator()(const BuildingState& state) const {
   const Vec2 centre = robot_.toOwn({state.x, state.y});
-  const auto cornerAt = [&](const Vec2& outline) -> Vec2 {
+  const auto corner_at = [&](const Vec2& outline) -> Vec2 {
     return centre + along_ * (outline.x() * state.width) + across_ * outline.y();
   };
   WallCells cells;
-  Vec2 previous = cornerAt(model_.outline().back());
+  Vec2 previous = corner_at(model_.outline().back());
   for (const Vec2& outline : model_.outline()) {
-    const Vec2 corner = cornerAt(outline);
+    const Vec2 corner = corner_at(outline);
     // Outlines run counter-clockwise: the robot, at the origin, is outside a wall on its right.
     if (cross(previous, corner) < 0.0) cells += alongWall(previous, corner);
     previous = corner;

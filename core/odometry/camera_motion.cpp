@@ -58,7 +58,7 @@ std::vector<Landmark> landmarksOf(const StereoCamera& camera,
 /// the step, negative where it cannot be made.
 template <typename Weight>
 double improve(const StereoCamera& camera, const std::vector<Landmark>& landmarks,
-               std::span<const std::size_t> use, Eigen::Isometry3d& motion, Weight weightOf) {
+               std::span<const std::size_t> use, Eigen::Isometry3d& motion, Weight weight_of) {
   Matrix6d normal = Matrix6d::Zero();
   Vector6d right = Vector6d::Zero();
   for (const std::size_t i : use) {
@@ -66,7 +66,7 @@ double improve(const StereoCamera& camera, const std::vector<Landmark>& landmark
     if (p.z() < kNearest_m) continue;
     const Eigen::Matrix3d by_point = pixelByPoint(camera, p);
     const StereoPixel residual = landmarks[i].now - projected(camera, p);
-    const Eigen::Matrix3d weight = weightOf(landmarks[i], by_point, motion, residual);
+    const Eigen::Matrix3d weight = weight_of(landmarks[i], by_point, motion, residual);
     Matrix36d j;
     j.leftCols<3>() = by_point;
     Eigen::Matrix3d turned;

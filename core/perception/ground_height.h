@@ -21,8 +21,9 @@ class PlaneCells {
   Vec2 centreOf(std::size_t cell) const {
     const auto side = static_cast<std::size_t>(side_);
     const double middle = 0.5 * cell_ - range_;
+    const std::size_t row = cell / side;
     return {cell_ * static_cast<double>(cell % side) + middle,
-            cell_ * static_cast<double>(cell / side) + middle};
+            cell_ * static_cast<double>(row) + middle};
   }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row * side_ + column);

@@ -38,7 +38,7 @@ cv::Mat1f WallJudge::operator()(const cv::Mat& image, cv::Size seen,
   for (const WallColumn& wall : columns) {
     forWindows(wall, image.size(), seen, [&](cv::Point window) { wanted(window) = 1; });
   }
-  const cv::Mat1f probabilities = classifierFor(image).probabilities(image, wanted);
+  cv::Mat1f probabilities = classifierFor(image).probabilities(image, wanted);
   for (WallColumn& wall : columns) {
     double sum = 0.0;
     int windows = 0;

@@ -21,7 +21,7 @@ constexpr int kSteps = 4096;                         // of the gamma curve
 constexpr float kGrey[] = {0.299F, 0.587F, 0.114F};  // ITU-R BT.601
 
 const std::array<float, kSteps + 1>& gammaCurve() {
-  static const auto curve = [] {
+  static const auto kCurve = [] {
     std::array<float, kSteps + 1> values{};
     for (int i = 0; i <= kSteps; ++i) {
       values[static_cast<std::size_t>(i)] = static_cast<float>(
@@ -29,7 +29,7 @@ const std::array<float, kSteps + 1>& gammaCurve() {
     }
     return values;
   }();
-  return curve;
+  return kCurve;
 }
 
 /// Goes on above 255: noise must not bring back what is far beyond the range.
