@@ -84,16 +84,16 @@ void DrawingItem::updateBounds() {
   const Map& map = document_.map();
   bounds_ = {};
   const auto include = [&](const QRectF& box) { bounds_ = bounds_ | box; };
-  const auto includePoint = [&](const Vec2& point) {
+  const auto include_point = [&](const Vec2& point) {
     include(QRectF(toScene(point), QSizeF()).adjusted(-1.0, -1.0, 1.0, 1.0));
   };
   for (const Shape& shape : shapes_) include(shape.bounds);
   for (const Shape& shape : previewed_) include(shape.bounds);
-  for (const Landmark& landmark : map.landmarks) includePoint(landmark.position);
-  for (const Landmark& landmark : preview_.landmarks) includePoint(landmark.position);
+  for (const Landmark& landmark : map.landmarks) include_point(landmark.position);
+  for (const Landmark& landmark : preview_.landmarks) include_point(landmark.position);
   for (const auto& start : {map.start, preview_.start})
-    if (start) includePoint(start->position());
-  for (const Vec2& point : preview_.route.value_or(map.route)) includePoint(point);
+    if (start) include_point(start->position());
+  for (const Vec2& point : preview_.route.value_or(map.route)) include_point(point);
 }
 
 void DrawingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
@@ -127,21 +127,21 @@ void DrawingItem::paintBuildings(QPainter& painter, const std::vector<Placed>& p
     const Role role = selected ? Role::Selection : Role::Drawing;
     QPen pen = colours_->pen(role);
     if (placed.size() > kManyBuildings) pen.setWidthF(1.0);  // ten times as fast
-    const auto paintAll = [&](auto paintOne) {
+    const auto paint_all = [&](auto paint_one) {
       for (const Placed& building : placed)
-        if (building.shape->selected == selected) paintOne(building);
+        if (building.shape->selected == selected) paint_one(building);
     };
     // The outline hides the steps at the edge of the ground.
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours_->brush(role));
-    paintAll([&](const Placed& building) {
+    paint_all([&](const Placed& building) {
       if (isLarge(building.bounds)) painter.drawPolygon(building.outline);
     });
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
-    paintAll([&](const Placed& building) {
+    paint_all([&](const Placed& building) {
       if (isLarge(building.bounds))
         painter.drawPolygon(building.outline);
       else

@@ -53,7 +53,7 @@ class MapCanvas : public QGraphicsView {
  Q_SIGNALS:
   void cursorMoved(QPointF metres);
   void scaleChanged(double pixels_per_metre);
-  void toolChanged(ToolId id);
+  void toolChanged(handmap::ToolId id);
   void hintChanged(const QString& hint);
 
  protected:

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <QSet>
 #include <QUndoCommand>
-#include <ranges>
+#include <algorithm>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -90,7 +90,7 @@ class MapDocument::Command : public QUndoCommand {
     for (Toggle& toggle : toggles_) toggle(map_);
   }
   void undo() override {
-    for (Toggle& toggle : toggles_ | std::views::reverse) toggle(map_);
+    std::for_each(toggles_.rbegin(), toggles_.rend(), [&](Toggle& toggle) { toggle(map_); });
   }
   int id() const override { return merge_key_.isEmpty() ? -1 : 1; }
   /// The map holds the newest values and this command the oldest: the ones between may go.
@@ -161,7 +161,7 @@ void MapDocument::selectAll() { setSelection(allKeys(map_)); }
 
 QString MapDocument::addBuilding(Building building) {
   building.id = freeId('B', building.id);
-  const QString id = QString::fromStdString(building.id);
+  QString id = QString::fromStdString(building.id);
   push({toggleItems(&Map::buildings, {{map_.buildings.size(), std::move(building)}}, false)},
        tr("Add Building %1").arg(id));
   return id;
@@ -169,7 +169,7 @@ QString MapDocument::addBuilding(Building building) {
 
 QString MapDocument::addLandmark(Landmark landmark) {
   landmark.id = freeId('L', landmark.id);
-  const QString id = QString::fromStdString(landmark.id);
+  QString id = QString::fromStdString(landmark.id);
   push({toggleItems(&Map::landmarks, {{map_.landmarks.size(), std::move(landmark)}}, false)},
        tr("Add Landmark %1").arg(id));
   return id;

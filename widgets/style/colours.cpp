@@ -51,13 +51,13 @@ const Row& rowOf(Role role) { return kRows[static_cast<std::size_t>(role)]; }
 }  // namespace
 
 const Colours& Colours::light() {
-  static const Colours colours(false);
-  return colours;
+  static const Colours kColours(false);
+  return kColours;
 }
 
 const Colours& Colours::dark() {
-  static const Colours colours(true);
-  return colours;
+  static const Colours kColours(true);
+  return kColours;
 }
 
 const Colours& Colours::of(const QPalette& palette) {

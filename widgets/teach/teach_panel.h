@@ -21,6 +21,7 @@ namespace handmap {
 
 class TeachPanel : public QWidget {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(TeachPanel)
  public:
   explicit TeachPanel(QWidget* parent = nullptr);
   ~TeachPanel() override;

@@ -24,7 +24,7 @@ std::optional<Drag> buildingDrag(const MapDocument& document, const ToolEvent& p
   const Rectangle box = building->box();
   const auto handle = handleAt(box, press.position, press.metres_per_pixel);
   if (!handle) return std::nullopt;
-  const QString name = displayName(document.map(), document.selection().first());
+  const QString name = displayName(document.map(), document.selection().constFirst());
   if (handle->turns())
     return Drag{[building = *building, box](const ToolEvent& event) {
                   const Rectangle target = turned(box, event.position, turnStep(event.modifiers));
