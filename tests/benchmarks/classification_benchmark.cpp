@@ -37,9 +37,9 @@ const BuildingClassifier& classifier(bool colour) {
     set.add(street(), labels);
     return trainClassifier(set, {}).value();
   };
-  static const BuildingClassifier in_colour = train(true);
-  static const BuildingClassifier in_grey = train(false);
-  return colour ? in_colour : in_grey;
+  static const BuildingClassifier kInColour = train(true);
+  static const BuildingClassifier kInGrey = train(false);
+  return colour ? kInColour : kInGrey;
 }
 
 void classify(benchmark::State& state) {

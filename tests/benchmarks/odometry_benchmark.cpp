@@ -11,13 +11,13 @@ namespace {
 
 /// A way back and forth in steps of 0.8 m: every motion can be seen.
 const std::vector<View>& drive() {
-  static const std::vector<View> views = [] {
+  static const std::vector<View> kViews = [] {
     std::vector<View> result;
     for (int i = 0; i < 6; ++i) result.push_back(test::viewFrom(test::yard(), {0.8 * i, 0, 0}));
     for (int i = 4; i > 0; --i) result.push_back(result[static_cast<std::size_t>(i)]);
     return result;
   }();
-  return views;
+  return kViews;
 }
 
 void visualOdometry(benchmark::State& state) {

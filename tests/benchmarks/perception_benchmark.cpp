@@ -14,13 +14,13 @@ namespace {
 constexpr double kRange_m = 40.0;
 
 const test::StereoPair& street() {
-  static const test::StereoPair pair = test::render({{{{{6, 7}, {30, 7}}, 8.0},
-                                                      {{{4, -6}, {25, -6}}, 8.0},
-                                                      {{{8, 3}, {12, 3}}, 1.5},
-                                                      {{{40, -20}, {40, 20}}, 9.0}},
-                                                     0.0},
-                                                    test::streetCamera());
-  return pair;
+  static const test::StereoPair kPair = test::render({{{{{6, 7}, {30, 7}}, 8.0},
+                                                       {{{4, -6}, {25, -6}}, 8.0},
+                                                       {{{8, 3}, {12, 3}}, 1.5},
+                                                       {{{40, -20}, {40, 20}}, 9.0}},
+                                                      0.0},
+                                                     test::streetCamera());
+  return kPair;
 }
 
 void stereoWalls(benchmark::State& state) {

@@ -9,8 +9,8 @@ namespace handmap {
 namespace {
 
 const World& street() {
-  static const World world = streetWorld(1);
-  return world;
+  static const World kWorld = streetWorld(1);
+  return kWorld;
 }
 
 Pose2 halfWay() {

@@ -25,8 +25,8 @@ TrainingSet paintedSet(FeatureSet features, int images = 10) {
 }
 
 const BuildingClassifier& painted() {
-  static const auto classifier = trainClassifier(paintedSet({}), kQuick);
-  return classifier.value();
+  static const auto kClassifier = trainClassifier(paintedSet({}), kQuick);
+  return kClassifier.value();
 }
 
 bool same(const cv::Mat1f& a, const cv::Mat1f& b) {

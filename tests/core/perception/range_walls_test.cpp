@@ -102,7 +102,7 @@ std::vector<RangePoint> lookingUpALittle(double robot_x, double wall_height) {
 TEST(RangeWalls, AFenceIsToldFromAHouseOnceItWasLookedOver) {
   for (const double height : {2.1, 6.0}) {
     RangeWalls walls(40.0, {});
-    const auto onTheWall = [&](double robot_x) {
+    const auto on_the_wall = [&](double robot_x) {
       const auto found = walls(lookingUpALittle(robot_x, height), {robot_x, 0.0, 0.0});
       return std::count_if(found.begin(), found.end(), [](const WallPoint& p) {
         return std::abs(static_cast<double>(p.y) - 8.0) < 0.1;
@@ -110,12 +110,12 @@ TEST(RangeWalls, AFenceIsToldFromAHouseOnceItWasLookedOver) {
     };
     const auto near_by_at_first = RangeWalls(40.0, {})(lookingUpALittle(0.0, height), {}).size();
     EXPECT_GT(near_by_at_first, 50u) << "from near by both are walls";
-    onTheWall(-25.0);
-    onTheWall(-20.0);
+    on_the_wall(-25.0);
+    on_the_wall(-20.0);
     if (height > 3.0) {
-      EXPECT_GT(onTheWall(0.0), 50);
+      EXPECT_GT(on_the_wall(0.0), 50);
     } else {
-      EXPECT_LT(onTheWall(0.0), 20);
+      EXPECT_LT(on_the_wall(0.0), 20);
     }
   }
 }

@@ -112,14 +112,14 @@ TEST(StereoWalls, AppliesMountAndPan) {
 }
 
 TEST(StereoWalls, NoiseGrowsWithTheSquareOfTheRangeAndEndsTheView) {
-  const auto sigmaAt = [](double x) {
+  const auto sigma_at = [](double x) {
     const auto walls = wallsIn(wall({x, -3}, {x, 3}), streetCamera());
     return walls.empty() ? 0.0 : static_cast<double>(walls[walls.size() / 2].sigma);
   };
   const double expected = 10.0 * 10.0 * 0.25 / (0.5 * 721.5 * 0.537);
-  EXPECT_NEAR(sigmaAt(10.0), expected, 0.02);
-  EXPECT_NEAR(sigmaAt(20.0), 4.0 * expected, 0.08);
-  EXPECT_EQ(sigmaAt(32.0), 0.0);  // σ > 1 m
+  EXPECT_NEAR(sigma_at(10.0), expected, 0.02);
+  EXPECT_NEAR(sigma_at(20.0), 4.0 * expected, 0.08);
+  EXPECT_EQ(sigma_at(32.0), 0.0);  // σ > 1 m
 }
 
 TEST(StereoWalls, CoveredOrUnrelatedImagesGiveNoWalls) {

@@ -184,11 +184,11 @@ TEST(Renderer, APolygonFromAUsersMapHasItsOwnWalls) {
   const Pose2 pose;
   const ImageTruth truth = renderer.truth(renderer.sceneAt(world, pose, 0.0), pose, 0.0);
   const ViewCamera camera = viewCamera(renderer.camera(), 160, 120, pose, 0.0);
-  const auto depthTowards = [&](double y_over_x) {
+  const auto depth_towards = [&](double y_over_x) {
     return truth.depth(50, static_cast<int>(std::lround(camera.cx - camera.fx * y_over_x)));
   };
-  EXPECT_NEAR(depthTowards(-0.3), 10.0F, 0.01F);
-  EXPECT_NEAR(depthTowards(0.3), 16.0F, 0.01F);
+  EXPECT_NEAR(depth_towards(-0.3), 10.0F, 0.01F);
+  EXPECT_NEAR(depth_towards(0.3), 16.0F, 0.01F);
 }
 
 TEST(Renderer, RefusesWhatNoCameraCanBe) {
