@@ -90,13 +90,10 @@ void addOdometryCommand(CLI::App& app, ChosenCommand& chosen) {
   CLI::App* command = app.add_subcommand("odometry", "Tell the robot's motion from its images");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return odometry(*arguments); }; });
-  constexpr double kLastFrame = 2147483647;
   command->add_option("--recording", a.recording, "What the robot saw (required)")
       ->required()
       ->option_text("DIR");
-  addNumber(*command, "--from", a.replay.from, 0, kLastFrame, "First frame number");
-  addNumber(*command, "--to", a.replay.to, 0, kLastFrame, "Last frame number");
-  addNumber(*command, "--every", a.replay.every, 1, 1e6, "Take each Nth pair");
+  addFrames(*command, a.replay, "Take each Nth pair");
   command->add_option("--out", a.out, "Poses from the first pair on (required)")
       ->required()
       ->option_text("odometry.tum");

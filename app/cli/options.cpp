@@ -24,6 +24,13 @@ CLI::Validator inRange(double low, double high) {
       range);
 }
 
+void addFrames(CLI::App& command, ReplayOptions& replay, const std::string& every_text) {
+  constexpr double kLastFrame = 2147483647;
+  addNumber(command, "--from", replay.from, 0, kLastFrame, "First frame number");
+  addNumber(command, "--to", replay.to, 0, kLastFrame, "Last frame number");
+  addNumber(command, "--every", replay.every, 1, 1e6, every_text);
+}
+
 CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text) {
   const auto check = [](const std::string& word) -> std::string {
     const bool whole = word.find_first_not_of("0123456789") == std::string::npos;

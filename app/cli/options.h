@@ -10,6 +10,8 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "core/recording/recording.h"
+
 namespace handmap {
 
 /// A finite number within the bounds, in C notation whatever the locale.
@@ -29,6 +31,9 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, Number& value
 
 /// --seed.
 CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text);
+
+/// --from, --to and --every; `every_text` tells what each Nth is taken of.
+void addFrames(CLI::App& command, ReplayOptions& replay, const std::string& every_text);
 
 /// An option that takes one of some words. The help tells the default, which is the value now.
 template <typename Value>

@@ -124,16 +124,13 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   CLI::App* command = app.add_subcommand("run", "Localize a recording on a drawing and correct it");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
 
-  constexpr double kLastFrame = 2147483647;
   command->add_option("--map", a.map, "The drawing (required)")
       ->required()
       ->option_text("M.handmap");
   command->add_option("--recording", a.recording, "What the robot met (required)")
       ->required()
       ->option_text("DIR");
-  addNumber(*command, "--from", a.replay.from, 0, kLastFrame, "First frame number");
-  addNumber(*command, "--to", a.replay.to, 0, kLastFrame, "Last frame number");
-  addNumber(*command, "--every", a.replay.every, 1, 1e6, "Take each Nth observation of the source");
+  addFrames(*command, a.replay, "Take each Nth observation of the source");
   addChoice(
       *command, "--source", a.replay.kind,
       {{"auto", SourceKind::Auto}, {"images", SourceKind::Images}, {"points", SourceKind::Points}},
