@@ -12,7 +12,7 @@ namespace {
 
 /// Blocks of many sizes: edges and flat areas, about as many as in a street.
 const cv::Mat3b& street() {
-  static const cv::Mat3b image = [] {
+  static const cv::Mat3b kImage = [] {
     RandomStream random(1);
     cv::Mat3b blocks(480, 640, cv::Vec3b(180, 180, 190));
     for (int i = 0; i < 600; ++i) {
@@ -23,7 +23,7 @@ const cv::Mat3b& street() {
     }
     return blocks;
   }();
-  return image;
+  return kImage;
 }
 
 /// Of full size; what it says does not matter here.

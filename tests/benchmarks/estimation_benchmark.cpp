@@ -60,11 +60,9 @@ void table(TrialConditions conditions, const std::vector<double>& sigmas, int tr
         fmt::print("  seed {} loose {} strict {} rms {:.2f}/{:.2f} {}\n",
                    first + static_cast<unsigned>(i), r.loose, r.strict, r.pose_rms, r.odometry_rms,
                    one.text());
-        if (!r.strict || verbose) {
-          for (const auto& e : r.aligned) {
-            fmt::print("      {} x {:.2f} front {:.2f} width {:.2f} iou {:.2f}\n", e.id, e.x,
-                       e.front, e.width, e.iou);
-          }
+        for (const auto& e : r.aligned) {
+          fmt::print("      {} x {:.2f} front {:.2f} width {:.2f} iou {:.2f}\n", e.id, e.x, e.front,
+                     e.width, e.iou);
         }
       }
     }

@@ -25,10 +25,11 @@ Map oneBuilding() {
 Map town(int side) {
   Map map;
   for (int i = 0; i < side * side; ++i) {
+    const int row = i / side;
     Building building;
     building.id = "H" + std::to_string(i);
     building.name = "House";
-    building.shape = Rectangle{{(i % side) * 30.0, (i / side) * 30.0}, 20.0, 10.0, 0.1 * i};
+    building.shape = Rectangle{{(i % side) * 30.0, row * 30.0}, 20.0, 10.0, 0.1 * i};
     map.buildings.push_back(building);
   }
   return map;
