@@ -32,8 +32,8 @@ void steps(benchmark::State& state, bool refine) {
                             builder.add(observation->odometry, true, wallsOf(*observation)));
     }
     state.ResumeTiming();
-    for (const auto& [odometry, local_map] : percepts) {
-      arena.execute([&] { slam.step(frames++, odometry, local_map); });
+    for (const auto& percept : percepts) {
+      arena.execute([&] { slam.step(frames++, percept.first, percept.second); });
     }
   }
   state.counters["ms_per_frame"] =

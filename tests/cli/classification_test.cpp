@@ -55,8 +55,9 @@ TEST_F(Classification, IsTaughtAndFindsTheHouse) {
   int right = 0;
   int buildings = 0;
   for (int row = 0; row < 8; ++row) {
+    const auto& judgements = json.at("building").at(static_cast<std::size_t>(row));
     for (int column = 0; column < 10; ++column) {
-      const bool judged = json.at("building")[row][column].get<double>() >= 0.5;
+      const bool judged = judgements.at(static_cast<std::size_t>(column)).get<double>() >= 0.5;
       right += judged == (street.classes(16 * row + 8, 16 * column + 8) == test::kBuildingClass);
       buildings += judged;
     }

@@ -17,7 +17,8 @@ class Labelled : public testing::Test {
   Labelled() {
     fs::create_directories(folder_.images);
     fs::create_directories(folder_.labels);
-    for (const std::string name : {"b", "a"}) add(name, test::paintStreet(name[0]));
+    add("b", test::paintStreet('b'));
+    add("a", test::paintStreet('a'));
     files_.write("images/notes.txt", "not an image");
   }
 

@@ -38,7 +38,7 @@ TEST(Training, TeachesWhatBuildingsLookLike) {
                                     FeatureSet{FeatureFamily::Paper, true}}) {
     const auto classifier = trainClassifier(paintedSet(features), kQuick);
     Confusion unseen;
-    for (const std::uint64_t seed : {101, 102, 103, 104}) {
+    for (const std::uint64_t seed : {101U, 102U, 103U, 104U}) {
       const test::PaintedStreet street = test::paintStreet(seed);
       judge(classifier.value(), street.image, labelsOf(street), unseen);
     }
@@ -59,7 +59,7 @@ TEST(Training, DependsOnTheSeedAlone) {
 TEST(Training, FindsNothingInLabelsWithoutMeaning) {
   TrainingSet set({});
   RandomStream random(1);
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
     std::vector<WindowLabel> labels(80);
     for (WindowLabel& label : labels) {
       label = random.uniform() < 0.5 ? WindowLabel::Building : WindowLabel::Other;
