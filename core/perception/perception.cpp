@@ -1,5 +1,6 @@
 #include "core/perception/perception.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.h"
@@ -8,12 +9,50 @@
 
 namespace handmap {
 
+namespace {
+
+/// Where the views of a stop overlap, the one that looks there most directly is taken, so that
+/// nothing counts twice. Bearings of the robot frame; `yaw` is the camera's own.
+class Overlaps {
+ public:
+  Overlaps(const std::vector<View>& views, double yaw) : views_(views), yaw_(yaw) {}
+
+  void removeFrom(StereoResult& seen, std::size_t view) const {
+    if (views_.size() == 1) return;
+    std::erase_if(seen.walls, [&](const WallPoint& p) {
+      return seenBetter(view, std::atan2(static_cast<double>(p.y), static_cast<double>(p.x)));
+    });
+    std::erase_if(seen.looked_through,
+                  [&](const Vec2& p) { return seenBetter(view, std::atan2(p.y(), p.x())); });
+  }
+
+ private:
+  double aside(std::size_t view, double bearing) const {
+    return std::abs(normalizedAngle(bearing - yaw_ - views_[view].pan));
+  }
+  bool seenBetter(std::size_t view, double bearing) const {
+    const double own = aside(view, bearing);
+    for (std::size_t other = 0; other < views_.size(); ++other) {
+      if (other == view || views_[other].left.empty()) continue;
+      const double its = aside(other, bearing);
+      if (its < own || (its == own && other < view)) return true;
+    }
+    return false;
+  }
+
+  const std::vector<View>& views_;
+  double yaw_;
+};
+
+}  // namespace
+
 Perception::Perception(const SourceInfo& source, const PerceptionOptions& options)
     : range_limit_m_(source.range_limit_m),
       range_walls_(source.range_limit_m, options.points),
       builder_(source.range_limit_m, options.local_map),
       scans_(source.range_limit_m) {
   if (!source.camera) return;
+  camera_yaw_ = source.camera->mount.yaw;
   std::optional<WallJudge> judge;
   if (options.classify) judge.emplace(options.classifier);
   stereo_.emplace(*source.camera, options.stereo, std::move(judge));
@@ -28,12 +67,14 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
   cv::Mat image;
   double stereo_ms = 0.0;
   double classify_ms = 0.0;
-  for (const View& view : observation.views) {
+  for (std::size_t i = 0; i < observation.views.size(); ++i) {
+    const View& view = observation.views[i];
     if (stop.stop_requested()) return std::nullopt;
     std::vector<WallPoint> found;
     if (!view.left.empty() || !view.right.empty()) {
       if (!stereo_) throwBadInput("observation", "images", "no camera calibration", "one");
       seen = (*stereo_)(view.left, view.right, view.pan, range_limit_m_);
+      Overlaps(observation.views, camera_yaw_).removeFrom(seen, i);
       image = view.left;
       stereo_ms += seen.stereo_ms;
       classify_ms += seen.walls_ms;

@@ -42,6 +42,7 @@ class Perception {
 
  private:
   double range_limit_m_;
+  double camera_yaw_ = 0.0;  ///< radians
   std::optional<StereoWalls> stereo_;
   RangeWalls range_walls_;
   LocalMapBuilder builder_;

@@ -1,6 +1,7 @@
 #include "core/perception/perception.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "tests/core/base/expect_error.h"
 #include "tests/core/perception/rendered_scene.h"
@@ -66,6 +67,26 @@ TEST(Perception, APanoramaIsOneMap) {
   EXPECT_EQ(percept->disparity.cols, 621);
   EXPECT_GT(percept->stereo_ms, 0.0);
   EXPECT_GT(percept->classify_ms, 0.0);
+}
+
+TEST(Perception, WhatTwoViewsShowCountsOnce) {
+  SourceInfo source;
+  source.camera = streetCamera();
+  const test::Scene scene{{{{{9, -6}, {9, 6}}, 6.0}}, 0.0};
+  const auto votes = [&](const std::vector<double>& pans_deg) {
+    Observation observation;
+    observation.standing = true;
+    for (const double pan : pans_deg) {
+      observation.views.push_back(imageView(scene, toRadians(pan)));
+    }
+    PerceptionOptions options;
+    options.local_map.saturation_votes = 1000.0;
+    return cv::sum(Perception(source, options)(observation)->local_map.cells())[0];
+  };
+  const double once = votes({0.0});
+  EXPECT_GT(once, 0.0);
+  EXPECT_DOUBLE_EQ(votes({0.0, 0.0}), once);
+  EXPECT_LT(votes({-10.0, 10.0}), 1.5 * once);
 }
 
 TEST(Perception, RefusesViewsThatCannotBeUsed) {
