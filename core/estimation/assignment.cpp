@@ -32,21 +32,27 @@ double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
 
 class Assigner {
  public:
-  Assigner(const Map& drawing, std::span<const FoundBox> found, const AssignmentOptions& options)
+  Assigner(const Map& drawing, std::span<const FoundBox> found, std::span<const Pose2> way,
+           const AssignmentOptions& options)
       : drawing_(drawing),
         found_(found),
+        way_(way),
         options_(options),
         log_undrawn_(std::log(undrawnDensity(drawing, options))),
-        log_present_(std::log((1.0 - options.phantom) / options.phantom)) {}
+        log_present_(std::log((1.0 - options.phantom) / options.phantom)) {
+    for (const FoundBox& box : found) sides_.push_back(sideOf(box.box.rectangle().centre));
+  }
 
   std::vector<Hypothesis> operator()() {
     std::vector<Hypothesis> beam = firstHypotheses();
     for (const std::size_t building : inOrder()) {
       std::vector<Hypothesis> next;
+      const Vec2 centre = drawing_.buildings[building].box().centre;
+      const int side = sideOf(beam.front().motion(centre));
       for (const Hypothesis& hypothesis : beam) {
         next.push_back(hypothesis);
         for (std::size_t f = 0; f < found_.size(); ++f) {
-          if (!isTaken(hypothesis, f)) extend(hypothesis, building, f, next);
+          if (!isTaken(hypothesis, f)) extend(hypothesis, building, f, side, next);
         }
       }
       const auto kept = std::min(next.size(), static_cast<std::size_t>(options_.hypotheses));
@@ -93,6 +99,16 @@ class Assigner {
     return std::find(taken.begin(), taken.end(), static_cast<int>(found)) != taken.end();
   }
 
+  /// Of the robot's way: 1 left, −1 right, 0 where there is none.
+  int sideOf(const Vec2& point) const {
+    const auto nearer = [&](const Pose2& a, const Pose2& b) {
+      return (a.position() - point).squaredNorm() < (b.position() - point).squaredNorm();
+    };
+    const auto nearest = std::min_element(way_.begin(), way_.end(), nearer);
+    if (nearest == way_.end()) return 0;
+    return nearest->toOwn(point).y() > 0.0 ? 1 : -1;
+  }
+
   double disorder(const Hypothesis& hypothesis, std::size_t building, std::size_t found) const {
     const Vec2 drawn_at = drawing_.buildings[building].box().centre;
     const Vec2 found_at = found_[found].box.rectangle().centre;
@@ -108,7 +124,7 @@ class Assigner {
     return price;
   }
 
-  void extend(const Hypothesis& hypothesis, std::size_t building, std::size_t f,
+  void extend(const Hypothesis& hypothesis, std::size_t building, std::size_t f, int side,
               std::vector<Hypothesis>& next) const {
     const Building& drawn = drawing_.buildings[building];
     const double heading = drawn.box().heading + hypothesis.motion.turn();
@@ -139,11 +155,13 @@ class Assigner {
     const double undrawn =
         log_undrawn_ * (seen.count - seen.widths) / 2.0 - seen.widths * std::log(kWidthRange);
 
+    const double side_price = sides_[f] == side ? 0.0 : options_.wrong_side;
+
     Hypothesis extended = hypothesis;
     extended.found_of[building] = static_cast<int>(f);
     extended.log_weight += match.log_likelihood - undrawn + log_present_ -
                            std::min(heading_price, kMostDisorder) -
-                           disorder(hypothesis, building, f);
+                           disorder(hypothesis, building, f) - side_price;
     extended.motion.mean += match.mean_change;
     extended.motion.covariance -= match.covariance_change;
     next.push_back(std::move(extended));
@@ -202,7 +220,9 @@ class Assigner {
 
   const Map& drawing_;
   std::span<const FoundBox> found_;
+  std::span<const Pose2> way_;
   const AssignmentOptions& options_;
+  std::vector<int> sides_;  ///< of the found buildings
   double log_undrawn_;
   double log_present_;
 };
@@ -210,8 +230,8 @@ class Assigner {
 }  // namespace
 
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
-                               const AssignmentOptions& options) {
-  return Assigner(drawing, found, options)();
+                               std::span<const Pose2> way, const AssignmentOptions& options) {
+  return Assigner(drawing, found, way, options)();
 }
 
 }  // namespace handmap

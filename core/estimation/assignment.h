@@ -7,16 +7,18 @@
 #include <Eigen/Core>
 
 #include "core/estimation/box_finder.h"
+#include "core/geometry/pose2.h"
 #include "core/map/map.h"
 
 namespace handmap {
 
 struct AssignmentOptions {
   int hypotheses = 100;
-  double undrawn = 0.1;    ///< found buildings that no one drew, as a share of the drawn ones
-  double phantom = 0.05;   ///< drawn buildings that are not there or were not found, share
-  double built_on = 0.02;  ///< share of the walls that are of something no one drew
-  double disorder = 2.0;   ///< price of two buildings that change places in the drawing, nats
+  double undrawn = 0.05;    ///< found buildings that no one drew, as a share of the drawn ones
+  double phantom = 0.02;    ///< drawn buildings that are not there or were not found, share
+  double built_on = 0.02;   ///< share of the walls that are of something no one drew
+  double disorder = 2.0;    ///< price of two buildings that change places in the drawing, nats
+  double wrong_side = 3.0;  ///< and of one found on the other side of the robot's way
   double heading_sigma = toRadians(3.0);  ///< of a building against the drawing
   double scale_sigma = 0.05;              ///< of the whole drawing
   double turn_sigma = toRadians(1.0);
@@ -49,8 +51,8 @@ struct Hypothesis {
   double weight = 0.0;  ///< normalized
 };
 
-/// The best hypotheses, the best first. Not empty.
+/// The best hypotheses, the best first. Not empty. `way`: where the robot has been, map frame.
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
-                               const AssignmentOptions& options);
+                               std::span<const Pose2> way, const AssignmentOptions& options);
 
 }  // namespace handmap

@@ -69,6 +69,7 @@ struct HandmapEstimator::State {
   void updateEvidence();
   void updateNoise();
   void findBuildings();
+  void assignBuildings();
   std::size_t firstWorkedOn() const;
   bool isInSight(const FoundBox& found) const;
   bool hasReached(const Rectangle& box) const;
@@ -102,7 +103,7 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
   requireReadyToRun(drawing);
   state_ = std::make_unique<State>(drawing, options, seed);
   state_->pose = *drawing.start;
-  state_->hypotheses = assign(drawing, {}, options.assignment);
+  state_->hypotheses = assign(drawing, {}, {}, options.assignment);
 }
 
 HandmapEstimator::~HandmapEstimator() = default;
@@ -136,7 +137,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.findBuildings();
   state.updateNoise();
   if (progress) progress(0.9);
-  state.hypotheses = assign(state.drawing, state.found, state.options.assignment);
+  state.assignBuildings();
   state.pose = state.frames.back().pose;
   return true;
 }
@@ -236,6 +237,12 @@ void HandmapEstimator::State::findBuildings() {
   finder.update(found, walls, last, sensor);
 }
 
+void HandmapEstimator::State::assignBuildings() {
+  std::vector<Pose2> way;
+  for (const Frame& frame : frames) way.push_back(frame.pose);
+  hypotheses = assign(drawing, found, way, options.assignment);
+}
+
 void HandmapEstimator::finish(const std::stop_token& stop) {
   State& state = *state_;
   if (state.frames.empty()) return;
@@ -247,7 +254,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   std::vector<const Frame*> all;
   for (const Frame& frame : state.frames) all.push_back(&frame);
   for (FoundBox& found : state.found) state.finder.locateUnseen(found, all, state.sensor);
-  state.hypotheses = assign(state.drawing, state.found, state.options.assignment);
+  state.assignBuildings();
   state.pose = state.frames.back().pose;
 }
 

@@ -106,7 +106,7 @@ TEST(Assign, IsTheBestOfAllAssignments) {
   const AssignmentOptions options = plainOptions();
   for (int round = 0; round < 30; ++round) {
     const Case c = randomCase(random, 4, 12.0);
-    const auto hypotheses = assign(c.drawing, c.found, options);
+    const auto hypotheses = assign(c.drawing, c.found, {}, options);
     std::vector<int> found_of(4, -1);
     const double best = plainBest(c, options, found_of, 0);
     EXPECT_NEAR(hypotheses.front().log_weight, best, 1e-3);
@@ -123,19 +123,38 @@ TEST(Assign, LearnsTheScaleOfTheWholeDrawing) {
     box.width *= 1.1;
     found = foundAt(box);
   }
-  const auto hypotheses = assign(c.drawing, c.found, AssignmentOptions{});
+  const auto hypotheses = assign(c.drawing, c.found, {}, AssignmentOptions{});
   for (int i = 0; i < 6; ++i)
     EXPECT_EQ(hypotheses.front().found_of[static_cast<std::size_t>(i)], i);
   EXPECT_NEAR(hypotheses.front().motion.scale(), 1.1, 0.02);
+}
+
+TEST(Assign, KeepsTheSideOfTheWay) {
+  // Drawn 60 m too far along the street each, the left one ahead, the right one behind.
+  Case c;
+  c.drawing.uncertainty = {33.0, 33.0};
+  for (const double side : {1.0, -1.0}) {
+    Building building;
+    building.id = side > 0.0 ? "left" : "right";
+    building.shape = Rectangle{{100.0 + 30.0 * side, 20.0 * side}, 50.0, 15.0, 0.0};
+    c.drawing.buildings.push_back(building);
+    c.found.push_back(foundAt({{100.0 - 30.0 * side, 20.0 * side}, 50.0, 15.0, 0.0}));
+  }
+  const std::vector<Pose2> way = {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {200.0, 0.0, 0.0}};
+  const auto labels = [&](std::span<const Pose2> driven) {
+    return assign(c.drawing, c.found, driven, AssignmentOptions{}).front().found_of;
+  };
+  EXPECT_EQ(labels(way), (std::vector<int>{0, 1}));
+  EXPECT_EQ(labels({}), (std::vector<int>{1, 0}));
 }
 
 TEST(Assign, LeavesOutWhatIsNotThere) {
   RandomStream random(23);
   Case c = randomCase(random, 4, 1.0);
   c.found.erase(c.found.begin() + 1);
-  const auto best = assign(c.drawing, c.found, AssignmentOptions{}).front();
+  const auto best = assign(c.drawing, c.found, {}, AssignmentOptions{}).front();
   EXPECT_EQ(best.found_of, (std::vector<int>{0, Hypothesis::kNone, 1, 2}));
-  EXPECT_EQ(assign(c.drawing, {}, AssignmentOptions{}).size(), 1u);
+  EXPECT_EQ(assign(c.drawing, {}, {}, AssignmentOptions{}).size(), 1u);
 }
 
 }  // namespace
