@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "core/estimation/drawn_box.h"
 
@@ -12,11 +13,14 @@ namespace handmap {
 
 namespace {
 
-constexpr double kGate = 25.0;         // squared Mahalanobis distance beyond which nothing is tried
-constexpr double kSurprising = 6.0;    // the same, beyond which a wall may not belong
-constexpr double kFoundFloor = 0.3;    // metres, one σ, of what a box may be off its building
-constexpr double kWidthRange = 60.0;   // metres over which sizes of undrawn buildings are spread
-constexpr double kMostDisorder = 4.0;  // half squares of the heading's error at most
+constexpr double kGate = 25.0;        // squared Mahalanobis distance beyond which nothing is tried
+constexpr double kSurprising = 6.0;   // the same, beyond which a wall may not belong
+constexpr double kFoundFloor = 0.3;   // metres, one σ, of what a box may be off its building
+constexpr double kWidthRange = 60.0;  // metres over which sizes of undrawn buildings are spread
+constexpr double kMostTurned = 4.0;   // half squares of the heading's error at most
+constexpr double kFreeScale = 0.25;   // one σ
+constexpr double kFan = toRadians(8.0);  // between the hypotheses of a free turn, and their σ
+constexpr int kFanSteps = 5;             // to either side
 
 /// The density of found buildings that no one drew, by metre and metre.
 double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
@@ -71,14 +75,25 @@ class Assigner {
  private:
   Vec2 origin() const { return drawing_.start ? drawing_.start->position() : Vec2::Zero(); }
 
+  /// One, or a fan of them where the turn is free: each is Gaussian in (a, b).
   std::vector<Hypothesis> firstHypotheses() const {
-    Hypothesis first;
-    first.found_of.assign(drawing_.buildings.size(), Hypothesis::kNone);
-    first.motion.origin = origin();
     const double shift = options_.shift_share * drawing_.uncertainty.position;
-    const Eigen::Vector4d sigma(options_.scale_sigma, options_.turn_sigma, shift, shift);
-    first.motion.covariance = sigma.cwiseAbs2().asDiagonal();
-    return {first};
+    const double scale = options_.free_scale ? kFreeScale : options_.scale_sigma;
+    const double turn = options_.free_turn ? kFan : options_.turn_sigma;
+    const Eigen::Vector4d sigma(scale, turn, shift, shift);
+    std::vector<Hypothesis> first;
+    for (int step = 0; step <= (options_.free_turn ? 2 * kFanSteps : 0); ++step) {
+      const double angle = kFan * (step % 2 == 0 ? step / 2 : -(step + 1) / 2);
+      Hypothesis hypothesis;
+      hypothesis.found_of.assign(drawing_.buildings.size(), Hypothesis::kNone);
+      hypothesis.motion.origin = origin();
+      hypothesis.motion.mean.head<2>() = unitVector(angle);
+      Eigen::Matrix4d axes = Eigen::Matrix4d::Identity();
+      axes.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+      hypothesis.motion.covariance = axes * sigma.cwiseAbs2().asDiagonal() * axes.transpose();
+      first.push_back(std::move(hypothesis));
+    }
+    return first;
   }
 
   /// The nearest to the start first: what is known of the whole drawing grows outwards.
@@ -127,30 +142,26 @@ class Assigner {
   void extend(const Hypothesis& hypothesis, std::size_t building, std::size_t f, int side,
               std::vector<Hypothesis>& next) const {
     const Building& drawn = drawing_.buildings[building];
-    const double heading = drawn.box().heading + hypothesis.motion.turn();
-    const FoundBox found = found_[f].nearestTo(heading);
+    const FoundBox found = found_[f].nearestTo(drawn.box().heading + hypothesis.motion.turn());
     const SeenWalls seen(found);
     if (seen.count == 0) return;
     const auto count = static_cast<std::size_t>(seen.count);
-    const DrawnBox prior(drawn, drawing_.uncertaintyOf(drawn), hypothesis.motion, found.box);
-
-    if (farWalls(prior, hypothesis.motion, found, seen) > 1) return;
-    Match match = compare(prior, hypothesis.motion, found, {seen.index.data(), count});
+    DrawingMotion motion = hypothesis.motion;
+    const double turn_price = compareHeading(drawn.box().heading, found, motion);
+    const DrawnBox prior(drawn, drawing_.uncertaintyOf(drawn), motion, found.box);
+    if (farWalls(prior, motion, found, seen) > 1) return;
+    Match match = compare(prior, motion, found, {seen.index.data(), count});
     // A wall may be of something built on to the building.
     const bool surprising = match.distance > kSurprising;
     for (std::size_t out = 0; surprising && count > 1 && out < count; ++out) {
       std::array<int, 4> others{};
       std::remove_copy(seen.index.begin(), seen.index.begin() + seen.count, others.begin(),
                        seen.index[out]);
-      Match without = compare(prior, hypothesis.motion, found, {others.data(), count - 1});
+      Match without = compare(prior, motion, found, {others.data(), count - 1});
       without.log_likelihood += std::log(options_.built_on / kWidthRange);
       if (without.log_likelihood > match.log_likelihood) match = std::move(without);
     }
     if (match.distance > kGate) return;
-    const double turned = normalizedAngle(found.box.heading - heading);
-    const double heading_price = 0.5 * turned * turned /
-                                 (options_.heading_sigma * options_.heading_sigma +
-                                  found.heading_sigma * found.heading_sigma);
     // The same walls of a building that no one drew: anywhere, of any size.
     const double undrawn =
         log_undrawn_ * (seen.count - seen.widths) / 2.0 - seen.widths * std::log(kWidthRange);
@@ -159,12 +170,26 @@ class Assigner {
 
     Hypothesis extended = hypothesis;
     extended.found_of[building] = static_cast<int>(f);
-    extended.log_weight += match.log_likelihood - undrawn + log_present_ -
-                           std::min(heading_price, kMostDisorder) -
+    extended.log_weight += match.log_likelihood - undrawn + log_present_ - turn_price -
                            disorder(hypothesis, building, f) - side_price;
+    extended.motion = motion;
     extended.motion.mean += match.mean_change;
     extended.motion.covariance -= match.covariance_change;
     next.push_back(std::move(extended));
+  }
+
+  /// What a heading says of the drawing's turn: (a, b) lies along it. Returns its price; a building
+  /// that stands as it likes says nothing.
+  double compareHeading(double drawn, const FoundBox& found, DrawingMotion& motion) const {
+    const Vec2 turn = unitVector(found.box.heading - drawn);
+    const Eigen::RowVector4d slope(-turn.y(), turn.x(), 0.0, 0.0);
+    const double sigma = motion.scale() * std::hypot(options_.heading_sigma, found.heading_sigma);
+    const double error = slope.dot(motion.mean);
+    const double predicted = sigma * sigma + (slope * motion.covariance).dot(slope);
+    const double price = 0.5 * error * error / predicted;
+    if (price > kMostTurned) return kMostTurned;
+    motion.correct(slope, 0.0, sigma * sigma);
+    return price;
   }
 
   /// How well some walls of a found box fit a drawn one, and what they say of the whole drawing.
@@ -228,6 +253,13 @@ class Assigner {
 };
 
 }  // namespace
+
+void DrawingMotion::correct(const Eigen::RowVector4d& slope, double value, double variance) {
+  const Eigen::Vector4d seen = covariance * slope.transpose();
+  const Eigen::Vector4d gain = seen / (slope.dot(seen) + variance);
+  mean += gain * (value - slope.dot(mean));
+  covariance -= gain * seen.transpose();
+}
 
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
                                std::span<const Pose2> way, const AssignmentOptions& options) {

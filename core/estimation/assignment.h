@@ -22,6 +22,8 @@ struct AssignmentOptions {
   double heading_sigma = toRadians(3.0);  ///< of a building against the drawing
   double scale_sigma = 0.05;              ///< of the whole drawing
   double turn_sigma = toRadians(1.0);
+  bool free_scale = false;   ///< the drawing may be 0.7 to 1.4 times as large
+  bool free_turn = false;    ///< and turned by ±40° about the robot's start
   double shift_share = 0.3;  ///< of the whole drawing, as a share of the uncertainty of a building
 };
 
@@ -37,6 +39,9 @@ struct DrawingMotion {
     return p + Vec2((mean[0] - 1.0) * q.x() - mean[1] * q.y() + mean[2],
                     mean[1] * q.x() + (mean[0] - 1.0) * q.y() + mean[3]);
   }
+  /// What is known of it changes by a measured slope · (a, b, x, y) = value, with a variance.
+  void correct(const Eigen::RowVector4d& slope, double value, double variance);
+
   double scale() const { return std::hypot(mean[0], mean[1]); }
   double turn() const { return std::atan2(mean[1], mean[0]); }
 };

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/estimation/active_directions.h"
 #include "core/estimation/drawn_box.h"
 #include "core/estimation/landmarks.h"
 #include "core/estimation/noise_estimate.h"
@@ -24,26 +25,6 @@ constexpr double kSlacks[] = {0.3, 0.1};  // across walls, metres: wide to catch
 constexpr double kFinalSlack = 0.03;
 constexpr double kSlightDoubt = 0.1;
 
-/// Main directions of the drawing, modulo a quarter turn.
-std::vector<double> mainHeadings(const Map& drawing) {
-  constexpr double kApart = toRadians(9.0);
-  std::vector<double> headings;
-  for (const Building& building : drawing.buildings) {
-    const double heading = building.box().heading;
-    const auto is_near = [&](double other) {
-      return std::abs(std::remainder(heading - other, kPi / 2.0)) < kApart / 2.0;
-    };
-    if (std::none_of(headings.begin(), headings.end(), is_near)) headings.push_back(heading);
-  }
-  return headings;
-}
-
-/// A frame that is worked on, and the pose at which the evidence holds it.
-struct ActiveFrame {
-  Frame* frame;
-  Pose2 held_at;
-};
-
 bool hasMoved(const ActiveFrame& active) {
   const Pose2 motion = between(active.held_at, active.frame->pose);
   return std::hypot(motion.x, motion.y) > kMoved || std::abs(motion.heading) > kTurned;
@@ -57,16 +38,15 @@ struct HandmapEstimator::State {
         options(with),
         seed(random_seed),
         sensor(with.sensor, with.range_limit_m),
-        evidence(mainHeadings(map), with.cell_m, 2.0 * (with.range_limit_m + with.active_m)),
+        evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m)),
         finder(with.finder),
-        smoother(with.odometry, sensor) {
-    smoother.expectHeadings(mainHeadings(map), with.assignment.heading_sigma);
-  }
+        smoother(with.odometry, sensor) {}
 
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
   void smoothAll(double slack_m);
   void updateEvidence();
+  void updateDirections();
   void updateNoise();
   void findBuildings();
   void assignBuildings();
@@ -79,6 +59,7 @@ struct HandmapEstimator::State {
   std::uint64_t seed;
   SensorModel sensor;
   WallEvidence evidence;
+  ActiveDirections directions;
   BoxFinder finder;
   Smoother smoother;
 
@@ -134,6 +115,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.smoothWindow();
   if (progress) progress(0.4);
   state.updateEvidence();
+  state.updateDirections();
   state.findBuildings();
   state.updateNoise();
   if (progress) progress(0.9);
@@ -214,6 +196,20 @@ void HandmapEstimator::State::updateEvidence() {
   }
   active.push_back({&frames.back(), frames.back().pose});
   evidence.add(frames.back(), frames.back().pose, sensor);
+}
+
+void HandmapEstimator::State::updateDirections() {
+  const Vec2 here = frames.back().pose.position();
+  const DrawingMotion& motion = hypotheses.front().motion;
+  std::vector<double> drawn;
+  for (const Building& building : drawing.buildings) {
+    const Rectangle box = building.box();
+    const double reach = options.range_limit_m + 0.5 * std::hypot(box.width, box.depth) +
+                         drawing.uncertaintyOf(building).position;
+    if ((motion(box.centre) - here).norm() < reach) drawn.push_back(box.heading + motion.turn());
+  }
+  directions.update(drawn, active, sensor, evidence);
+  smoother.expectHeadings(directions.headings(), options.assignment.heading_sigma);
 }
 
 void HandmapEstimator::State::updateNoise() {

@@ -54,11 +54,25 @@ void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& 
   }
 }
 
-WallEvidence::WallEvidence(const std::vector<double>& headings, double cell_m, double window_m) {
-  for (const double heading : headings) {
-    for (int side = 0; side < 4; ++side) {
-      images_.emplace_back(heading + side * kPi / 2.0, cell_m, window_m);
+void WallEvidence::include(double heading, std::span<const ActiveFrame> held,
+                           const SensorModel& sensor) {
+  const std::size_t first = images_.size();
+  for (int side = 0; side < 4; ++side) {
+    images_.emplace_back(heading + side * kPi / 2.0, cell_, window_);
+  }
+  tbb::parallel_for(first, images_.size(), [&](std::size_t i) {
+    for (const ActiveFrame& active : held) {
+      images_[i].apply(*active.frame, active.held_at, sensor, 1);
     }
+  });
+}
+
+void WallEvidence::exclude(double heading) {
+  for (std::size_t i = 0; i < images_.size(); i += 4) {
+    if (images_[i].heading() != heading) continue;
+    const auto first = images_.begin() + static_cast<std::ptrdiff_t>(i);
+    images_.erase(first, first + 4);
+    return;
   }
 }
 

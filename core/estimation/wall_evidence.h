@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/estimation/frame.h"
@@ -45,17 +46,27 @@ class WallImage {
   std::vector<std::int32_t> cells_;
 };
 
-/// The images of the four sides of every main direction, over the last frames.
+/// A frame that is worked on, and the pose at which the evidence holds it.
+struct ActiveFrame {
+  Frame* frame;
+  Pose2 held_at;
+};
+
+/// The images of the four sides of every direction, over the last frames.
 class WallEvidence {
  public:
-  /// `headings`: main directions, modulo π/2.
-  WallEvidence(const std::vector<double>& headings, double cell_m, double window_m);
+  WallEvidence(double cell_m, double window_m) : cell_(cell_m), window_(window_m) {}
 
+  /// Looks for walls of one more direction (modulo π/2); `held`: the frames that it holds.
+  void include(double heading, std::span<const ActiveFrame> held, const SensorModel& sensor);
+  void exclude(double heading);
   void add(const Frame& frame, const Pose2& pose, const SensorModel& sensor);
   void remove(const Frame& frame, const Pose2& pose, const SensorModel& sensor);
   const std::vector<WallImage>& images() const { return images_; }
 
  private:
+  double cell_;
+  double window_;
   std::vector<WallImage> images_;
 };
 

@@ -25,7 +25,7 @@ struct TrialKey {
   Method method = Method::Handmap;
   double sigma_m = 0.0;  ///< error of the drawing
   int number = 0;
-  auto operator<=>(const TrialKey&) const = default;
+  auto operator<=>(const TrialKey&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Signed errors as in BuildingError, of the map as it is: the start is known.

@@ -1,6 +1,7 @@
 // Success, errors and time of the estimator:
 //   estimation_benchmark [trials [first_seed [option=value …]]]
-// Options: undrawn, phantom, clutter, turned (degrees), sigma (one instead of five), street=DIR.
+// Options: undrawn, phantom, clutter, turned (degrees), free, sigma (one instead of five),
+// street=DIR.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -118,6 +119,10 @@ int main(int argc, char** argv) {
     if (key == "phantom") conditions.phantom = true;
     if (key == "clutter") conditions.clutter = value;
     if (key == "turned") conditions.turned_rad = toRadians(value);
+    if (key == "free") {
+      conditions.free = true;
+      conditions.options.assignment.free_scale = conditions.options.assignment.free_turn = true;
+    }
     if (key == "sigma") sigmas = {value};
     if (key == "verbose") verbose = true;
     if (key == "cell") conditions.options.cell_m = value;

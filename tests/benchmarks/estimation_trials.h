@@ -18,6 +18,7 @@ struct TrialConditions {
   bool phantom = false;     ///< one drawn building that is not there
   double clutter = 0.0;     ///< share of the returns that come from things in between
   double turned_rad = 0.0;  ///< one σ, of every true building against the drawing
+  bool free = false;        ///< the drawing is scaled (0.7 to 1.4) and turned (±30°)
   EstimatorOptions options;
 };
 
@@ -110,6 +111,16 @@ inline TrialResult twoRowTrial(const TrialConditions& conditions, std::uint64_t 
     phantom.shape = Rectangle{
         {random.uniform(0.0, 200.0), random.uniform() < 0.5 ? 35.0 : -35.0}, 50.0, 15.0, 0.0};
     drawing.buildings.push_back(phantom);
+  }
+  if (conditions.free) {
+    const double scale = random.uniform(0.7, 1.4);
+    const double turn = toRadians(random.uniform(-30.0, 30.0));
+    const Pose2 motion{0.0, 0.0, turn};
+    for (Building& building : drawing.buildings) {
+      Rectangle box = building.box();
+      building.shape = Rectangle{motion.toOuter(scale * box.centre), scale * box.width,
+                                 scale * box.depth, box.heading + turn};
+    }
   }
   const auto source = simulate(world, SimulationOptions{}, seed + 2000);
   return runTrial(drawing, world.map, *source, conditions.options, conditions.clutter, seed);

@@ -53,7 +53,8 @@ TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
   RandomStream random(4);
   const SensorModel sensor(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
-  WallEvidence evidence({0.1}, kCell, kWindow);
+  WallEvidence evidence(kCell, kWindow);
+  evidence.include(0.1, {}, sensor);
   const Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
   evidence.add(frame, frame.pose, sensor);
   evidence.remove(frame, frame.pose, sensor);
@@ -64,12 +65,34 @@ TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
   }
 }
 
+TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
+  RandomStream random(6);
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
+  Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
+  WallEvidence first(kCell, kWindow);
+  first.include(0.2, {}, sensor);
+  first.add(frame, frame.pose, sensor);
+  WallEvidence later(kCell, kWindow);
+  const ActiveFrame held{&frame, frame.pose};
+  later.include(0.7, {}, sensor);
+  later.include(0.2, {&held, 1}, sensor);
+  later.exclude(0.7);
+  ASSERT_EQ(later.images().size(), 4u);
+  for (int column = 0; column < first.images()[0].size(); ++column) {
+    for (int row = 0; row < first.images()[0].size(); ++row) {
+      ASSERT_EQ(first.images()[0].at(column, row), later.images()[0].at(column, row));
+    }
+  }
+}
+
 TEST(DetectWalls, NeighboursWithAGapAreTwoWalls) {
   RandomStream random(5);
   const SensorModel sensor(SensorOptions{}, 40.0);
   const std::vector<Box> boxes{boxOf({{-15.0, 15.0}, 20.0, 8.0, toRadians(3.0)}),
                                boxOf({{15.0, 15.0}, 24.0, 8.0, 0.0})};
-  WallEvidence evidence({0.0}, kCell, kWindow);
+  WallEvidence evidence(kCell, kWindow);
+  evidence.include(0.0, {}, sensor);
   for (double x = -20.0; x <= 20.0; x += 5.0) {
     const Frame frame = seenFrom({x, 0.0, 0.0}, boxes, 0.2, random);
     evidence.add(frame, frame.pose, sensor);
