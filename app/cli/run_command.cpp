@@ -24,6 +24,7 @@ struct RunArguments {
   ReplayOptions replay;
   std::string odometry;
   RunSettings settings;
+  std::vector<std::string> free;
   bool localize_only = false;
   std::string out;
   std::string trajectory;
@@ -36,6 +37,10 @@ void check(const RunArguments& arguments) {
   if (arguments.replay.to && *arguments.replay.to < arguments.replay.from) {
     throw Error(ErrorCode::Usage, fmt::format("--to: found {}, expected {} (--from) or more",
                                               *arguments.replay.to, arguments.replay.from));
+  }
+  const bool fixed = arguments.localize_only || arguments.settings.method == Method::Paper;
+  if (!arguments.free.empty() && fixed) {
+    throw Error(ErrorCode::Usage, "--free: not with --method paper or --localize-only");
   }
   checkOutputFiles({arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
                    {arguments.map, arguments.odometry, arguments.model});
@@ -97,6 +102,9 @@ int run(RunArguments arguments) {
   check(arguments);
   arguments.replay.visual_odometry = arguments.odometry == "visual";
   if (!arguments.replay.visual_odometry) arguments.replay.odometry = arguments.odometry;
+  for (const std::string& what : arguments.free) {
+    (what == "scale" ? arguments.settings.free_scale : arguments.settings.free_turn) = true;
+  }
   arguments.settings.slam.refine = !arguments.localize_only;
   arguments.settings.perception.classify = arguments.model != "none";
   if (!arguments.model.empty() && arguments.settings.perception.classify) {
@@ -146,6 +154,12 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},
             "Ours (handmap) or the published FastSLAM/PSOM (paper)");
+  command
+      ->add_option("--free", a.free,
+                   "May be off of the drawing as a whole: scale (0.7 to 1.4), turn (±40°)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"scale", "turn"}))
+      ->option_text("scale,turn");
   addNumber(*command, "--slam-particles", slam.slam_particles, 1, 1e5,
             "Hypotheses of pose and map");
   addNumber(*command, "--pso-particles", slam.pso_particles, 1, 1e4, "Swarm of a building");

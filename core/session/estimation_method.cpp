@@ -59,6 +59,8 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
   EstimatorOptions options;
   options.range_limit_m = source.range_limit_m;
   options.particles = settings.slam.slam_particles;
+  options.assignment.free_scale = settings.free_scale;
+  options.assignment.free_turn = settings.free_turn;
   return options;
 }
 

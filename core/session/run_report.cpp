@@ -21,8 +21,12 @@ Json settingsJson(const RunSettings& settings) {
   const char* classifier = !perception.classify    ? "none"
                            : perception.classifier ? "own"
                                                    : "built-in";
+  Json free = Json::array();
+  if (settings.free_scale) free.push_back("scale");
+  if (settings.free_turn) free.push_back("turn");
   return {
       {"method", methodName(settings)},
+      {"free", free},
       {"slam_particles", slam.slam_particles},
       {"pso_particles", slam.pso_particles},
       {"pso_iterations", slam.pso_iterations},

@@ -23,6 +23,8 @@ struct RunSettings {
   Method method = Method::Handmap;
   SlamOptions slam;
   PerceptionOptions perception;
+  bool free_scale = false;  ///< the drawing as a whole may have another scale
+  bool free_turn = false;   ///< or be turned; Method::Handmap
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: as many as the machine has
 };

@@ -1,5 +1,6 @@
 #include "widgets/run/run_setup_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QSettings>
@@ -22,6 +23,17 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   method_->addItem(tr("Published FastSLAM/PSOM"), static_cast<int>(Method::Paper));
   method_->setToolTip(tr("Ours, or the published method to the letter"));
   form->addRow(tr("Method"), method_);
+  free_scale_ = new QCheckBox(tr("Scale unknown"));
+  free_scale_->setToolTip(tr("The drawing may be 0.7 to 1.4 times as large as the place"));
+  free_turn_ = new QCheckBox(tr("Turn unknown"));
+  free_turn_->setToolTip(tr("The drawing may be turned by up to 40° about the robot's start"));
+  form->addRow(tr("Drawing"), free_scale_);
+  form->addRow(QString(), free_turn_);
+  connect(method_, &QComboBox::currentIndexChanged, this, [this] {
+    const bool is_ours = method_->currentData().toInt() == static_cast<int>(Method::Handmap);
+    free_scale_->setEnabled(is_ours);
+    free_turn_->setEnabled(is_ours);
+  });
   slam_particles_ =
       addNumber(tr("Particles"), 1, 100'000, tr("Poses of the robot that are followed at once"));
   pso_particles_ = addNumber(tr("Swarm"), 1, 1000,
@@ -74,6 +86,8 @@ void RunSetupPanel::setTaughtClassifier(std::shared_ptr<const BuildingClassifier
 RunSetup RunSetupPanel::setup() const {
   RunSetup setup;
   setup.settings.method = static_cast<Method>(method_->currentData().toInt());
+  setup.settings.free_scale = free_scale_->isEnabled() && free_scale_->isChecked();
+  setup.settings.free_turn = free_turn_->isEnabled() && free_turn_->isChecked();
   setup.settings.slam.slam_particles = slam_particles_->value();
   setup.settings.slam.pso_particles = pso_particles_->value();
   setup.settings.slam.pso_iterations = pso_iterations_->value();
@@ -91,6 +105,8 @@ RunSetup RunSetupPanel::setup() const {
 
 void RunSetupPanel::setSetup(const RunSetup& setup) {
   method_->setCurrentIndex(method_->findData(static_cast<int>(setup.settings.method)));
+  free_scale_->setChecked(setup.settings.free_scale);
+  free_turn_->setChecked(setup.settings.free_turn);
   slam_particles_->setValue(setup.settings.slam.slam_particles);
   pso_particles_->setValue(setup.settings.slam.pso_particles);
   pso_iterations_->setValue(setup.settings.slam.pso_iterations);

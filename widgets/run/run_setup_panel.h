@@ -6,6 +6,7 @@
 #include "core/recording/recording.h"
 #include "core/session/run_session.h"
 
+class QCheckBox;
 class QComboBox;
 class QSettings;
 class QSpinBox;
@@ -36,6 +37,8 @@ class RunSetupPanel : public QWidget {
   QSpinBox* addNumber(const QString& label, int low, int high, const QString& hint);
 
   QComboBox* method_;
+  QCheckBox* free_scale_;
+  QCheckBox* free_turn_;
   QSpinBox* slam_particles_;
   QSpinBox* pso_particles_;
   QSpinBox* pso_iterations_;
