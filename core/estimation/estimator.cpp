@@ -53,6 +53,9 @@ struct HandmapEstimator::State {
   std::size_t firstWorkedOn() const;
   bool isInSight(const FoundBox& found) const;
   bool hasReached(const Rectangle& box) const;
+  /// What a drawn building is; nullptr where the hypothesis leaves it out.
+  const FoundBox* foundFor(std::size_t building, const Hypothesis& hypothesis) const;
+  RefinedBuilding refined(std::size_t building, const Hypothesis& hypothesis) const;
 
   Map drawing;
   EstimatorOptions options;
@@ -146,6 +149,19 @@ bool HandmapEstimator::State::hasReached(const Rectangle& box) const {
   return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
     return distanceTo(corners, frame.pose.position()) < options.range_limit_m;
   });
+}
+
+const FoundBox* HandmapEstimator::State::foundFor(std::size_t building,
+                                                  const Hypothesis& hypothesis) const {
+  const int index = hypothesis.found_of[building];
+  return index == Hypothesis::kNone ? nullptr : &found[static_cast<std::size_t>(index)];
+}
+
+RefinedBuilding HandmapEstimator::State::refined(std::size_t building,
+                                                 const Hypothesis& hypothesis) const {
+  const Building& drawn = drawing.buildings[building];
+  return refinedBuilding(drawn, drawing.uncertaintyOf(drawn), hypothesis.motion,
+                         foundFor(building, hypothesis));
 }
 
 void HandmapEstimator::State::smoothWindow() {
@@ -279,21 +295,68 @@ int HandmapEstimator::visibleBuildings() const {
   }));
 }
 
+namespace {
+
+// Purposes of random streams.
+constexpr std::uint32_t kPose = 0;
+constexpr std::uint32_t kBuilding = 1;
+
+/// `count` hypotheses, each as often as its weight says (low-variance sampling).
+std::vector<std::size_t> sampledHypotheses(const std::vector<Hypothesis>& hypotheses,
+                                           std::size_t count) {
+  std::vector<std::size_t> sampled;
+  double sum = hypotheses.front().weight;
+  for (std::size_t i = 0, h = 0; i < count; ++i) {
+    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    while (sum < at && h + 1 < hypotheses.size()) sum += hypotheses[++h].weight;
+    sampled.push_back(h);
+  }
+  return sampled;
+}
+
+}  // namespace
+
 std::vector<PoseParticle> HandmapEstimator::particles() const {
   const State& state = *state_;
   const Eigen::LLT<Eigen::Matrix3d> root(state.covariance + 1e-9 * Eigen::Matrix3d::Identity());
   std::vector<PoseParticle> particles;
   const auto count = static_cast<std::size_t>(state.options.particles);
+  const std::vector<std::size_t> sampled = sampledHypotheses(state.hypotheses, count);
   for (std::size_t i = 0; i < count; ++i) {
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
-                        static_cast<std::uint32_t>(i));
+                        static_cast<std::uint32_t>(i), kPose);
     const Eigen::Vector3d unit(random.normal(), random.normal(), random.normal());
     const Eigen::Vector3d offset = root.matrixL() * unit;
     particles.push_back({{state.pose.x + offset.x(), state.pose.y + offset.y(),
                           normalizedAngle(state.pose.heading + offset.z())},
-                         1.0 / static_cast<double>(count)});
+                         1.0 / static_cast<double>(count),
+                         sampled[i]});
   }
   return particles;
+}
+
+std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
+  const State& state = *state_;
+  const std::vector<std::size_t> sampled = sampledHypotheses(state.hypotheses, members);
+  std::vector<BuildingSwarm> swarms;
+  for (std::size_t b = 0; b < state.drawing.buildings.size(); ++b) {
+    const FoundBox* best = state.foundFor(b, state.hypotheses.front());
+    if (!best || !best->in_sight) continue;
+    BuildingSwarm swarm{b, {}};
+    RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
+                        static_cast<std::uint32_t>(b), kBuilding);
+    for (const std::size_t h : sampled) {
+      const RefinedBuilding refined = state.refined(b, state.hypotheses[h]);
+      Rectangle box = refined.box;
+      box.centre += Vec2(random.normal(0.0, refined.estimate.sigma_x),
+                         random.normal(0.0, refined.estimate.sigma_y));
+      box.width =
+          std::max(0.5 * box.width, box.width + random.normal(0.0, refined.estimate.sigma_width));
+      swarm.members.push_back(box);
+    }
+    swarms.push_back(std::move(swarm));
+  }
+  return swarms;
 }
 
 Map HandmapEstimator::refinedMap() const {
@@ -303,21 +366,19 @@ Map HandmapEstimator::refinedMap() const {
   for (std::size_t b = 0; b < map.buildings.size(); ++b) {
     Building& building = map.buildings[b];
     if (building.fixed) continue;
-    const int assigned = best.found_of[b];
     double agreed = 0.0;
-    for (const Hypothesis& h : state.hypotheses)
-      agreed += h.found_of[b] == assigned ? h.weight : 0.0;
-    const FoundBox* found =
-        assigned == Hypothesis::kNone ? nullptr : &state.found[static_cast<std::size_t>(assigned)];
-    const RefinedBuilding refined =
-        refinedBuilding(building, state.drawing.uncertaintyOf(building), best.motion, found);
+    for (const Hypothesis& h : state.hypotheses) {
+      agreed += h.found_of[b] == best.found_of[b] ? h.weight : 0.0;
+    }
+    const FoundBox* found = state.foundFor(b, best);
+    const RefinedBuilding refined = state.refined(b, best);
     building = building.fitted(refined.box);
     building.estimate = refined.estimate;
     const double doubt = found ? 1.0 - agreed : agreed;
     // Of what the robot has not come to yet nothing can be said.
-    const bool reached = found || state.hasReached(refined.box);
-    if (reached && doubt > kSlightDoubt)
+    if (doubt > kSlightDoubt && (found || state.hasReached(refined.box))) {
       building.unknown["doubtful"] = fmt::format("{:.2f}", doubt);
+    }
   }
   return map;
 }

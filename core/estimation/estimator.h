@@ -32,10 +32,19 @@ struct EstimatorOptions {
   int most_active = 40;     ///< frames worked on at most
 };
 
-/// A hypothesis: where the robot is, if the drawn buildings are the found ones that it says.
+/// A sample of where the robot is, and which of the hypotheses of the buildings it holds: as many
+/// particles hold one as its weight says.
 struct PoseParticle {
   Pose2 pose;
   double weight = 0.0;
+  std::size_t hypothesis = 0;
+};
+
+/// Samples of what a drawn building is, one for each of some particles: where their hypotheses
+/// differ, so do these.
+struct BuildingSwarm {
+  std::size_t building;  ///< of the drawing
+  std::vector<Rectangle> members;
 };
 
 class HandmapEstimator {
@@ -59,6 +68,8 @@ class HandmapEstimator {
   const Eigen::Matrix3d& poseCovariance() const;
   std::vector<StampedPose> trajectory() const;
   std::vector<PoseParticle> particles() const;
+  /// Of the drawn buildings whose found one is in sight: `members` samples of each.
+  std::vector<BuildingSwarm> swarms(std::size_t members) const;
   double effectiveSampleSize() const;
   int visibleBuildings() const;
   /// The drawing corrected: every building moved to the one found for it, with its estimate; those

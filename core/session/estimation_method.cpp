@@ -11,6 +11,8 @@ namespace handmap {
 
 namespace {
 
+constexpr std::size_t kSwarmMembers = 20;
+
 std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   const double heading = particles.front().pose.heading;
@@ -48,6 +50,7 @@ class PaperMethod : public EstimationMethod {
     }
     return views;
   }
+  std::vector<SwarmView> swarms() const override { return {}; }
   std::vector<StampedPose> trajectory() const override { return slam_.best().path.poses(); }
   Map refinedMap() const override { return slam_.refinedMap(); }
 
@@ -67,7 +70,7 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
 class HandmapMethod : public EstimationMethod {
  public:
   HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
+      : drawing_(drawing), estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
     estimator_.startFrom(source.start_odometry);
   }
 
@@ -93,10 +96,21 @@ class HandmapMethod : public EstimationMethod {
     }
     return views;
   }
+  std::vector<SwarmView> swarms() const override {
+    std::vector<SwarmView> views;
+    for (const BuildingSwarm& swarm : estimator_.swarms(kSwarmMembers)) {
+      views.push_back({swarm.building, {}});
+      for (const Rectangle& box : swarm.members) {
+        views.back().members.push_back(drawing_.buildings[swarm.building].fitted(box).footprint());
+      }
+    }
+    return views;
+  }
   std::vector<StampedPose> trajectory() const override { return estimator_.trajectory(); }
   Map refinedMap() const override { return estimator_.refinedMap(); }
 
  private:
+  Map drawing_;
   HandmapEstimator estimator_;
 };
 

@@ -25,6 +25,7 @@ class EstimationMethod {
   /// Fills in what the method knows of the last observation.
   virtual void describe(FrameReport& report) const = 0;
   virtual std::vector<ParticleView> particles() const = 0;
+  virtual std::vector<SwarmView> swarms() const = 0;
   virtual std::vector<StampedPose> trajectory() const = 0;
   virtual Map refinedMap() const = 0;
 };

@@ -166,6 +166,7 @@ std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(const std::stop_
 void RunSession::State::fill(Snapshot& snapshot) const {
   snapshot.report = frames.back();
   snapshot.particles = method->particles();
+  snapshot.swarms = method->swarms();
   snapshot.map = method->refinedMap();
   snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(method->trajectory());
 }

@@ -17,6 +17,12 @@ struct ParticleView {
   double weight = 0.0;  ///< normalized: the sum over the particles is 1
 };
 
+/// What a building in sight may be: a sample for each of some particles.
+struct SwarmView {
+  std::size_t building;  ///< of the drawing
+  std::vector<Polygon> members;
+};
+
 /// Milliseconds of one observation, by stage; the same stages as in --report.
 struct StageTimes {
   double read = 0.0;
@@ -43,6 +49,7 @@ struct Snapshot {
   int count = 0;  ///< observations in all
   FrameReport report;
   std::vector<ParticleView> particles;
+  std::vector<SwarmView> swarms;
   Map map;  ///< best so far; every refined building has its estimate
   std::shared_ptr<const std::vector<StampedPose>> trajectory;  ///< best so far, map frame
   std::shared_ptr<const std::vector<StampedPose>> odometry;    ///< alone, from the same start

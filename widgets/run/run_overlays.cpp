@@ -7,12 +7,14 @@
 #include "widgets/run/particles_item.h"
 #include "widgets/run/path_item.h"
 #include "widgets/run/robot_item.h"
+#include "widgets/run/swarms_item.h"
 
 namespace handmap {
 
 RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
     : QObject(parent),
       local_map_(std::make_unique<LocalMapItem>()),
+      swarms_(std::make_unique<SwarmsItem>()),
       corrected_(std::make_unique<CorrectedMapItem>()),
       truth_(std::make_unique<PathItem>(Role::Truth)),
       odometry_(std::make_unique<PathItem>(Role::Odometry)),
@@ -22,8 +24,8 @@ RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
       robot_(std::make_unique<RobotItem>(Role::Trajectory)) {
   visible_.fill(true);
   for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{
-           local_map_.get(), corrected_.get(), truth_.get(), odometry_.get(), trajectory_.get(),
-           particles_.get(), true_robot_.get(), robot_.get()}) {
+           local_map_.get(), swarms_.get(), corrected_.get(), truth_.get(), odometry_.get(),
+           trajectory_.get(), particles_.get(), true_robot_.get(), robot_.get()}) {
     item->setZValue(z);
     item->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(item);
@@ -36,6 +38,7 @@ RunOverlays::~RunOverlays() = default;
 
 void RunOverlays::setColours(const Colours& colours) {
   local_map_->setColours(colours);
+  swarms_->setColours(colours);
   corrected_->setColours(colours);
   truth_->setColours(colours);
   odometry_->setColours(colours);
@@ -52,6 +55,7 @@ void RunOverlays::setLayerVisible(Layer layer, bool visible) {
 
 void RunOverlays::updateVisibility() {
   local_map_->setVisible(has_snapshot_ && isOn(Layer::LocalMap));
+  swarms_->setVisible(has_snapshot_ && isOn(Layer::Swarms));
   corrected_->setVisible(has_snapshot_ && (isOn(Layer::Corrected) || isOn(Layer::Band)));
   corrected_->setOutlinesVisible(isOn(Layer::Corrected));
   corrected_->setBandsVisible(isOn(Layer::Band));
@@ -71,6 +75,7 @@ void RunOverlays::show(const Snapshot& snapshot) {
   has_snapshot_ = true;
   has_true_pose_ = snapshot.truth.has_value();
   local_map_->setLocalMap(snapshot.local_map, snapshot.report.pose);
+  swarms_->setSwarms(snapshot.swarms);
   corrected_->setMap(snapshot.map);
   if (snapshot.odometry) odometry_->setPoses(*snapshot.odometry);
   if (snapshot.trajectory) trajectory_->setPoses(*snapshot.trajectory);

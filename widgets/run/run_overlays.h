@@ -17,6 +17,7 @@ class LocalMapItem;
 class ParticlesItem;
 class PathItem;
 class RobotItem;
+class SwarmsItem;
 
 class RunOverlays : public QObject {
   Q_OBJECT
@@ -41,6 +42,7 @@ class RunOverlays : public QObject {
   bool isOn(Layer layer) const { return visible_[static_cast<std::size_t>(layer)]; }
 
   std::unique_ptr<LocalMapItem> local_map_;
+  std::unique_ptr<SwarmsItem> swarms_;
   std::unique_ptr<CorrectedMapItem> corrected_;
   std::unique_ptr<PathItem> truth_;
   std::unique_ptr<PathItem> odometry_;

@@ -34,6 +34,7 @@ constexpr Row kRows[] = {
     {Role::Problem, 0xffd55e00, 0xffff8a3c, 2.0, Qt::DashDotLine, kFilled, 34},
     {Role::Corrected, 0xff0072b2, 0xff56b4e9, 2.0},
     {Role::CorrectedBand, 0xff0072b2, 0xff56b4e9, 1.0, kSolid, kFilled, 56},
+    {Role::Swarm, 0xff86b7d8, 0xff3a6f92, 0.8},
     {Role::Truth, 0xff009e73, 0xff2fcf9f, 2.0, Qt::DashLine},
     {Role::Particle, 0xffe69f00, 0xfff5b638, 1.5, kSolid, kFilled, 160},
     {Role::Trajectory, 0xffc47600, 0xfff5a623, 2.0},

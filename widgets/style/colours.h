@@ -24,6 +24,7 @@ enum class Role {
   Problem,        ///< what a tool refuses
   Corrected,      ///< the corrected map: solid blue
   CorrectedBand,  ///< its one-sigma band: translucent blue
+  Swarm,          ///< samples of its buildings: thin pale blue
   Truth,          ///< dashed green
   Particle,       ///< orange, see particle()
   Trajectory,     ///< of the best particle: solid orange

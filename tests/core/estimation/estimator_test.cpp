@@ -95,6 +95,34 @@ TEST(HandmapEstimator, ParticlesSpreadAroundThePose) {
   EXPECT_GE(estimator.effectiveSampleSize(), 1.0);
 }
 
+TEST(HandmapEstimator, SwarmsLieAroundTheBuildingsAsTheEstimateSays) {
+  const World world = twoRowWorld(17);
+  const Map drawing = perturbed(world.map, 5.0, 18);
+  const auto source = simulate(world, SimulationOptions{}, 5);
+  HandmapEstimator estimator(drawing, EstimatorOptions{}, 1);
+  Perception perception(source->info(), {});
+  EXPECT_TRUE(estimator.swarms(50).empty());
+  for (int i = 0; i < 15; ++i) {
+    const auto observation = source->next();
+    estimator.step(observation->time_s, observation->odometry, perception(*observation)->scan);
+  }
+  const Map refined = estimator.refinedMap();
+  const std::vector<BuildingSwarm> swarms = estimator.swarms(50);
+  ASSERT_GE(swarms.size(), 2u);
+  for (const BuildingSwarm& swarm : swarms) {
+    ASSERT_EQ(swarm.members.size(), 50u);
+    const Building& building = refined.buildings[swarm.building];
+    if (building.unknown.contains("doubtful")) continue;
+    double squares = 0.0;
+    for (const Rectangle& member : swarm.members) {
+      squares += std::pow(member.centre.x() - building.box().centre.x(), 2);
+    }
+    EXPECT_NEAR(std::sqrt(squares / 50.0), building.estimate->sigma_x,
+                0.4 * building.estimate->sigma_x)
+        << building.id;
+  }
+}
+
 TEST(HandmapEstimator, RefusesADrawingWithoutBuildingsOrStart) {
   Map map = twoRowWorld(1).map;
   map.start.reset();

@@ -23,6 +23,7 @@ std::shared_ptr<Snapshot> fullSnapshot() {
   snapshot->map.buildings = {building};
   snapshot->report.pose = {20.0, 30.0, kPi / 2};
   snapshot->particles = {{{10.0, 5.0, 0.0}, 1.0}};
+  snapshot->swarms = {{0, {Rectangle{{30.0, 22.0}, 6.0, 4.0, 0.0}.corners()}}};
   snapshot->trajectory = std::make_shared<std::vector<StampedPose>>(
       std::vector<StampedPose>{{0.0, {2.0, 15.0, 0.0}}, {1.0, {12.0, 15.0, 0.0}}});
   snapshot->odometry = std::make_shared<std::vector<StampedPose>>(
@@ -98,7 +99,7 @@ TEST_F(RunOverlaysTest, EachLayerHasItsSwitch) {
   const std::vector<std::pair<Layer, QPointF>> places = {
       {Layer::Particles, {10.0, 5.0}}, {Layer::Trajectory, {7.0, 15.0}},
       {Layer::Odometry, {7.0, 20.0}},  {Layer::LocalMap, {15.0, 40.0}},
-      {Layer::Truth, {50.0, 20.0}},
+      {Layer::Truth, {50.0, 20.0}},    {Layer::Swarms, {33.0, 22.0}},
   };
   for (const auto& [layer, at] : places) {
     EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y())));
