@@ -22,7 +22,7 @@ double Pace::speed() const {
   return speed_;
 }
 
-void Pace::waitFor(double seconds, Clock::time_point since, std::stop_token stop) {
+void Pace::waitFor(double seconds, Clock::time_point since, const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (speed_ > 0.0 && !stop.stop_requested()) {
     const double speed = speed_;

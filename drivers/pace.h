@@ -22,7 +22,7 @@ class Pace {
 
   /// Waits until `seconds` of the recording have passed since `since`; returns at once when `stop`
   /// is requested.
-  void waitFor(double seconds, Clock::time_point since, std::stop_token stop);
+  void waitFor(double seconds, Clock::time_point since, const std::stop_token& stop);
 
  private:
   mutable std::mutex mutex_;

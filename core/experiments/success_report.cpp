@@ -59,7 +59,7 @@ void addSuccess(const std::vector<TrialGroup>& groups, Report& report) {
       "\n| sigma m | method | trials | loose | strict | naive |\n"
       "|--------:|:-------|-------:|------:|-------:|------:|\n";
   report.csv = "sigma_m,method,trials,loose,loose_low,loose_high,strict,strict_low,strict_high\n";
-  const auto chartOf = [](const std::string& title) {
+  const auto new_chart = [](const std::string& title) {
     Chart chart;
     chart.title = title;
     chart.x_label = "error of the drawing, sigma (m)";
@@ -67,8 +67,8 @@ void addSuccess(const std::vector<TrialGroup>& groups, Report& report) {
     chart.y_max = 100.0;
     return chart;
   };
-  Chart loose_chart = chartOf("Every building overlaps its true one");
-  Chart strict_chart = chartOf("Every building has an IoU of at least 0.5");
+  Chart loose_chart = new_chart("Every building overlaps its true one");
+  Chart strict_chart = new_chart("Every building has an IoU of at least 0.5");
   for (const TrialGroup& group : groups) {
     const auto count = [&](auto success) {
       return static_cast<int>(std::count_if(group.trials.begin(), group.trials.end(), success));

@@ -64,10 +64,10 @@ BENCHMARK(sgbmAlone)
     ->MeasureProcessCPUTime();
 
 const Observation& panorama(StereoCamera& camera) {
-  static const World world = furnished(twoRowWorld(1), 1);
-  static const auto source = renderedSource(world, {}, {}, Looking::Around, 1);
-  static const Observation observation = source->next().value();
-  camera = source->info().camera.value();
+  static const World kWorld = furnished(twoRowWorld(1), 1);
+  static const auto kSource = renderedSource(kWorld, {}, {}, Looking::Around, 1);
+  static const Observation kObservation = kSource->next().value();
+  camera = kSource->info().camera.value();
   return observation;
 }
 

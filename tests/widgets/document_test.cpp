@@ -296,8 +296,8 @@ class DocumentTest : public QObject {
     QTemporaryDir folder;
     document_->reset(sampleMap(), folder.filePath("mine.handmap"));
     document_->setName("Edited");
-    QVERIFY_EXCEPTION_THROWN(document_->open(folder.filePath("absent.handmap")), Error);
-    QVERIFY_EXCEPTION_THROWN(document_->save(folder.filePath("no/such/folder.handmap")), Error);
+    QVERIFY_THROWS_EXCEPTION(Error, document_->open(folder.filePath("absent.handmap")));
+    QVERIFY_THROWS_EXCEPTION(Error, document_->save(folder.filePath("no/such/folder.handmap")));
     QCOMPARE(document_->map().name, "Edited");
     QCOMPARE(document_->filePath(), folder.filePath("mine.handmap"));
     QVERIFY(document_->isModified());
