@@ -68,7 +68,7 @@ const Observation& panorama(StereoCamera& camera) {
   static const auto kSource = renderedSource(kWorld, {}, {}, Looking::Around, 1);
   static const Observation kObservation = kSource->next().value();
   camera = kSource->info().camera.value();
-  return observation;
+  return kObservation;
 }
 
 /// Six pairs of 640×480 from images to local map and scan, on one thread.
