@@ -219,6 +219,9 @@ std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<
 
 void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
                        std::span<const Frame* const> frames, const SensorModel& sensor) {
+  std::erase_if(rivals_, [&](const FoundBox& rival) {
+    return !BoxView(rival.box, frames.back()->pose).inReach(sensor.rangeLimit());
+  });
   tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t b) {
     if (boxes[b].in_sight) refine(boxes[b], 0.1, frames, sensor);
   });

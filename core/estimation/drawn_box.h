@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "core/estimation/assignment.h"
+#include "core/estimation/box_finder.h"
+#include "core/estimation/drawing_motion.h"
+#include "core/map/map.h"
 
 namespace handmap {
 

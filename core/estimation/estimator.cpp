@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "core/base/random.h"
 #include "core/estimation/active_directions.h"
 #include "core/estimation/drawn_box.h"
+#include "core/estimation/labels.h"
 #include "core/estimation/landmarks.h"
 #include "core/estimation/noise_estimate.h"
 
@@ -40,23 +42,25 @@ struct HandmapEstimator::State {
         sensor(with.sensor, with.range_limit_m),
         evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m)),
         finder(with.finder),
-        smoother(with.odometry, sensor) {}
+        smoother(with.odometry, sensor),
+        labels(drawing, with.assignment),
+        best(map) {}
 
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
-  void smoothAll(double slack_m);
   void updateEvidence();
   void updateDirections();
   void updateNoise();
   void findBuildings();
-  void assignBuildings();
+  void labelBuildings(double near_m);
+  void correct(std::size_t building);
+  void correctAll();
+  void correctSome();
   std::size_t firstWorkedOn() const;
+  std::size_t firstKept() const;
+  std::vector<Frame*> framesFrom(std::size_t first);
   bool isInSight(const FoundBox& found) const;
   bool hasReached(const Rectangle& box) const;
-  /// What a drawn building is; nullptr where the hypothesis leaves it out.
-  const FoundBox* foundFor(std::size_t building, const Hypothesis& hypothesis) const;
-  RefinedBuilding refined(std::size_t building, const Hypothesis& hypothesis) const;
-
   Map drawing;
   EstimatorOptions options;
   std::uint64_t seed;
@@ -71,8 +75,10 @@ struct HandmapEstimator::State {
   std::vector<FoundBox> found;
   Landmarks landmarks;
   NoiseEstimate noise;
-  std::vector<Hypothesis> hypotheses;
-  struct Passing {  ///< an observation: its pose relative to a key frame
+  Labels labels;
+  Map best;                   ///< the drawing corrected
+  std::size_t corrected = 0;  ///< where its far buildings are next looked at
+  struct Passing {            ///< an observation: its pose relative to a key frame
     double time_s;
     std::size_t frame;
     Pose2 offset;
@@ -87,7 +93,7 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
   requireReadyToRun(drawing);
   state_ = std::make_unique<State>(drawing, options, seed);
   state_->pose = *drawing.start;
-  state_->hypotheses = assign(drawing, {}, {}, options.assignment);
+  state_->correctAll();
 }
 
 HandmapEstimator::~HandmapEstimator() = default;
@@ -122,7 +128,8 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.findBuildings();
   state.updateNoise();
   if (progress) progress(0.9);
-  state.assignBuildings();
+  state.labelBuildings(state.options.near_m);
+  state.correctSome();
   state.pose = state.frames.back().pose;
   return true;
 }
@@ -132,11 +139,27 @@ void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, con
   frames.push_back(makeFrame(time_s, odometry, at, scan));
   frames.back().sightings = compactThings(frames.back().rays, sensor);
   landmarks.associate(frames.back(), sensor.options().noise);
+  if (const std::size_t kept = firstKept(); kept > 0) {
+    frames[kept - 1].rays = {};
+    frames[kept - 1].sightings = {};
+  }
 }
 
 std::size_t HandmapEstimator::State::firstWorkedOn() const {
   const auto most = static_cast<std::size_t>(options.most_active);
   return frames.size() > most ? frames.size() - most : 0;
+}
+
+/// Older frames keep their pose alone.
+std::size_t HandmapEstimator::State::firstKept() const {
+  const auto most = static_cast<std::size_t>(options.most_kept);
+  return frames.size() > most ? frames.size() - most : 0;
+}
+
+std::vector<Frame*> HandmapEstimator::State::framesFrom(std::size_t first) {
+  std::vector<Frame*> some;
+  for (std::size_t i = first; i < frames.size(); ++i) some.push_back(&frames[i]);
+  return some;
 }
 
 bool HandmapEstimator::State::isInSight(const FoundBox& box) const {
@@ -151,19 +174,6 @@ bool HandmapEstimator::State::hasReached(const Rectangle& box) const {
   });
 }
 
-const FoundBox* HandmapEstimator::State::foundFor(std::size_t building,
-                                                  const Hypothesis& hypothesis) const {
-  const int index = hypothesis.found_of[building];
-  return index == Hypothesis::kNone ? nullptr : &found[static_cast<std::size_t>(index)];
-}
-
-RefinedBuilding HandmapEstimator::State::refined(std::size_t building,
-                                                 const Hypothesis& hypothesis) const {
-  const Building& drawn = drawing.buildings[building];
-  return refinedBuilding(drawn, drawing.uncertaintyOf(drawn), hypothesis.motion,
-                         foundFor(building, hypothesis));
-}
-
 void HandmapEstimator::State::smoothWindow() {
   std::vector<FoundBox> boxes;
   std::vector<std::size_t> which;
@@ -172,20 +182,13 @@ void HandmapEstimator::State::smoothWindow() {
     boxes.push_back(found[i]);
     which.push_back(i);
   }
-  std::vector<Frame*> window;
-  for (std::size_t i = firstWorkedOn(); i < frames.size(); ++i) window.push_back(&frames[i]);
+  std::vector<Frame*> window = framesFrom(firstWorkedOn());
   const auto count = static_cast<std::size_t>(options.window);
   const std::size_t fixed = window.size() > count ? window.size() - count : 1;
   for (const double slack : kSlacks)
     smoother.iterate(window, fixed, boxes, landmarks.positions(), slack);
   covariance = smoother.covariances(boxes);
   for (std::size_t i = 0; i < which.size(); ++i) found[which[i]] = boxes[i];
-}
-
-void HandmapEstimator::State::smoothAll(double slack_m) {
-  std::vector<Frame*> all;
-  for (Frame& frame : frames) all.push_back(&frame);
-  smoother.iterate(all, 1, found, landmarks.positions(), slack_m);
 }
 
 void HandmapEstimator::State::updateEvidence() {
@@ -216,9 +219,10 @@ void HandmapEstimator::State::updateEvidence() {
 
 void HandmapEstimator::State::updateDirections() {
   const Vec2 here = frames.back().pose.position();
-  const DrawingMotion& motion = hypotheses.front().motion;
+  const DrawingMotion& motion = labels.motion();
   std::vector<double> drawn;
-  for (const Building& building : drawing.buildings) {
+  for (const std::size_t b : labels.nearby()) {
+    const Building& building = drawing.buildings[b];
     const Rectangle box = building.box();
     const double reach = options.range_limit_m + 0.5 * std::hypot(box.width, box.depth) +
                          drawing.uncertaintyOf(building).position;
@@ -243,30 +247,71 @@ void HandmapEstimator::State::updateNoise() {
 void HandmapEstimator::State::findBuildings() {
   const std::vector<FoundWall> walls = detectWalls(evidence, frames.back().pose.position(),
                                                    options.range_limit_m, options.detection);
-  std::vector<const Frame*> last;
-  for (std::size_t i = firstWorkedOn(); i < frames.size(); ++i) last.push_back(&frames[i]);
+  const std::vector<Frame*> last = framesFrom(firstWorkedOn());
   for (FoundBox& box : found) box.in_sight = isInSight(box);
-  finder.update(found, walls, last, sensor);
+  finder.update(found, walls, {last.begin(), last.end()}, sensor);
 }
 
-void HandmapEstimator::State::assignBuildings() {
+void HandmapEstimator::State::labelBuildings(double near_m) {
+  constexpr std::size_t kLast = 200;  // frames
   std::vector<Pose2> way;
-  for (const Frame& frame : frames) way.push_back(frame.pose);
-  hypotheses = assign(drawing, found, way, options.assignment);
+  for (std::size_t i = frames.size() - std::min(frames.size(), kLast); i < frames.size(); ++i) {
+    way.push_back(frames[i].pose);
+  }
+  labels.update(found, way, near_m);
+}
+
+void HandmapEstimator::State::correct(std::size_t b) {
+  const Labels::Label label = labels.of(b, found);
+  const Building& drawn = drawing.buildings[b];
+  if (drawn.fixed) return;
+  const RefinedBuilding refined =
+      refinedBuilding(drawn, drawing.uncertaintyOf(drawn), labels.motion(), label.found);
+  Building& building = best.buildings[b];
+  building = drawn.fitted(refined.box);
+  building.estimate = refined.estimate;
+  // Of what the robot has not come to yet nothing can be said.
+  if (label.doubt > kSlightDoubt && (label.found || hasReached(refined.box))) {
+    building.unknown["doubtful"] = fmt::format("{:.2f}", label.doubt);
+  }
+}
+
+void HandmapEstimator::State::correctAll() {
+  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) correct(b);
+}
+
+/// Those near the robot, and a few of the others in turn.
+void HandmapEstimator::State::correctSome() {
+  constexpr std::size_t kOthers = 100;
+  for (const std::size_t b : labels.nearby()) correct(b);
+  for (std::size_t i = 0; i < std::min(kOthers, drawing.buildings.size()); ++i) {
+    corrected = (corrected + 1) % drawing.buildings.size();
+    correct(corrected);
+  }
 }
 
 void HandmapEstimator::finish(const std::stop_token& stop) {
+  constexpr std::size_t kMostSmoothed = 300;  // of the buildings far away
+  constexpr std::size_t kMostLabelled = 60;   // buildings that are labelled all together
   State& state = *state_;
   if (state.frames.empty()) return;
+  std::vector<FoundBox> all = state.labels.settled(kMostSmoothed);
+  const auto settled = static_cast<std::ptrdiff_t>(all.size());
+  all.insert(all.end(), state.found.begin(), state.found.end());
+  std::vector<Frame*> frames = state.framesFrom(state.firstKept());
   for (const double slack : {0.2, 0.1, kFinalSlack, kFinalSlack, kFinalSlack}) {
     if (stop.stop_requested()) return;
-    state.smoothAll(slack);
+    state.smoother.iterate(frames, 1, all, state.landmarks.positions(), slack);
   }
-  state.covariance = state.smoother.covariances(state.found);
-  std::vector<const Frame*> all;
-  for (const Frame& frame : state.frames) all.push_back(&frame);
-  for (FoundBox& found : state.found) state.finder.locateUnseen(found, all, state.sensor);
-  state.assignBuildings();
+  state.covariance = state.smoother.covariances(all);
+  for (FoundBox& found : all) {
+    state.finder.locateUnseen(found, {frames.begin(), frames.end()}, state.sensor);
+  }
+  state.labels.setSettled({all.begin(), all.begin() + settled});
+  state.found.assign(all.begin() + settled, all.end());
+  const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled;
+  state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.options.near_m);
+  state.correctAll();
   state.pose = state.frames.back().pose;
 }
 
@@ -284,7 +329,7 @@ std::vector<StampedPose> HandmapEstimator::trajectory() const {
 
 double HandmapEstimator::effectiveSampleSize() const {
   double squares = 0.0;
-  for (const Hypothesis& h : state_->hypotheses) squares += h.weight * h.weight;
+  for (const Hypothesis& h : state_->labels.hypotheses()) squares += h.weight * h.weight;
   return 1.0 / squares;
 }
 
@@ -321,7 +366,7 @@ std::vector<PoseParticle> HandmapEstimator::particles() const {
   const Eigen::LLT<Eigen::Matrix3d> root(state.covariance + 1e-9 * Eigen::Matrix3d::Identity());
   std::vector<PoseParticle> particles;
   const auto count = static_cast<std::size_t>(state.options.particles);
-  const std::vector<std::size_t> sampled = sampledHypotheses(state.hypotheses, count);
+  const std::vector<std::size_t> sampled = sampledHypotheses(state.labels.hypotheses(), count);
   for (std::size_t i = 0; i < count; ++i) {
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
                         static_cast<std::uint32_t>(i), kPose);
@@ -337,16 +382,20 @@ std::vector<PoseParticle> HandmapEstimator::particles() const {
 
 std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   const State& state = *state_;
-  const std::vector<std::size_t> sampled = sampledHypotheses(state.hypotheses, members);
+  const std::vector<std::size_t> sampled = sampledHypotheses(state.labels.hypotheses(), members);
   std::vector<BuildingSwarm> swarms;
-  for (std::size_t b = 0; b < state.drawing.buildings.size(); ++b) {
-    const FoundBox* best = state.foundFor(b, state.hypotheses.front());
+  for (const std::size_t b : state.labels.nearby()) {
+    const FoundBox* best = state.labels.of(b, state.found).found;
     if (!best || !best->in_sight) continue;
+    const Building& drawn = state.drawing.buildings[b];
     BuildingSwarm swarm{b, {}};
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
                         static_cast<std::uint32_t>(b), kBuilding);
     for (const std::size_t h : sampled) {
-      const RefinedBuilding refined = state.refined(b, state.hypotheses[h]);
+      const Hypothesis& hypothesis = state.labels.hypotheses()[h];
+      const RefinedBuilding refined =
+          refinedBuilding(drawn, state.drawing.uncertaintyOf(drawn), hypothesis.motion,
+                          state.labels.of(b, hypothesis, state.found).found);
       Rectangle box = refined.box;
       box.centre += Vec2(random.normal(0.0, refined.estimate.sigma_x),
                          random.normal(0.0, refined.estimate.sigma_y));
@@ -359,28 +408,6 @@ std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   return swarms;
 }
 
-Map HandmapEstimator::refinedMap() const {
-  const State& state = *state_;
-  Map map = state.drawing;
-  const Hypothesis& best = state.hypotheses.front();
-  for (std::size_t b = 0; b < map.buildings.size(); ++b) {
-    Building& building = map.buildings[b];
-    if (building.fixed) continue;
-    double agreed = 0.0;
-    for (const Hypothesis& h : state.hypotheses) {
-      agreed += h.found_of[b] == best.found_of[b] ? h.weight : 0.0;
-    }
-    const FoundBox* found = state.foundFor(b, best);
-    const RefinedBuilding refined = state.refined(b, best);
-    building = building.fitted(refined.box);
-    building.estimate = refined.estimate;
-    const double doubt = found ? 1.0 - agreed : agreed;
-    // Of what the robot has not come to yet nothing can be said.
-    if (doubt > kSlightDoubt && (found || state.hasReached(refined.box))) {
-      building.unknown["doubtful"] = fmt::format("{:.2f}", doubt);
-    }
-  }
-  return map;
-}
+Map HandmapEstimator::refinedMap() const { return state_->best; }
 
 }  // namespace handmap

@@ -30,6 +30,8 @@ struct EstimatorOptions {
   double active_m = 50.0;   ///< frames farther behind are no longer worked on
   int window = 12;          ///< poses that an observation may correct
   int most_active = 40;     ///< frames worked on at most
+  int most_kept = 1500;     ///< frames that the end of the run may still correct
+  double near_m = 150.0;    ///< buildings farther from the robot keep the labels that they have
 };
 
 /// A sample of where the robot is, and which of the hypotheses of the buildings it holds: as many
@@ -61,7 +63,8 @@ class HandmapEstimator {
   /// One observation. Returns false and leaves the state as it was when `stop` was requested.
   bool step(double time_s, const Pose2& odometry, const Scan& scan,
             const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
-  /// Smooths everything once more, after the last observation, as far as `stop` allows.
+  /// Smooths the last frames (`most_kept`) once more and labels anew, after the last observation,
+  /// as far as `stop` allows.
   void finish(const std::stop_token& stop = {});
 
   const Pose2& pose() const;

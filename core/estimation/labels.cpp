@@ -1,0 +1,138 @@
+#include "core/estimation/labels.h"
+
+#include <algorithm>
+
+namespace handmap {
+
+Labels::Labels(const Map& drawing, const AssignmentOptions& options)
+    : drawing_(drawing),
+      options_(options),
+      settled_at_(drawing.buildings.size(), kNowhere),
+      nearby_at_(drawing.buildings.size(), kNowhere),
+      missed_(drawing.buildings.size(), 0.0),
+      roots_(rootHypotheses(drawing, options)) {
+  for (const Building& building : drawing.buildings) centres_.push_back(building.box().centre);
+  nearby_drawing_.start = drawing.start;
+  nearby_drawing_.uncertainty = drawing.uncertainty;
+  hypotheses_ = assign(nearby_drawing_, {}, {}, roots_, options_);
+}
+
+void Labels::update(std::vector<FoundBox>& found, std::span<const Pose2> way, double near_m) {
+  const Vec2 here = way.back().position();
+  bringNearOnesBack(found, here, near_m);
+  findNearby(here, near_m);
+  hypotheses_ = assign(nearby_drawing_, found, way, roots_, options_);
+  settleFarOnes(found, here, near_m);
+}
+
+void Labels::settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, double near_m) {
+  std::vector<FoundBox> kept;
+  std::vector<int> place_of;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const bool is_near = (found[f].box.rectangle().centre - here).norm() < near_m;
+    place_of.push_back(is_near ? static_cast<int>(kept.size()) : Hypothesis::kNone);
+    if (is_near) {
+      kept.push_back(found[f]);
+      continue;
+    }
+    const std::size_t drawn = drawnOf(f);
+    if (drawn != kNowhere) {
+      const Building& building = drawing_.buildings[drawn];
+      settle(roots_, building, drawing_.uncertaintyOf(building), found[f], options_);
+      settled_at_[drawn] = settled_.size();
+    }
+    settled_.push_back({found[f], drawn, drawn == kNowhere ? 0.0 : doubtOf(nearby_at_[drawn])});
+  }
+  if (kept.size() == found.size()) return;
+  found = std::move(kept);
+  for (Hypothesis& hypothesis : hypotheses_) {
+    for (int& f : hypothesis.found_of) {
+      if (f != Hypothesis::kNone) f = place_of[static_cast<std::size_t>(f)];
+    }
+  }
+}
+
+void Labels::bringNearOnesBack(std::vector<FoundBox>& found, const Vec2& here, double near_m) {
+  std::vector<Settled> kept;
+  for (const Settled& settled : settled_) {
+    if ((settled.found.box.rectangle().centre - here).norm() < near_m) {
+      found.push_back(settled.found);
+    } else {
+      kept.push_back(settled);
+    }
+  }
+  if (kept.size() == settled_.size()) return;
+  settled_ = std::move(kept);
+  settled_at_.assign(settled_at_.size(), kNowhere);
+  roots_ = rootHypotheses(drawing_, options_);
+  for (std::size_t i = 0; i < settled_.size(); ++i) {
+    const std::size_t drawn = settled_[i].drawn;
+    if (drawn == kNowhere) continue;
+    const Building& building = drawing_.buildings[drawn];
+    settle(roots_, building, drawing_.uncertaintyOf(building), settled_[i].found, options_);
+    settled_at_[drawn] = i;
+  }
+}
+
+void Labels::findNearby(const Vec2& here, double near_m) {
+  constexpr double kMost = 3.0;  // σ
+  for (const std::size_t building : nearby_) {
+    const std::size_t place = nearby_at_[building];
+    if (hypotheses_.front().found_of[place] == Hypothesis::kNone)
+      missed_[building] = doubtOf(place);
+    nearby_at_[building] = kNowhere;
+  }
+  nearby_.clear();
+  nearby_drawing_.buildings.clear();
+  const DrawingMotion& where = motion();
+  for (std::size_t b = 0; b < centres_.size(); ++b) {
+    if (settled_at_[b] != kNowhere) continue;
+    const double off = kMost * drawing_.uncertaintyOf(drawing_.buildings[b]).position;
+    if ((where(centres_[b]) - here).norm() > near_m + off) continue;
+    nearby_at_[b] = nearby_.size();
+    nearby_.push_back(b);
+    nearby_drawing_.buildings.push_back(drawing_.buildings[b]);
+  }
+}
+
+std::vector<FoundBox> Labels::settled(std::size_t most) const {
+  std::vector<FoundBox> boxes;
+  for (std::size_t i = settled_.size() - std::min(most, settled_.size()); i < settled_.size();
+       ++i) {
+    boxes.push_back(settled_[i].found);
+  }
+  return boxes;
+}
+
+void Labels::setSettled(std::span<const FoundBox> boxes) {
+  const std::size_t first = settled_.size() - boxes.size();
+  for (std::size_t i = 0; i < boxes.size(); ++i) settled_[first + i].found = boxes[i];
+}
+
+std::size_t Labels::drawnOf(std::size_t found) const {
+  const std::vector<int>& found_of = hypotheses_.front().found_of;
+  const auto at = std::find(found_of.begin(), found_of.end(), static_cast<int>(found));
+  return at == found_of.end() ? kNowhere : nearby_[static_cast<std::size_t>(at - found_of.begin())];
+}
+
+double Labels::doubtOf(std::size_t place) const {
+  const int best = hypotheses_.front().found_of[place];
+  double agreed = 0.0;
+  for (const Hypothesis& h : hypotheses_) agreed += h.found_of[place] == best ? h.weight : 0.0;
+  return best == Hypothesis::kNone ? agreed : 1.0 - agreed;
+}
+
+Labels::Label Labels::of(std::size_t building, const Hypothesis& hypothesis,
+                         std::span<const FoundBox> found) const {
+  if (settled_at_[building] != kNowhere) {
+    const Settled& settled = settled_[settled_at_[building]];
+    return {&settled.found, settled.doubt};
+  }
+  const std::size_t place = nearby_at_[building];
+  if (place == kNowhere) return {nullptr, missed_[building]};
+  const int index = hypothesis.found_of[place];
+  return {index == Hypothesis::kNone ? nullptr : &found[static_cast<std::size_t>(index)],
+          doubtOf(place)};
+}
+
+}  // namespace handmap

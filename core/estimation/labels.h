@@ -1,0 +1,73 @@
+// Which found building is which drawn one, over a whole run: near the robot anew with each
+// observation, farther away for good until it comes back.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/estimation/assignment.h"
+#include "core/estimation/drawn_box.h"
+
+namespace handmap {
+
+class Labels {
+ public:
+  /// Keeps a reference to the drawing.
+  Labels(const Map& drawing, const AssignmentOptions& options);
+
+  /// Takes the buildings that are farther from the robot than `near_m` out of `found`, brings back
+  /// those that no longer are, and labels what is in it. `way`: the robot's last poses.
+  void update(std::vector<FoundBox>& found, std::span<const Pose2> way, double near_m);
+
+  /// The buildings far away: the last `most` that have become so.
+  std::vector<FoundBox> settled(std::size_t most) const;
+  /// The same ones, put right.
+  void setSettled(std::span<const FoundBox> boxes);
+  std::size_t settledCount() const { return settled_.size(); }
+
+  /// About the drawn buildings near the robot; the best first.
+  const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  const DrawingMotion& motion() const { return hypotheses_.front().motion; }
+  /// Indices of the drawn buildings near the robot.
+  const std::vector<std::size_t>& nearby() const { return nearby_; }
+
+  /// What a drawn building is, see refinedBuilding().
+  struct Label {
+    const FoundBox* found = nullptr;  ///< nullptr: none; of `found` of the last update()
+    double doubt = 0.0;               ///< that it is another one, or is there after all
+  };
+  Label of(std::size_t building, std::span<const FoundBox> found) const {
+    return of(building, hypotheses_.front(), found);
+  }
+  Label of(std::size_t building, const Hypothesis& hypothesis,
+           std::span<const FoundBox> found) const;
+
+ private:
+  struct Settled {
+    FoundBox found;
+    std::size_t drawn;  ///< kNowhere: no one drew it
+    double doubt;
+  };
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+
+  void settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, double near_m);
+  void bringNearOnesBack(std::vector<FoundBox>& found, const Vec2& here, double near_m);
+  void findNearby(const Vec2& here, double near_m);
+  std::size_t drawnOf(std::size_t found) const;
+  double doubtOf(std::size_t place) const;
+
+  const Map& drawing_;
+  AssignmentOptions options_;
+  std::vector<Vec2> centres_;  ///< of the drawn buildings
+  std::vector<Settled> settled_;
+  std::vector<std::size_t> settled_at_;  ///< by drawn building: in settled_, or kNowhere
+  std::vector<std::size_t> nearby_;
+  std::vector<std::size_t> nearby_at_;  ///< by drawn building: in nearby_, or kNowhere
+  std::vector<double> missed_;  ///< by drawn building: doubt when it was left behind unfound
+  Map nearby_drawing_;
+  std::vector<Hypothesis> roots_;
+  std::vector<Hypothesis> hypotheses_;
+};
+
+}  // namespace handmap
