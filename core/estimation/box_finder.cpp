@@ -80,11 +80,21 @@ bool alike(const Box& a, const Box& b) {
 
 }  // namespace
 
+void FoundBox::setReachSigma(std::size_t wall, double sigma) {
+  const auto k = static_cast<Eigen::Index>(wall);
+  covariance.row(k).setZero();
+  covariance.col(k).setZero();
+  covariance(k, k) = sigma * sigma;
+}
+
 FoundBox FoundBox::nearestTo(double heading_rad) const {
   const std::size_t quarters = box.quartersTo(heading_rad);
   FoundBox result = *this;
   result.box = box.renumbered(quarters);
-  for (std::size_t k = 0; k < 4; ++k) result.reach_sigma[k] = reach_sigma[(k + quarters) % 4];
+  const auto from = [&](Eigen::Index k) { return (k + static_cast<Eigen::Index>(quarters)) % 4; };
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    for (Eigen::Index j = 0; j < 4; ++j) result.covariance(i, j) = covariance(from(i), from(j));
+  }
   return result;
 }
 
@@ -138,7 +148,7 @@ void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> fram
   constexpr double kTelling = 4.0;  // nats
   BoxScorer scorer(found.box, frames, sensor, 1);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (found.reach_sigma[k] < kProbe / 2.0) continue;
+    if (found.reachSigma(k) < kProbe / 2.0) continue;
     const auto score_at = [&](double reach) {
       Box changed = found.box;
       changed.reach[k] = reach;
@@ -155,7 +165,7 @@ void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> fram
     const double drop = best_score - std::max(score_at(best - kProbe), score_at(best + kProbe));
     if (drop < kTelling) continue;
     found.box.reach[k] = best;
-    found.reach_sigma[k] = std::min(found.reach_sigma[k], kProbe / std::sqrt(2.0 * drop));
+    found.setReachSigma(k, std::min(found.reachSigma(k), kProbe / std::sqrt(2.0 * drop)));
   }
 }
 

@@ -12,12 +12,19 @@ namespace handmap {
 /// A building that was found: the box that explains the rays best.
 struct FoundBox {
   Box box;
-  double score = 0.0;                   ///< log ratio against nothing there
-  std::array<double, 4> reach_sigma{};  ///< of box.reach; large where a wall was not seen
+  double score = 0.0;  ///< log ratio against nothing there
+  /// Of box.reach; large where a wall was not seen. Walls share the errors of the robot's poses.
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   double heading_sigma = 0.0;
   int observations = 0;  ///< frames that saw it
   bool in_sight = true;  ///< of the last frame; others stay as they are
 
+  double reachSigma(std::size_t wall) const {
+    const auto k = static_cast<Eigen::Index>(wall);
+    return std::sqrt(covariance(k, k));
+  }
+  /// Of a wall that was found by other means: it shares nothing with the others.
+  void setReachSigma(std::size_t wall, double sigma);
   FoundBox nearestTo(double heading_rad) const;  ///< as Box::nearestTo()
 };
 

@@ -43,11 +43,10 @@ DrawnBox::DrawnBox(const Building& building, const Uncertainty& uncertainty,
 
 SeenWalls::SeenWalls(const FoundBox& found) {
   for (std::size_t k = 0; k < 4; ++k) {
-    if (found.reach_sigma[k] < kSeen)
-      index[static_cast<std::size_t>(count++)] = static_cast<int>(k);
+    if (found.reachSigma(k) < kSeen) index[static_cast<std::size_t>(count++)] = static_cast<int>(k);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (found.reach_sigma[axis] < kSeen && found.reach_sigma[axis + 2] < kSeen) ++widths;
+    if (found.reachSigma(axis) < kSeen && found.reachSigma(axis + 2) < kSeen) ++widths;
   }
 }
 
@@ -56,25 +55,33 @@ namespace {
 /// Takes over the walls that were seen, the least surprising first. One that the drawing and the
 /// others make very unlikely is of something built on to the building.
 void correct(const FoundBox& found, DrawnBox::Walls& walls, DrawnBox::Covariance& covariance) {
+  // Walls and, because they share them, the errors of what was found: z = wall + error.
+  using State = Eigen::Matrix<double, 8, 1>;
+  State state;
+  state << walls, Eigen::Vector4d::Zero();
+  Eigen::Matrix<double, 8, 8> spread = Eigen::Matrix<double, 8, 8>::Zero();
+  spread.topLeftCorner<4, 4>() = covariance;
+  spread.bottomRightCorner<4, 4>() = found.covariance;
   const SeenWalls seen(found);
   std::vector<int> left(seen.index.begin(), seen.index.begin() + seen.count);
   while (!left.empty()) {
-    const auto variance = [&](int k) {
-      const double sigma = found.reach_sigma[static_cast<std::size_t>(k)];
-      return covariance(k, k) + sigma * sigma;
-    };
+    const auto shared = [&](int k) -> State { return spread.col(k) + spread.col(4 + k); };
+    const auto variance = [&](int k) { return shared(k)[k] + shared(k)[4 + k]; };
     const auto error = [&](int k) {
-      return found.box.reach[static_cast<std::size_t>(k)] - walls[k];
+      return found.box.reach[static_cast<std::size_t>(k)] - state[k] - state[4 + k];
     };
     const auto surprise = [&](int k) { return std::abs(error(k)) / std::sqrt(variance(k)); };
     const auto next = std::min_element(left.begin(), left.end(),
                                        [&](int a, int b) { return surprise(a) < surprise(b); });
-    if (surprise(*next) > kUnlikely) return;
-    const Eigen::Vector4d gain = covariance.col(*next) / variance(*next);
-    walls += gain * error(*next);
-    covariance -= gain * covariance.row(*next).eval();
+    if (surprise(*next) > kUnlikely) break;
+    const State with = shared(*next);
+    const double of = variance(*next);
+    state += with * (error(*next) / of);
+    spread -= with * with.transpose() / of;
     left.erase(next);
   }
+  walls = state.head<4>();
+  covariance = spread.topLeftCorner<4, 4>();
 }
 
 }  // namespace

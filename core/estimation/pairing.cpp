@@ -42,8 +42,7 @@ int farWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox&
     const double error = found.box.reach[wall] - prior.mean()[k];
     const auto slope = prior.slope().row(k);
     const double variance = prior.covariance()(k, k) + kFoundFloor * kFoundFloor +
-                            found.reach_sigma[wall] * found.reach_sigma[wall] +
-                            (slope * motion.covariance).dot(slope);
+                            found.covariance(k, k) + (slope * motion.covariance).dot(slope);
     far += static_cast<int>(error * error > kGate * variance);
   }
   return far;
@@ -68,10 +67,10 @@ Match compareWalls(const DrawnBox& prior, const DrawingMotion& motion, const Fou
     slope.row(i) = prior.slope().row(k);
     error[i] = found.box.reach[static_cast<std::size_t>(k)] - prior.mean()[k];
     for (Eigen::Index j = 0; j < count; ++j) {
-      covariance(i, j) = prior.covariance()(k, walls[static_cast<std::size_t>(j)]);
+      const int other = walls[static_cast<std::size_t>(j)];
+      covariance(i, j) = prior.covariance()(k, other) + found.covariance(k, other);
     }
-    const double sigma = found.reach_sigma[static_cast<std::size_t>(k)];
-    covariance(i, i) += sigma * sigma + kFoundFloor * kFoundFloor;
+    covariance(i, i) += kFoundFloor * kFoundFloor;
   }
   covariance += slope * motion.covariance * slope.transpose();
   const Eigen::LLT<decltype(covariance)> factor(covariance);

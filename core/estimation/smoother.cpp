@@ -288,10 +288,8 @@ Eigen::Matrix3d Smoother::covariances(std::span<FoundBox> boxes) {
   };
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     const int at = poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
-    for (int k = 0; k < kBoxSize; ++k) {
-      const double sigma = std::sqrt(std::max(column_of(at + k)[at + k], 0.0));
-      (k < 4 ? boxes[b].reach_sigma[static_cast<std::size_t>(k)] : boxes[b].heading_sigma) = sigma;
-    }
+    for (int k = 0; k < 4; ++k) boxes[b].covariance.col(k) = column_of(at + k).segment<4>(at);
+    boxes[b].heading_sigma = std::sqrt(std::max(column_of(at + 4)[at + 4], 0.0));
   }
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   const int last = (poses_ - 1) * kPoseSize;

@@ -8,7 +8,7 @@ namespace handmap {
 namespace {
 
 FoundBox foundAt(const Rectangle& box) {
-  return {boxOf(box), 100.0, {0.1, 0.1, 0.1, 0.1}, 0.001, 9};
+  return {boxOf(box), 100.0, 0.01 * Eigen::Matrix4d::Identity(), 0.001, 9};
 }
 
 struct Case {

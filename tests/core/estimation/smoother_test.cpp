@@ -48,7 +48,7 @@ TEST(Smoother, BringsPosesAndBoxesBack) {
     EXPECT_NEAR(r.width, boxes[b].rectangle().width, 0.4);
     EXPECT_NEAR(r.centre.x(), boxes[b].rectangle().centre.x(), 0.3);
     EXPECT_GT(found[b].observations, 5);
-    EXPECT_LT(found[b].reach_sigma[b == 0 ? 3 : 1], 0.2);  // the fronts
+    EXPECT_LT(found[b].reachSigma(b == 0 ? 3 : 1), 0.2);  // the fronts
   }
 }
 
