@@ -43,11 +43,11 @@ std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   const Vec2 middle = (wall.a + wall.b) / 2.0;
   const Vec2 outward = -perpendicular(unitVector(wall.heading()));
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 normal = box.normal(k);
+    const Vec2 normal = box.sideNormal(k);
     if (normal.dot(outward) < std::cos(kParallel)) continue;
     if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear) continue;
     Stretch stretch{k, 0.0, 0.0};
-    const Vec2 along = box.normal(stretch.second());
+    const Vec2 along = box.sideNormal(stretch.second());
     stretch.begin = along.dot(wall.a - box.pivot);
     stretch.end = along.dot(wall.b - box.pivot);
     if (stretch.begin > box.reach[stretch.second()]) continue;
@@ -57,9 +57,7 @@ std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   return std::nullopt;
 }
 
-double area(const Box& box) {
-  return (box.reach[0] + box.reach[2]) * (box.reach[1] + box.reach[3]);
-}
+double area(const Box& box) { return signedArea(box.polygon()); }
 
 double commonArea(const Box& a, const Box& b) {
   const Rectangle first = a.rectangle();
@@ -67,7 +65,7 @@ double commonArea(const Box& a, const Box& b) {
   const double reach =
       (std::hypot(first.width, first.depth) + std::hypot(second.width, second.depth)) / 2.0;
   if ((first.centre - second.centre).norm() > reach) return 0.0;
-  return intersectionArea(first.corners(), second.corners());
+  return intersectionArea(a.polygon(), b.polygon());
 }
 
 bool collide(const Box& a, const Box& b) {
@@ -112,7 +110,8 @@ double BoxFinder::objective(const Box& box, BoxScorer& scorer) const {
 Box BoxFinder::seed(const FoundWall& wall) const {
   return {(wall.a + wall.b) / 2.0,
           wall.heading(),
-          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0}};
+          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0},
+          nullptr};
 }
 
 void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
@@ -172,7 +171,8 @@ void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> fram
 /// Whether the wall belongs to the box; where it tells of a longer or shorter one, the box follows.
 bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
                       const SensorModel& sensor) const {
-  if (const std::optional<Stretch> stretch = stretchOn(found.box, wall)) {
+  const auto stretch = found.box.outline ? std::nullopt : stretchOn(found.box, wall);
+  if (stretch) {
     const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed &&
                         std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed;
     if (agrees || !found.in_sight) return true;
@@ -189,7 +189,7 @@ bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Fr
     }
     return true;
   }
-  const Polygon corners = found.box.rectangle().corners();
+  const Polygon corners = found.box.polygon();
   return distanceTo(corners, wall.a) < kNear && distanceTo(corners, wall.b) < kNear;
 }
 
@@ -246,21 +246,43 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
   }
   std::vector<FoundBox> pieces;
   for (const FoundBox& found : boxes) {
-    if (!found.in_sight) {
+    if (!found.in_sight || found.box.outline) {
       pieces.push_back(found);
       continue;
     }
     for (const FoundBox& piece : split(found, walls, frames, sensor)) pieces.push_back(piece);
   }
   boxes = std::move(pieces);
+  prune(boxes);
+}
+
+bool BoxFinder::replace(std::vector<FoundBox>& boxes, std::size_t at,
+                        std::span<const Box> candidates, std::span<const Frame* const> frames,
+                        const SensorModel& sensor) const {
+  if (candidates.empty()) return false;
+  FoundBox best = boxes[at];
+  BoxScorer scorer(best.box, frames, sensor);
+  best.score = -1e9;
+  for (const Box& candidate : candidates) {
+    const double score = objective(candidate, scorer);
+    if (score <= best.score) continue;
+    best.box = candidate;
+    best.score = score;
+  }
+  refine(best, 1.0, frames, sensor);
+  double there = boxes[at].score;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (i != at && boxes[i].in_sight && collide(boxes[i].box, best.box)) there += boxes[i].score;
+  }
+  if (best.score < there + kGain) return false;
+  boxes[at] = best;
+  return true;
+}
+
+void BoxFinder::prune(std::vector<FoundBox>& boxes) {
   std::stable_sort(boxes.begin(), boxes.end(), [](const FoundBox& a, const FoundBox& b) {
     return a.in_sight != b.in_sight ? b.in_sight : a.score > b.score;
   });
-  settle(boxes);
-}
-
-/// Of boxes that cannot both be the surer stays. The other one comes back when that is given up.
-void BoxFinder::settle(std::vector<FoundBox>& boxes) {
   boxes.insert(boxes.end(), rivals_.begin(), rivals_.end());
   rivals_.clear();
   const auto any = [](const std::vector<FoundBox>& others, auto relation, const FoundBox& found) {

@@ -47,6 +47,12 @@ class BoxFinder {
   /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.
   void refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
               const SensorModel& sensor) const;
+  /// Puts the best of some boxes in the place of `boxes[at]`, where it explains the rays better
+  /// than that and what else stands there. Returns whether it did; then prune() is due.
+  bool replace(std::vector<FoundBox>& boxes, std::size_t at, std::span<const Box> candidates,
+               std::span<const Frame* const> frames, const SensorModel& sensor) const;
+  /// Of boxes that cannot both be the surer stays. The other one comes back when that is given up.
+  void prune(std::vector<FoundBox>& boxes);
   /// Finds the walls that no returns are from (rear walls, behind which there is free space) where
   /// the rays tell them, and says how well they are known.
   void locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
@@ -61,7 +67,6 @@ class BoxFinder {
                               std::span<const Frame* const> frames,
                               const SensorModel& sensor) const;
   Box seed(const FoundWall& wall) const;
-  void settle(std::vector<FoundBox>& boxes);
 
   FinderOptions options_;
   std::vector<FoundBox> rivals_;  ///< where a surer box stands

@@ -27,6 +27,39 @@ BoxSlabs::BoxSlabs(const Box& box, const Pose2& robot) {
   const float dx = std::max({0.0F, x_ - high_x_, low_x_ - x_});
   const float dy = std::max({0.0F, y_ - high_y_, low_y_ - y_});
   nearest_ = std::sqrt(dx * dx + dy * dy);
+  inside_ = nearest_ == 0.0F;
+  if (!box.outline) return;
+  for (const Vec2& share : *box.outline) {
+    corner_x_[corners_] = low_x_ + static_cast<float>(share.x()) * (high_x_ - low_x_);
+    corner_y_[corners_] = low_y_ + static_cast<float>(share.y()) * (high_y_ - low_y_);
+    ++corners_;
+  }
+  if (!inside_) return;
+  // A ray in any direction leaves a polygon that it begins in once more than it enters it.
+  inside_ = false;
+  for (std::size_t i = 0, last = corners_ - 1; i < corners_; last = i++) {
+    if ((corner_y_[i] > y_) == (corner_y_[last] > y_)) continue;
+    const float share = (y_ - corner_y_[i]) / (corner_y_[last] - corner_y_[i]);
+    if (x_ < corner_x_[i] + share * (corner_x_[last] - corner_x_[i])) inside_ = !inside_;
+  }
+}
+
+Entry BoxSlabs::entryIntoOutline(float dx, float dy) const {
+  Entry entry{kMiss, 0.0F, 0};
+  for (std::size_t i = 0, last = corners_ - 1; i < corners_; last = i++) {
+    const float along_x = corner_x_[i] - corner_x_[last];
+    const float along_y = corner_y_[i] - corner_y_[last];
+    const float facing = dx * along_y - dy * along_x;  // outward normal times direction
+    if (facing >= 0.0F) continue;
+    const float to_x = corner_x_[last] - x_;
+    const float to_y = corner_y_[last] - y_;
+    const float distance = (to_x * along_y - to_y * along_x) / facing;
+    const float at = (to_x * dy - to_y * dx) / facing;
+    if (distance < 0.0F || at < 0.0F || at > 1.0F) continue;
+    if (entry.distance >= 0.0F && distance >= entry.distance) continue;
+    entry = {distance, -facing / std::hypot(along_x, along_y), static_cast<int>(i)};
+  }
+  return entry;
 }
 
 BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
@@ -35,10 +68,14 @@ BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
   double low = 0.0;
   double high = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 corner = robot.toOwn(box.corner(k));
+    const Vec2 corner = robot.toOwn(box.boxCorner(k));
     const double turn = normalizedAngle(std::atan2(corner.y(), corner.x()) - direction);
     low = std::min(low, turn);
     high = std::max(high, turn);
+  }
+  if (inBox()) {
+    low = -kPi;
+    high = kPi;
   }
   low_bearing_ = static_cast<float>(direction + low);
   high_bearing_ = static_cast<float>(direction + high);
@@ -47,6 +84,7 @@ BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
 Entry BoxSlabs::entry(const FrameRay& ray) const {
   const float dx = cos_ * ray.x - sin_ * ray.y;
   const float dy = sin_ * ray.x + cos_ * ray.y;
+  if (corners_ > 0) return entryIntoOutline(dx, dy);
   Entry entry{kMiss, 0.0F, 0};
   if (x_ > high_x_ ? dx < 0.0F : x_ < low_x_ && dx > 0.0F) {
     const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_) / dx;
@@ -76,7 +114,7 @@ void BoxScorer::lookAt(const Box& box) {
     // Seen from the nearest corner, what lies within kAround of the box.
     double nearest = (box.rectangle().centre - frame->pose.position()).norm();
     for (std::size_t k = 0; k < 4; ++k) {
-      nearest = std::min(nearest, (box.corner(k) - frame->pose.position()).norm());
+      nearest = std::min(nearest, (box.boxCorner(k) - frame->pose.position()).norm());
     }
     const double margin =
         nearest > kAround ? std::min(std::asin(kAround / nearest), kMostMargin) : kMostMargin;
@@ -90,7 +128,7 @@ void BoxScorer::lookAt(const Box& box) {
 
 double BoxScorer::operator()(const Box& box) {
   for (std::size_t k = 0; k < 4; ++k) {
-    if ((box.corner(k) - around_.corner(k)).norm() <= kAround) continue;
+    if ((box.boxCorner(k) - around_.boxCorner(k)).norm() <= kAround) continue;
     lookAt(box);
     break;
   }

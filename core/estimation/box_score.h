@@ -9,11 +9,11 @@
 
 namespace handmap {
 
-/// Where a ray from outside enters a box.
+/// Where a ray from outside enters a building.
 struct Entry {
   float distance = 0.0F;  ///< < 0: it misses the box
   float cosine = 0.0F;    ///< of the angle of incidence
-  int wall = 0;
+  int wall = 0;           ///< of Box::walls()
 };
 
 /// A robot pose in the frame of a box.
@@ -21,7 +21,8 @@ class BoxSlabs {
  public:
   BoxSlabs(const Box& box, const Pose2& robot);
 
-  bool inside() const { return nearest_ == 0.0F; }  ///< the robot is in the box
+  bool inside() const { return inside_; }  ///< the robot is in the building
+  bool inBox() const { return nearest_ == 0.0F; }
   bool inReach(double range_m) const { return nearest_ < range_m; }
   Entry entry(const FrameRay& ray) const;
 
@@ -30,6 +31,14 @@ class BoxSlabs {
   float cos_, sin_;  ///< from the robot frame to that of the box
   float low_x_, high_x_, low_y_, high_y_;
   float nearest_;
+  bool inside_;
+
+ private:
+  Entry entryIntoOutline(float dx, float dy) const;
+
+  std::size_t corners_ = 0;  ///< of an outline
+  std::array<float, kMostWalls> corner_x_;
+  std::array<float, kMostWalls> corner_y_;
 };
 
 /// A box as one robot pose sees it.

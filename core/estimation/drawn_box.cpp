@@ -29,7 +29,7 @@ DrawnBox::DrawnBox(const Building& building, const Uncertainty& uncertainty,
   covariance_.setZero();
   for (int k = 0; k < 4; ++k) {
     const auto wall = static_cast<std::size_t>(k);
-    const Vec2 normal = frame.normal(wall);
+    const Vec2 normal = frame.sideNormal(wall);
     const double half = turned.reach[wall];
     mean_[k] = normal.dot(centre) + scale * half;
     slope_.row(k) << normal.dot(from_origin) + half * motion.mean[0] / scale,
@@ -89,7 +89,7 @@ void correct(const FoundBox& found, DrawnBox::Walls& walls, DrawnBox::Covariance
 RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& uncertainty,
                                 const DrawingMotion& motion, const FoundBox* found) {
   const Rectangle drawn = building.box();
-  Box frame{motion(drawn.centre), drawn.heading + motion.turn(), {}};
+  Box frame{motion(drawn.centre), drawn.heading + motion.turn(), {}, nullptr};
   if (found) {
     // Keeps the sides in the order of the drawing.
     const double heading = frame.heading;

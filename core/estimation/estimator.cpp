@@ -15,6 +15,7 @@
 #include "core/estimation/labels.h"
 #include "core/estimation/landmarks.h"
 #include "core/estimation/noise_estimate.h"
+#include "core/estimation/outline_fit.h"
 
 namespace handmap {
 
@@ -44,7 +45,9 @@ struct HandmapEstimator::State {
         finder(with.finder),
         smoother(with.odometry, sensor),
         labels(drawing, with.assignment),
-        best(map) {}
+        best(map) {
+    for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
+  }
 
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
@@ -53,6 +56,7 @@ struct HandmapEstimator::State {
   void updateNoise();
   void findBuildings();
   void labelBuildings(double near_m);
+  bool fitOutlines();
   void correct(std::size_t building);
   void correctAll();
   void correctSome();
@@ -76,7 +80,8 @@ struct HandmapEstimator::State {
   Landmarks landmarks;
   NoiseEstimate noise;
   Labels labels;
-  Map best;                   ///< the drawing corrected
+  std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
+  Map best;                                              ///< the drawing corrected
   std::size_t corrected = 0;  ///< where its far buildings are next looked at
   struct Passing {            ///< an observation: its pose relative to a key frame
     double time_s;
@@ -129,6 +134,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.updateNoise();
   if (progress) progress(0.9);
   state.labelBuildings(state.options.near_m);
+  if (state.fitOutlines()) state.labelBuildings(state.options.near_m);
   state.correctSome();
   state.pose = state.frames.back().pose;
   return true;
@@ -259,6 +265,33 @@ void HandmapEstimator::State::labelBuildings(double near_m) {
     way.push_back(frames[i].pose);
   }
   labels.update(found, way, near_m);
+}
+
+/// Gives what was found for a drawn polygon the outline of that. Returns whether anything changed:
+/// the labels are then to be found anew.
+bool HandmapEstimator::State::fitOutlines() {
+  constexpr std::array<int, 4> kTries = {3, 6, 12, 24};  // frames that have seen the building
+  const std::vector<Frame*> last = framesFrom(firstWorkedOn());
+  const std::vector<const Frame*> frames_seen(last.begin(), last.end());
+  bool changed = false;
+  for (const std::size_t b : labels.nearby()) {
+    const std::optional<std::size_t> at = labels.indexOf(b);
+    if (!at || !found[*at].in_sight || found[*at].box.outline == outlines[b]) continue;
+    FoundBox& box = found[*at];
+    if (box.box.outline) {  // that of another drawn building
+      box.box.outline = nullptr;
+      finder.refine(box, 0.5, frames_seen, sensor);
+      changed = true;
+      continue;
+    }
+    if (std::find(kTries.begin(), kTries.end(), box.observations) == kTries.end()) continue;
+    const Rectangle drawn = drawing.buildings[b].box();
+    box = box.nearestTo(drawn.heading + labels.motion().turn());
+    changed |=
+        finder.replace(found, *at, placements(box.box, outlines[b], drawn), frames_seen, sensor);
+  }
+  if (changed) finder.prune(found);
+  return changed;
 }
 
 void HandmapEstimator::State::correct(std::size_t b) {

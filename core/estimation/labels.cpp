@@ -122,6 +122,14 @@ double Labels::doubtOf(std::size_t place) const {
   return best == Hypothesis::kNone ? agreed : 1.0 - agreed;
 }
 
+std::optional<std::size_t> Labels::indexOf(std::size_t building) const {
+  const std::size_t place = nearby_at_[building];
+  if (place == kNowhere || settled_at_[building] != kNowhere) return std::nullopt;
+  const int index = hypotheses_.front().found_of[place];
+  if (index == Hypothesis::kNone) return std::nullopt;
+  return static_cast<std::size_t>(index);
+}
+
 Labels::Label Labels::of(std::size_t building, const Hypothesis& hypothesis,
                          std::span<const FoundBox> found) const {
   if (settled_at_[building] != kNowhere) {

@@ -37,6 +37,8 @@ class Labels {
     const FoundBox* found = nullptr;  ///< nullptr: none; of `found` of the last update()
     double doubt = 0.0;               ///< that it is another one, or is there after all
   };
+  /// Which of `found` of the last update() a drawn building near the robot is.
+  std::optional<std::size_t> indexOf(std::size_t building) const;
   Label of(std::size_t building, std::span<const FoundBox> found) const {
     return of(building, hypotheses_.front(), found);
   }

@@ -58,13 +58,14 @@ std::optional<SeenEnd> located(const std::vector<Boundary>& boundaries) {
 std::vector<SeenEnd> silhouette(const Box& box, const Frame& frame, const SensorModel& sensor) {
   std::vector<SeenEnd> ends;
   const Vec2 robot = frame.pose.position();
-  std::array<bool, 4> visible{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    visible[k] = box.normal(k).dot(robot - box.pivot) > box.reach[k];
+  const std::size_t walls = box.walls();
+  std::array<bool, kMostWalls> visible{};
+  for (std::size_t k = 0; k < walls; ++k) {
+    visible[k] = box.normal(k).dot(robot - box.corner(k)) > 0.0;
   }
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t next = (k + 1) % 4;
-    if (visible[k] == visible[next]) continue;
+  for (std::size_t k = 0; k < walls; ++k) {
+    const std::size_t next = (k + 1) % walls;
+    if (visible[k] == visible[next] || cross(box.normal(k), box.normal(next)) < 0.0) continue;
     const std::size_t wall = visible[k] ? k : next;
     const Vec2 offset = box.corner(k) - robot;
     const double distance = offset.norm();
@@ -76,7 +77,7 @@ std::vector<SeenEnd> silhouette(const Box& box, const Frame& frame, const Sensor
     const double width = std::min(kWidest, kSideways / distance);
     const Vec2 normal = box.normal(wall);
     const Vec2 own_normal = frame.pose.toOwn(frame.pose.position() + normal);
-    const double to_wall = box.reach[wall] - normal.dot(robot - box.pivot);
+    const double to_wall = normal.dot(offset);
 
     std::vector<std::pair<double, float>> rays;  // bearing from the corner, ratio
     forRaysBetween(frame.rays, static_cast<float>(bearing - width),

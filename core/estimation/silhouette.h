@@ -13,8 +13,8 @@ struct SeenEnd {
   double sigma = 0.0;      ///< radians
 };
 
-/// The two outermost corners of a box outside of which the robot stands; only those whose bearing
-/// the returns tell.
+/// The corners of a building, outside of which the robot stands, between a wall that faces it and
+/// one that does not; only those whose bearing the returns tell.
 std::vector<SeenEnd> silhouette(const Box& box, const Frame& frame, const SensorModel& sensor);
 
 }  // namespace handmap

@@ -47,10 +47,10 @@ bool Smoother::addReturns(const Frame& frame, const FoundBox& found, double slac
   if (view.inside() || !view.inReach(sensor_.rangeLimit())) return false;
   const double c = std::cos(frame.pose.heading);
   const double s = std::sin(frame.pose.heading);
-  std::array<Vec2, 4> normals;
-  for (std::size_t k = 0; k < 4; ++k) normals[k] = box.normal(k);
-  std::array<Normal, 4> walls;
-  std::array<double, 4> information{};
+  std::vector<Vec2> normals;
+  for (std::size_t k = 0; k < box.walls(); ++k) normals.push_back(box.normal(k));
+  std::vector<Normal> walls(box.walls());
+  std::vector<double> information(box.walls());
   view.forRays(frame.rays, [&](const FrameRay& ray) {
     if (ray.sight.label == SensorModel::kSilent) return;
     const Entry entry = view.entry(ray);
@@ -74,14 +74,15 @@ bool Smoother::addReturns(const Frame& frame, const FoundBox& found, double slac
     const Vec2& n = normals[wall];
     LocalVector jacobian = LocalVector::Zero();
     jacobian.head<3>() << n.x(), n.y(), n.dot(perpendicular(turned));
-    jacobian[kPoseSize + entry.wall] = -1.0;
+    const std::array<double, 4> slopes = box.slopes(box.shareAt(box.pivot + from_pivot), n);
+    for (std::size_t k = 0; k < 4; ++k) jacobian[kPoseSize + static_cast<int>(k)] = -slopes[k];
     jacobian[kPoseSize + 4] = perpendicular(n).dot(from_pivot);
     jacobian[kBias] = -squared * n.dot(direction);
     walls[wall].add(jacobian, range_error * n.dot(direction), weight);
     information[wall] += weight;
   });
   bool seen = false;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
     if (information[k] == 0.0) continue;
     const double share = 1.0 / (1.0 + information[k] * systematic_m_ * systematic_m_);
     normal.matrix += share * walls[k].matrix;
@@ -99,9 +100,8 @@ void Smoother::addSilhouette(const Frame& frame, const FoundBox& found, Normal& 
     const Vec2 slope = perpendicular(offset) / offset.squaredNorm();
     LocalVector jacobian = LocalVector::Zero();
     jacobian.head<3>() << -slope.x(), -slope.y(), -1.0;
-    const std::size_t next = (end.corner + 1) % 4;
-    jacobian[kPoseSize + static_cast<int>(end.corner)] = slope.dot(box.normal(end.corner));
-    jacobian[kPoseSize + static_cast<int>(next)] = slope.dot(box.normal(next));
+    const std::array<double, 4> slopes = box.slopes(box.share(end.corner), slope);
+    for (std::size_t k = 0; k < 4; ++k) jacobian[kPoseSize + static_cast<int>(k)] = slopes[k];
     jacobian[kPoseSize + 4] = slope.dot(perpendicular(corner - box.pivot));
     const double bearing = std::atan2(offset.y(), offset.x()) - frame.pose.heading;
     const double sigma = std::hypot(end.sigma, kEndsAreWorse * systematic_m_ / offset.norm());

@@ -64,8 +64,12 @@ TEST(HandmapEstimator, IsTheSameEveryTime) {
 TEST(HandmapEstimator, TakesPolygonsAndAnyHeading) {
   const World world = campusWorld(3);
   const Map drawing = perturbed(world.map, 3.0, 4);
-  const Outcome run = runThrough(world, drawing, 20);
+  const Outcome run = runThrough(world, drawing, 1000);
   ASSERT_EQ(run.refined.buildings.size(), drawing.buildings.size());
+  double sum = 0.0;
+  const auto errors = compareMaps(run.refined, world.map, false).buildings;
+  for (const BuildingError& error : errors) sum += error.iou;
+  EXPECT_GT(sum / static_cast<double>(errors.size()), 0.8);
   for (const Building& building : run.refined.buildings) {
     EXPECT_TRUE(isSimple(building.footprint())) << building.id;
     EXPECT_TRUE(building.box().centre.allFinite());

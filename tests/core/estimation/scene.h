@@ -7,9 +7,14 @@
 
 namespace handmap {
 
-/// Distance along a ray to the nearest wall of the box; negative where it misses. The plain way.
+inline std::shared_ptr<const Outline> lOutline() {
+  return std::make_shared<const Outline>(
+      Outline{{1.0, 0.0}, {1.0, 0.4}, {0.5, 0.4}, {0.5, 1.0}, {0.0, 1.0}, {0.0, 0.0}});
+}
+
+/// Distance along a ray to the nearest wall; negative where it misses. The plain way.
 inline double plainDistance(const Box& box, const Vec2& origin, const Vec2& direction) {
-  const Polygon corners = box.rectangle().corners();
+  const Polygon corners = box.polygon();
   double nearest = -1.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 a = corners[i];
