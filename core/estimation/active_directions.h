@@ -15,11 +15,13 @@ class ActiveDirections {
   /// Votes of the last of the `held` frames; then brings `evidence`, which holds these, up to date.
   void update(std::span<const double> drawn, std::span<const ActiveFrame> held,
               const SensorModel& sensor, WallEvidence& evidence);
-  std::vector<double> headings() const;
+  /// Those that buildings drawn near the robot have, as far as they are told apart.
+  std::vector<double> drawn() const;
 
  private:
   struct Direction {
     double heading;
+    bool is_drawn = false;
     int unwanted = 0;  ///< frames
   };
   WallDirections votes_;

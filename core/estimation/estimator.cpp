@@ -226,16 +226,18 @@ void HandmapEstimator::State::updateEvidence() {
 void HandmapEstimator::State::updateDirections() {
   const Vec2 here = frames.back().pose.position();
   const DrawingMotion& motion = labels.motion();
+  // A turn of the drawing that is made up from the way must not make up the way.
+  const double turn = options.assignment.free_turn ? motion.turn() : 0.0;
   std::vector<double> drawn;
   for (const std::size_t b : labels.nearby()) {
     const Building& building = drawing.buildings[b];
     const Rectangle box = building.box();
     const double reach = options.range_limit_m + 0.5 * std::hypot(box.width, box.depth) +
                          drawing.uncertaintyOf(building).position;
-    if ((motion(box.centre) - here).norm() < reach) drawn.push_back(box.heading + motion.turn());
+    if ((motion(box.centre) - here).norm() < reach) drawn.push_back(box.heading + turn);
   }
   directions.update(drawn, active, sensor, evidence);
-  smoother.expectHeadings(directions.headings(), options.assignment.heading_sigma);
+  smoother.expectHeadings(directions.drawn(), options.assignment.heading_sigma);
 }
 
 void HandmapEstimator::State::updateNoise() {
