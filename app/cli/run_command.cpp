@@ -13,6 +13,7 @@
 #include "core/odometry/visual_odometry_source.h"
 #include "core/recording/image_file.h"
 #include "core/session/run_session.h"
+#include "drivers/punctual_source.h"
 
 namespace handmap {
 
@@ -26,6 +27,7 @@ struct RunArguments {
   RunSettings settings;
   std::vector<std::string> free;
   bool localize_only = false;
+  double speed = 0.0;
   std::string out;
   std::string trajectory;
   std::string report;
@@ -115,6 +117,10 @@ int run(RunArguments arguments) {
   auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
 
   const Interrupt interrupt;
+  if (arguments.speed > 0.0) {
+    source =
+        std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
+  }
   RunSession session(std::move(drawing), std::move(source), arguments.settings);
   const auto last = runToEnd(session, interrupt);
   if (!last) return Interrupt::kExitStatus;
@@ -168,6 +174,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
             {{"to-all", EffectiveRatio::ToAll}, {"to-zero", EffectiveRatio::ToZero}},
             "Hit cells of a wall against all, or against those not hit");
   command->add_flag("--localize-only", a.localize_only, "Leave the buildings as they are drawn");
+  addNumber(*command, "--speed", a.speed, 0.0, 1e3,
+            "Keep to the recording's clock times N and pass over what comes too late; 0: wait");
   addSeed(*command, a.settings.seed, "Of the random numbers");
   addNumber(*command, "--threads", a.settings.threads, 0, 1024,
             "0 for all; the result is the same");

@@ -102,6 +102,7 @@ std::string runReportJson(const RunSettings& settings, const SourceInfo& source,
               {"frames", Json::array()}};
   report["settings"]["seed"] = settings.seed;
   report["settings"]["threads"] = settings.threads;
+  if (source.speed > 0.0) report["settings"]["speed"] = source.speed;
   for (const SkippedFrame& frame : skipped) {
     report["skipped"].push_back({{"frame", frame.frame}, {"reason", frame.reason}});
   }
