@@ -117,7 +117,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   const Pose2 motion = between(last.odometry, odometry);
   const bool moved = std::hypot(motion.x, motion.y) >= state.options.key_step_m ||
                      std::abs(motion.heading) >= state.options.key_turn;
-  state.pose = last.pose * motion;
+  state.pose = last.pose * state.smoother.scaled(motion);
   if (!moved && state.observations.empty()) {
     state.frames.pop_back();
   } else if (!moved) {
@@ -357,7 +357,8 @@ const std::vector<FoundBox>& HandmapEstimator::found() const { return state_->fo
 std::vector<StampedPose> HandmapEstimator::trajectory() const {
   std::vector<StampedPose> poses;
   for (const State::Passing& passing : state_->observations) {
-    poses.push_back({passing.time_s, state_->frames[passing.frame].pose * passing.offset});
+    poses.push_back({passing.time_s,
+                     state_->frames[passing.frame].pose * state_->smoother.scaled(passing.offset)});
   }
   return poses;
 }

@@ -133,7 +133,8 @@ void Smoother::scatter(const Normal& normal, int pose, int box) {
 }
 
 void Smoother::addOdometry(const Frame& from, const Frame& to, int from_index, int to_index) {
-  const Pose2 measured = between(from.odometry, to.odometry);
+  const Pose2 counted = between(from.odometry, to.odometry);
+  const Pose2 measured = scaled(counted);
   const Pose2 step = between(from.pose, to.pose);
   const double length = std::hypot(measured.x, measured.y);
   const double heading = odometry_.heading_per_m * length +
@@ -145,19 +146,23 @@ void Smoother::addOdometry(const Frame& from, const Frame& to, int from_index, i
                                  normalizedAngle(step.heading - measured.heading));
   const double c = std::cos(from.pose.heading);
   const double s = std::sin(from.pose.heading);
-  Eigen::Matrix<double, 3, 6> jacobian;
-  jacobian << -c, -s, step.y, c, s, 0.0,  //
-      s, -c, -step.x, -s, c, 0.0,         //
-      0.0, 0.0, -1.0, 0.0, 0.0, 1.0;
-  const Eigen::Matrix<double, 6, 3> weighted =
+  Eigen::Matrix<double, 3, 7> jacobian;               // both poses, the scale
+  jacobian << -c, -s, step.y, c, s, 0.0, -counted.x,  //
+      s, -c, -step.x, -s, c, 0.0, -counted.y,         //
+      0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0;
+  const Eigen::Matrix<double, 7, 3> weighted =
       jacobian.transpose() * sigma.cwiseInverse().cwiseAbs2().asDiagonal();
-  const Eigen::Matrix<double, 6, 6> matrix = weighted * jacobian;
-  const Eigen::Matrix<double, 6, 1> right = -weighted * residual;
-  addBlock(to_index * kPoseSize, to_index * kPoseSize, matrix.bottomRightCorner<3, 3>());
-  right_.segment<3>(to_index * kPoseSize) += right.tail<3>();
+  const Eigen::Matrix<double, 7, 7> matrix = weighted * jacobian;
+  const Eigen::Matrix<double, 7, 1> right = -weighted * residual;
+  addBlock(scale_at_, scale_at_, matrix.block<1, 1>(6, 6));
+  addBlock(scale_at_, to_index * kPoseSize, matrix.block<1, 3>(6, 3));
+  right_[scale_at_] += right[6];
+  addBlock(to_index * kPoseSize, to_index * kPoseSize, matrix.block<3, 3>(3, 3));
+  right_.segment<3>(to_index * kPoseSize) += right.segment<3>(3);
   if (from_index < 0) return;
+  addBlock(scale_at_, from_index * kPoseSize, matrix.block<1, 3>(6, 0));
   addBlock(from_index * kPoseSize, from_index * kPoseSize, matrix.topLeftCorner<3, 3>());
-  addBlock(to_index * kPoseSize, from_index * kPoseSize, matrix.bottomLeftCorner<3, 3>());
+  addBlock(to_index * kPoseSize, from_index * kPoseSize, matrix.block<3, 3>(3, 0));
   right_.segment<3>(from_index * kPoseSize) += right.head<3>();
 }
 
@@ -179,11 +184,15 @@ void Smoother::addPrior(const Box& box, int at) {
   right_[at + kBoxSize - 1] -= weight[kBoxSize - 1] * std::clamp(turned, -most, most);
 }
 
-void Smoother::addBiasPrior(std::span<Frame* const> frames) {
+void Smoother::addCalibrationPrior(std::span<Frame* const> frames) {
   double sigma = kLeastBias;
   for (const Frame* frame : frames) sigma = std::max(sigma, frame->bias_sigma_per_m);
   triplets_.emplace_back(bias_at_, bias_at_, 1.0 / (sigma * sigma));
   right_[bias_at_] -= bias_per_m_ / (sigma * sigma);
+  // Cauchy's weight.
+  const double weight = 1.0 / (odometry_.scale * odometry_.scale + scale_ * scale_);
+  triplets_.emplace_back(scale_at_, scale_at_, weight);
+  right_[scale_at_] -= scale_ * weight;
 }
 
 void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark,
@@ -234,6 +243,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     size += 2;
   }
   bias_at_ = size++;
+  scale_at_ = size++;
   triplets_.clear();
   right_ = Eigen::VectorXd::Zero(size);
   const auto index_of = [&](std::size_t frame) {
@@ -253,7 +263,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     }
     addPrior(boxes[b].box, poses_ * kPoseSize + static_cast<int>(b) * kBoxSize);
   }
-  addBiasPrior(frames);
+  addCalibrationPrior(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     for (const Sighting& sighting : frames[i]->sightings) {
       const auto id = static_cast<std::size_t>(sighting.landmark);
@@ -277,6 +287,7 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
     move(boxes[b].box, step.segment<kBoxSize>(at));
   }
   bias_per_m_ += step[bias_at_];
+  scale_ += step[scale_at_];
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     if (landmark_at[i] >= 0) landmarks[i] += step.segment<2>(landmark_at[i]);
   }

@@ -18,6 +18,7 @@ struct OdometryNoise {
   double heading_per_rad = 0.02;
   double least_length_m = 0.01;
   double least_heading = 0.001;
+  double scale = 0.003;  ///< of all lengths; Cauchy's, for some wheels are worn
 };
 
 /// Gauss-Newton with weights that follow the sensor model. What a frame says of a wall is each
@@ -40,6 +41,10 @@ class Smoother {
   }
   /// What the ranges are off systematically, see RangeNoise, is estimated with all the rest.
   double biasPerMetre() const { return bias_per_m_; }
+  /// And so is what the lengths of the odometry are off: the motion as it was.
+  Pose2 scaled(const Pose2& motion) const {
+    return {(1.0 + scale_) * motion.x, (1.0 + scale_) * motion.y, motion.heading};
+  }
   /// Moves the poses of `frames` from index `fixed` on, the boxes and the landmarks that the frames
   /// saw. The frames are in the order
   /// of time; consecutive ones are bound by odometry. `slack_m` (across a wall, one
@@ -65,12 +70,13 @@ class Smoother {
   void addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark, int pose,
                    int landmark_at);
   void addPrior(const Box& box, int at);
-  void addBiasPrior(std::span<Frame* const> frames);
+  void addCalibrationPrior(std::span<Frame* const> frames);
   void addBlock(int row, int column, const Eigen::MatrixXd& block);
 
   OdometryNoise odometry_;
   double systematic_m_ = 0.03;
   double bias_per_m_ = 0.0;
+  double scale_ = 0.0;  ///< of the odometry, less 1
   std::vector<double> headings_;
   double heading_sigma_ = 0.1;
   const SensorModel& sensor_;
@@ -79,6 +85,7 @@ class Smoother {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
   int poses_ = 0;  ///< free ones
   int bias_at_ = 0;
+  int scale_at_ = 0;
 };
 
 }  // namespace handmap

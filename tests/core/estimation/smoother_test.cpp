@@ -9,7 +9,9 @@
 namespace handmap {
 namespace {
 
-TEST(Smoother, BringsPosesAndBoxesBack) {
+/// Smooths a drive past two buildings whose odometry counts `scale` metres for each, and compares
+/// with the truth. Returns the scale that the smoother corrects the odometry by.
+double smoothDrive(double scale) {
   RandomStream random(11);
   SensorOptions options;
   options.noise = {0.1, 0.0};
@@ -23,7 +25,8 @@ TEST(Smoother, BringsPosesAndBoxesBack) {
     const Pose2 pose{x, 0.0, 0.0};
     frames.push_back(seenFrom(pose, boxes, 0.1, random));
     if (!truth.empty()) {
-      odometry = odometry * Pose2{5.0 * random.normal(1.0, 0.03), 0.0, random.normal(0.0, 0.01)};
+      odometry =
+          odometry * Pose2{5.0 * scale * random.normal(1.0, 0.01), 0.0, random.normal(0.0, 0.01)};
     }
     truth.push_back(pose);
     frames.back().odometry = odometry;
@@ -35,7 +38,7 @@ TEST(Smoother, BringsPosesAndBoxesBack) {
   for (Frame& frame : frames) seen.push_back(&frame);
   std::vector<Vec2> landmarks;
   Smoother smoother(OdometryNoise{}, sensor);
-  for (const double slack : {0.5, 0.2, 0.1, 0.03, 0.03}) {
+  for (const double slack : {0.5, 0.5, 0.5, 0.2, 0.1, 0.1, 0.03, 0.03}) {
     smoother.iterate(seen, 1, found, landmarks, slack);
   }
   smoother.covariances(found);
@@ -50,7 +53,12 @@ TEST(Smoother, BringsPosesAndBoxesBack) {
     EXPECT_GT(found[b].observations, 5);
     EXPECT_LT(found[b].reachSigma(b == 0 ? 3 : 1), 0.2);  // the fronts
   }
+  return smoother.scaled({1.0, 0.0, 0.0}).x;
 }
+
+TEST(Smoother, BringsPosesAndBoxesBack) { EXPECT_NEAR(smoothDrive(1.0), 1.0, 0.01); }
+
+TEST(Smoother, FindsTheScaleOfTheOdometry) { EXPECT_NEAR(smoothDrive(1.03), 1.0 / 1.03, 0.01); }
 
 TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
   const SensorModel sensor(SensorOptions{}, 40.0);
