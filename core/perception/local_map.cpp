@@ -4,8 +4,6 @@
 #include <string>
 #include <utility>
 
-#include <opencv2/imgproc.hpp>
-
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -22,7 +20,7 @@ constexpr int kMaxRaySteps = 50;  // cells to either side, 2σ
 
 // Within ±σ lies this share of a Gaussian. Smoothed votes are divided by it, so that a saturated
 // straight wall as wide as 2σ of the smoothing has the value 1.
-constexpr float kShareWithinSigma = 0.6827F;
+constexpr double kShareWithinSigma = 0.6827;
 
 /// Throws BadInput.
 int sideOf(double cell_m, double range_m) {
@@ -57,53 +55,43 @@ std::vector<float> rayKernel(int steps) {
   return kernel;
 }
 
-/// Adds votes to a map, each spread along its ray by its own σ.
+/// Casts votes into a grid, each spread along its ray by its own σ.
 class Voter {
  public:
-  explicit Voter(LocalMap& map) : map_(map) {
+  Voter(VoteGrid& grid, double cell_m, double range_m)
+      : grid_(grid), cell_(cell_m), range_(range_m) {
     for (int steps = 0; steps <= kMaxRaySteps; ++steps) kernels_.push_back(rayKernel(steps));
   }
 
   /// `point` and the `origin` of its ray in the frame of the map.
   void vote(const Vec2& origin, const Vec2& point, const WallPoint& wall) {
     const double range = (point - origin).norm();
-    const auto steps =
-        range > 0.0 ? std::lround(std::min(2.0 * static_cast<double>(wall.sigma) / map_.cell(),
-                                           static_cast<double>(kMaxRaySteps)))
-                    : 0L;
-    const Vec2 step = steps > 0 ? Vec2((point - origin) * (map_.cell() / range)) : Vec2::Zero();
-    Vec2 p = point - static_cast<double>(steps) * step;
+    const auto steps = range > 0.0
+                           ? std::lround(std::min(2.0 * static_cast<double>(wall.sigma) / cell_,
+                                                  static_cast<double>(kMaxRaySteps)))
+                           : 0L;
+    const Vec2 step = steps > 0 ? Vec2((point - origin) / range) : Vec2::Zero();
+    const Vec2 p =
+        point / cell_ + Vec2::Constant(range_ / cell_) - static_cast<double>(steps) * step;
+    // Fixed point, 16 bits of fraction.
+    constexpr double kOne = 65536.0;
+    auto x = static_cast<std::int64_t>(p.x() * kOne);
+    auto y = static_cast<std::int64_t>(p.y() * kOne);
+    const auto dx = static_cast<std::int64_t>(step.x() * kOne);
+    const auto dy = static_cast<std::int64_t>(step.y() * kOne);
     for (const float share : kernels_[static_cast<std::size_t>(steps)]) {
-      add(p, wall.weight * share);
-      p += step;
+      grid_.add(x >> 16, y >> 16, wall.weight * share);
+      x += dx;
+      y += dy;
     }
   }
 
  private:
-  void add(const Vec2& p, float weight) {
-    const int column = map_.columnOf(p.x());
-    const int row = map_.columnOf(p.y());
-    if (column < 0 || row < 0 || column >= map_.cells().cols || row >= map_.cells().rows) return;
-    map_.cells()(row, column) += weight;
-  }
-
-  LocalMap& map_;
+  VoteGrid& grid_;
+  double cell_;
+  double range_;
   std::vector<std::vector<float>> kernels_;  ///< by steps
 };
-
-/// Votes to values 0 … 1. Saturation comes before smoothing: a dense near wall is as sure as a
-/// far one and no wider.
-void render(LocalMap& map, const LocalMapOptions& options) {
-  cv::Mat1f& cells = map.cells();
-  const double sigma_cells = options.smoothing_sigma_m / map.cell();
-  cv::min(cells, options.saturation_votes, cells);
-  if (sigma_cells > 0.0) {
-    cv::GaussianBlur(cells, cells, {}, sigma_cells, sigma_cells, cv::BORDER_CONSTANT);
-  }
-  const double share = sigma_cells > 0.0 ? kShareWithinSigma : 1.0;
-  cells *= 1.0 / (options.saturation_votes * share);
-  cv::min(cells, 1.0, cells);
-}
 
 }  // namespace
 
@@ -113,8 +101,9 @@ LocalMap::LocalMap(double cell_m, double range_m)
       cells_(cv::Mat1f::zeros(sideOf(cell_m, range_m), sideOf(cell_m, range_m))) {}
 
 LocalMapBuilder::LocalMapBuilder(double range_m, const LocalMapOptions& options)
-    : range_(range_m), options_(options) {
-  sideOf(options.cell_m, range_m);  // throws before the first observation rather than at it
+    : range_(range_m),
+      options_(options),
+      votes_(sideOf(options.cell_m, range_m), options.smoothing_sigma_m / options.cell_m) {
   if (!(options.saturation_votes > 0.0)) {
     throwBadInput("local map", "saturation_votes", formatNumber(options.saturation_votes),
                   "a positive number");
@@ -135,8 +124,7 @@ LocalMap LocalMapBuilder::add(const Pose2& odometry, bool standing, std::vector<
     scans_.pop_front();
   }
 
-  LocalMap map(options_.cell_m, range_);
-  Voter voter(map);
+  Voter voter(votes_, options_.cell_m, range_);
   for (const Scan& scan : scans_) {
     const Pose2 placed = between(odometry, scan.odometry);
     const Vec2 ahead = unitVector(placed.heading);
@@ -146,7 +134,11 @@ LocalMap LocalMapBuilder::add(const Pose2& odometry, bool standing, std::vector<
       voter.vote(placed.position(), placed.position() + turned, wall);
     }
   }
-  render(map, options_);
+  // Saturation comes before smoothing: a dense near wall is as sure as a far one and no wider.
+  const double share = options_.smoothing_sigma_m > 0.0 ? kShareWithinSigma : 1.0;
+  LocalMap map(options_.cell_m, range_);
+  votes_.moveTo(map.cells(), static_cast<float>(options_.saturation_votes),
+                static_cast<float>(1.0 / (options_.saturation_votes * share)));
   return map;
 }
 

@@ -7,6 +7,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "core/perception/vote_grid.h"
 #include "core/perception/wall_points.h"
 #include "core/recording/observation.h"
 
@@ -61,6 +62,7 @@ class LocalMapBuilder {
   double range_;
   LocalMapOptions options_;
   std::deque<Scan> scans_;
+  VoteGrid votes_;  ///< empty between observations
 };
 
 }  // namespace handmap
