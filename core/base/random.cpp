@@ -1,5 +1,6 @@
 #include "core/base/random.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +21,17 @@ RandomStream::result_type RandomStream::operator()() {
 }
 
 double RandomStream::uniform() { return (*this)() * 0x1p-32; }
+
+void RandomStream::uniforms(std::span<float> values) {
+  used_ = 4;  // what is left of the block before is not used
+  for (std::size_t i = 0; i < values.size(); i += 4, ++counter_[0]) {
+    const auto block = r123::Philox4x32()(counter_, key_);
+    const std::size_t count = std::min<std::size_t>(4, values.size() - i);
+    for (std::size_t j = 0; j < count; ++j) {
+      values[i + j] = static_cast<float>(block[j] >> 8U) * 0x1p-24F;
+    }
+  }
+}
 
 double RandomStream::normal() {
   if (has_spare_) {

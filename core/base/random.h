@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include <Random123/philox.h>
 
@@ -26,6 +27,8 @@ class RandomStream {
   result_type operator()();
   /// In [0, 1), 32 random bits.
   double uniform();
+  /// Fills `values` with numbers in [0, 1) of 24 random bits, four from each block of the counter.
+  void uniforms(std::span<float> values);
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Standard normal (Box-Muller; both values of a pair are used).
   double normal();

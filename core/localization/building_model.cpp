@@ -1,16 +1,40 @@
 #include "core/localization/building_model.h"
 
+#include <algorithm>
+
 namespace handmap {
+
+namespace {
+
+/// Walls off by less than this, as the corners of a file are rounded, run straight.
+constexpr double kStraight = 1e-6;
+
+ModelWall wallBetween(const Vec2& from, const Vec2& to) {
+  const Vec2 way = (to - from).cwiseAbs();
+  const auto runs = way.y() < kStraight   ? ModelWall::Runs::Along
+                    : way.x() < kStraight ? ModelWall::Runs::Across
+                                          : ModelWall::Runs::Slanted;
+  const Eigen::Vector2f a = from.cast<float>();
+  const Eigen::Vector2f b = to.cast<float>();
+  return {runs, a.x(), a.y(), b.x(), b.y()};
+}
+
+}  // namespace
 
 BuildingModel::BuildingModel(const Building& building) {
   const Rectangle box = building.box();
   const Pose2 frame{box.centre.x(), box.centre.y(), box.heading};
   drawn_ = {box.centre.x(), box.centre.y(), box.width};
-  heading_ = box.heading;
+  heading_ = normalizedAngle(box.heading);
   depth_ = box.depth;
   for (const Vec2& corner : building.footprint()) {
     const Vec2 own = frame.toOwn(corner);
     outline_.emplace_back(own.x() / box.width, own.y());
+    reach_ = std::max(reach_, std::abs(outline_.back().x()));
+    reach_across_ = std::max(reach_across_, std::abs(own.y()));
+  }
+  for (std::size_t i = 0; i < outline_.size(); ++i) {
+    walls_.push_back(wallBetween(outline_[i], outline_[(i + 1) % outline_.size()]));
   }
 }
 

@@ -1,7 +1,7 @@
 #include "core/localization/fastslam_psom.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 
 #include <tbb/parallel_for.h>
@@ -20,115 +20,181 @@ constexpr std::uint32_t kMotion = 0;
 constexpr std::uint32_t kResampling = 1;
 constexpr std::uint32_t kSwarms = 2;
 
+/// Whether two boxes of one heading have nothing in common; false where that is not easily told.
+bool apart(const Rectangle& a, const Rectangle& b) {
+  if (std::abs(normalizedAngle(a.heading - b.heading)) > 1e-9) return false;
+  const Vec2 ahead = unitVector(a.heading);
+  const Vec2 way = b.centre - a.centre;
+  return std::abs(ahead.dot(way)) >= (a.width + b.width) / 2.0 ||
+         std::abs(cross(ahead, way)) >= (a.depth + b.depth) / 2.0;
+}
+
 }  // namespace
 
 FastSlamPsom::FastSlamPsom(const Map& drawing, const Pose2& start_odometry,
                            const SlamOptions& options, std::uint64_t seed)
     : drawing_(drawing), options_(options), seed_(seed), odometry_(start_odometry) {
   requireReadyToRun(drawing);
-  for (const Building& building : drawing.buildings) models_.emplace_back(building);
+  for (const Building& building : drawing.buildings) {
+    by_x_.push_back(models_.size());
+    models_.emplace_back(building);
+  }
+  std::sort(by_x_.begin(), by_x_.end(), [&](std::size_t a, std::size_t b) {
+    return models_[a].drawn().x < models_[b].drawn().x;
+  });
   Particle first;
   first.pose = *drawing.start;
   first.weight = 1.0 / options.slam_particles;
-  first.map.resize(models_.size());
+  first.map = SwarmMap(models_.size());
   particles_.assign(static_cast<std::size_t>(options.slam_particles), first);
 }
 
 bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& local_map,
                         const std::stop_token& stop, const std::function<void(double)>& progress) {
   const Pose2 motion = between(odometry_, odometry);
-  std::vector<Particle> next(particles_.size());
+  samplePoses(time_s, motion);
+  const std::vector<std::size_t> near = buildingsNear(local_map.range());
+  sums_.reset(local_map);
   std::atomic<std::size_t> done = 0;
-  tbb::parallel_for(std::size_t{0}, next.size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    next[i] = advanced(particles_[i], static_cast<std::uint32_t>(i), time_s, motion, local_map);
-    const std::size_t ready = ++done;
-    if (progress) progress(static_cast<double>(ready) / static_cast<double>(next.size()));
+    updateMap(next_[i], static_cast<std::uint32_t>(i), near, local_map.range(), stop);
+    const std::size_t before = done++;
+    const auto percent = [&](std::size_t count) { return 100 * count / next_.size(); };
+    if (!progress || percent(before) == percent(before + 1)) return;
+    progress(static_cast<double>(before + 1) / static_cast<double>(next_.size()));
   });
   if (stop.stop_requested()) return false;
-  particles_ = std::move(next);
+  particles_.swap(next_);
   odometry_ = odometry;
   ++frame_;
   resample();
   return true;
 }
 
-Particle FastSlamPsom::advanced(const Particle& particle, std::uint32_t index, double time_s,
-                                const Pose2& motion, const LocalMap& local_map) const {
-  Particle result = particle;
-  // x_t ~ p(x_t | u_t, x_{t-1})
-  if (frame_ > 0 || motion != Pose2{}) {
-    RandomStream random(seed_, frame_, index, kMotion);
-    result.pose = samplePose(particle.pose, motion, options_.motion, random);
-  }
-  result.path = particle.path.extended({time_s, result.pose});
+void FastSlamPsom::samplePoses(double time_s, const Pose2& motion) {
+  next_.resize(particles_.size());
+  const bool moved = frame_ > 0 || motion != Pose2{};
+  tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t i) {
+    Particle& particle = next_[i];
+    particle = particles_[i];
+    // x_t ~ p(x_t | u_t, x_{t-1})
+    if (moved) {
+      RandomStream random(seed_, frame_, static_cast<std::uint32_t>(i), kMotion);
+      particle.pose = samplePose(particle.pose, motion, options_.motion, random);
+    }
+    particle.path = particle.path.extended({time_s, particle.pose});
+  });
+}
 
-  const auto visible = visibleBuildings(result, local_map.range());
+/// All that any particle may see, and some more; ascending.
+std::vector<std::size_t> FastSlamPsom::buildingsNear(double range_m) const {
+  const double reach = range_m + farthest_moved_;
+  Bounds area{next_.front().pose.position(), next_.front().pose.position()};
+  for (const Particle& particle : next_) {
+    area.low = area.low.cwiseMin(particle.pose.position());
+    area.high = area.high.cwiseMax(particle.pose.position());
+  }
+  const auto first = std::partition_point(by_x_.begin(), by_x_.end(), [&](std::size_t b) {
+    return models_[b].drawn().x < area.low.x() - reach;
+  });
+  std::vector<std::size_t> near;
+  for (auto b = first; b != by_x_.end(); ++b) {
+    const BuildingState& drawn = models_[*b].drawn();
+    if (drawn.x > area.high.x() + reach) break;
+    if (drawn.y < area.low.y() - reach || drawn.y > area.high.y() + reach) continue;
+    near.push_back(*b);
+  }
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index,
+                             const std::vector<std::size_t>& near, double range_m,
+                             const std::stop_token& stop) {
+  std::vector<Visible> visible;
+  visible.reserve(near.size());
   double likelihood = 0.0;
-  for (const std::size_t building : visible) {
+  for (const std::size_t building : near) {
+    const Swarm* swarm = particle.map.find(building);
+    const BuildingState mean = swarm ? stateOf(building, swarm->mean) : models_[building].drawn();
+    const Vec2 way(mean.x - particle.pose.x, mean.y - particle.pose.y);
+    if (way.squaredNorm() >= range_m * range_m) continue;
     // m_t,b ← PSO(m_{t-1},b, z_t, x_t)
-    result.map[building] = refinedSwarm(result, index, building, local_map);
-    likelihood += result.map[building]->best_score;
+    visible.push_back({building, models_[building].drawn(), false});
+    likelihood += refineBuilding(particle, index, visible.back(), stop);
   }
   // w_t = p(z_t | x_t, m_t): the likelihood with the best latest map
-  result.weight = particle.weight * likelihood;
-  result.visible = static_cast<int>(visible.size());
-  result.plausible = isPlausible(result, visible);
+  particle.weight *= likelihood;
+  particle.visible = static_cast<int>(visible.size());
+  particle.plausible = isPlausible(particle.pose, visible);
+}
+
+/// The score of the best state.
+double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, Visible& seen,
+                                    const std::stop_token& stop) {
+  const Building& drawn = drawing_.buildings[seen.building];
+  const BuildingModel& model = models_[seen.building];
+  const WallLikelihood walls(model, particle.pose, sums_);
+  const auto score = [&](float x, float y, float width) {
+    return discounted(walls(x, y, width), options_.effective_ratio);
+  };
+  if (!options_.refine || drawn.fixed) {
+    return score(0.0F, 0.0F, static_cast<float>(model.drawn().width));
+  }
+  const auto scores = [&](const Swarm& swarm, std::span<float> values) {
+    const auto x = swarm.positions(Swarm::kX);
+    const auto y = swarm.positions(Swarm::kY);
+    const auto width = swarm.positions(Swarm::kWidth);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = static_cast<float>(score(x[i], y[i], width[i]));
+    }
+  };
+
+  RandomStream random(seed_, frame_, index, kSwarms + static_cast<std::uint32_t>(seen.building));
+  const Swarm* before = particle.map.find(seen.building);
+  auto swarm = std::make_shared<Swarm>(before ? *before
+                                              : sampleSwarm(model.drawn().width,
+                                                            drawing_.uncertaintyOf(drawn),
+                                                            options_.pso_particles, random));
+  refine(*swarm, scores, options_, random, stop);
+  seen.state = stateOf(seen.building, swarm->best);
+  seen.refined = true;
+  const auto moved =
+      static_cast<double>(std::hypot(swarm->mean[Swarm::kX], swarm->mean[Swarm::kY]));
+  for (double most = farthest_moved_; moved > most;) {
+    if (farthest_moved_.compare_exchange_weak(most, moved)) break;
+  }
+  const auto result = static_cast<double>(swarm->best_score);
+  particle.map.set(seen.building, std::move(swarm));
   return result;
 }
 
-BuildingState FastSlamPsom::stateOf(const Particle& particle, std::size_t building) const {
-  const auto& swarm = particle.map[building];
-  return swarm ? swarm->best : models_[building].drawn();
+BuildingState FastSlamPsom::stateOf(std::size_t building, const Swarm::Values& values) const {
+  const BuildingState& drawn = models_[building].drawn();
+  return {drawn.x + static_cast<double>(values[Swarm::kX]),
+          drawn.y + static_cast<double>(values[Swarm::kY]),
+          static_cast<double>(values[Swarm::kWidth])};
 }
 
-std::vector<std::size_t> FastSlamPsom::visibleBuildings(const Particle& particle,
-                                                        double range_m) const {
-  std::vector<std::size_t> visible;
-  for (std::size_t b = 0; b < models_.size(); ++b) {
-    const auto& swarm = particle.map[b];
-    const BuildingState mean = swarm ? swarm->mean() : models_[b].drawn();
-    const double distance = std::hypot(mean.x - particle.pose.x, mean.y - particle.pose.y);
-    if (distance < range_m) visible.push_back(b);
-  }
-  return visible;
-}
-
-std::shared_ptr<const Swarm> FastSlamPsom::refinedSwarm(const Particle& particle,
-                                                        std::uint32_t index, std::size_t building,
-                                                        const LocalMap& local_map) const {
-  const Building& drawn = drawing_.buildings[building];
-  const WallLikelihood walls(models_[building], particle.pose, local_map);
-  const auto score = [&](const BuildingState& state) {
-    return discounted(walls(state), options_.effective_ratio);
+bool FastSlamPsom::isPlausible(const Pose2& robot, const std::vector<Visible>& visible) const {
+  const auto footprint = [&](const Visible& seen) {
+    return models_[seen.building].footprint(seen.state);
   };
-  RandomStream random(seed_, frame_, index, kSwarms + static_cast<std::uint32_t>(building));
-  const bool refine = options_.refine && !drawn.fixed;
-  const auto& before = particle.map[building];
-  Swarm swarm = before ? *before
-                       : sampleSwarm(models_[building].drawn(), drawing_.uncertaintyOf(drawn),
-                                     refine ? options_.pso_particles : 0, random);
-  if (refine) {
-    swarm = refined(std::move(swarm), score, options_, random);
-  } else {
-    swarm.best_score = score(swarm.best);
-  }
-  return std::make_shared<const Swarm>(std::move(swarm));
-}
-
-bool FastSlamPsom::isPlausible(const Particle& particle,
-                               const std::vector<std::size_t>& buildings) const {
-  std::vector<Polygon> footprints;
-  for (const std::size_t b : buildings) {
-    footprints.push_back(models_[b].footprint(stateOf(particle, b)));
-    if (contains(footprints.back(), particle.pose.position())) return false;
-  }
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
-    for (std::size_t j = i + 1; j < footprints.size(); ++j) {
-      if (!overlap(footprints[i], footprints[j])) continue;
+  const auto drawn = [&](const Visible& seen) {
+    return models_[seen.building].footprint(models_[seen.building].drawn());
+  };
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    const Visible& a = visible[i];
+    const BuildingModel& model = models_[a.building];
+    const double distance = std::hypot(a.state.x - robot.x, a.state.y - robot.y);
+    if (distance <= model.radius(a.state) && contains(footprint(a), robot.position())) return false;
+    for (std::size_t j = i + 1; j < visible.size(); ++j) {
+      const Visible& b = visible[j];
       // Buildings that overlap in the drawing already may go on doing so.
-      const auto drawn = [&](std::size_t b) { return models_[b].footprint(models_[b].drawn()); };
-      if (!overlap(drawn(buildings[i]), drawn(buildings[j]))) return false;
+      if (!a.refined && !b.refined) continue;
+      if (apart(model.box(a.state), models_[b.building].box(b.state))) continue;
+      if (overlap(footprint(a), footprint(b)) && !overlap(drawn(a), drawn(b))) return false;
     }
   }
   return true;
@@ -158,44 +224,40 @@ void FastSlamPsom::resample() {
 
   RandomStream random(seed_, frame_, 0, kResampling);
   const std::vector<int> drawn = systematicResample(weights, random.uniform());
-  std::vector<Particle> next;
-  next.reserve(particles_.size());
-  for (const int i : drawn) {
-    next.push_back(particles_[static_cast<std::size_t>(i)]);
-    next.back().weight = 1.0 / count;
-  }
+  tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
+    next_[i] = particles_[static_cast<std::size_t>(drawn[i])];
+    next_[i].weight = 1.0 / count;
+  });
   // The heaviest weighs at least 1/count, and so is always drawn.
   best_ = static_cast<std::size_t>(std::find(drawn.begin(), drawn.end(), static_cast<int>(best_)) -
                                    drawn.begin());
-  particles_ = std::move(next);
+  particles_.swap(next_);
 }
 
 Estimate FastSlamPsom::estimateOf(std::size_t building, const Swarm& best) const {
   // Spread of the swarms of all particles around the state that is shown.
   double weight = 0.0;
-  Estimate estimate;
+  std::array<double, Swarm::kParameters> squares{};
   for (const Particle& particle : particles_) {
-    const auto& swarm = particle.map[building];
-    if (!swarm || swarm->members.empty()) continue;
-    const double share = particle.weight / static_cast<double>(swarm->members.size());
-    for (const SwarmMember& member : swarm->members) {
-      estimate.sigma_x += share * std::pow(member.position.x - best.best.x, 2);
-      estimate.sigma_y += share * std::pow(member.position.y - best.best.y, 2);
-      estimate.sigma_width += share * std::pow(member.position.width - best.best.width, 2);
+    const Swarm* swarm = particle.map.find(building);
+    if (swarm == nullptr) continue;
+    for (std::size_t p = 0; p < squares.size(); ++p) {
+      const auto off = static_cast<double>(swarm->mean[p] - best.best[p]);
+      squares[p] += particle.weight * (static_cast<double>(swarm->variance[p]) + off * off);
     }
     weight += particle.weight;
   }
   if (weight <= 0.0) return {0.0, 0.0, 0.0, best.observations};
-  return {std::sqrt(estimate.sigma_x / weight), std::sqrt(estimate.sigma_y / weight),
-          std::sqrt(estimate.sigma_width / weight), best.observations};
+  return {std::sqrt(squares[Swarm::kX] / weight), std::sqrt(squares[Swarm::kY] / weight),
+          std::sqrt(squares[Swarm::kWidth] / weight), best.observations};
 }
 
 Map FastSlamPsom::refinedMap() const {
   Map map = drawing_;
   for (std::size_t b = 0; b < models_.size(); ++b) {
-    const auto& swarm = best().map[b];
-    if (!swarm || swarm->observations == 0) continue;
-    map.buildings[b] = map.buildings[b].fitted(models_[b].box(swarm->best));
+    const Swarm* swarm = best().map.find(b);
+    if (swarm == nullptr || swarm->observations == 0) continue;
+    map.buildings[b] = map.buildings[b].fitted(models_[b].box(stateOf(b, swarm->best)));
     map.buildings[b].estimate = estimateOf(b, *swarm);
   }
   return map;

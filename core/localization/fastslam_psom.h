@@ -1,25 +1,25 @@
 // FastSLAM with PSO-based mapping, as published (Matsuo & Miura, IROS 2012, Algorithm 1).
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <stop_token>
 #include <vector>
 
+#include "core/localization/line_sums.h"
 #include "core/localization/path.h"
-#include "core/localization/swarm.h"
-#include "core/perception/local_map.h"
+#include "core/localization/swarm_map.h"
 
 namespace handmap {
 
-/// A pose and a map. Maps share the swarms that they have not changed.
+/// A pose and a map.
 struct Particle {
   Pose2 pose;
   double weight = 0.0;  ///< normalized over the particles
   Path path;
-  std::vector<std::shared_ptr<const Swarm>> map;  ///< one a drawn building; null: never seen
-  int visible = 0;                                ///< buildings seen in the last step
+  SwarmMap map;           ///< by drawn building
+  int visible = 0;        ///< buildings seen in the last step
   bool plausible = true;  ///< no seen buildings overlap, and the robot is in none
 };
 
@@ -49,13 +49,21 @@ class FastSlamPsom {
   Map refinedMap() const;
 
  private:
-  Particle advanced(const Particle& particle, std::uint32_t index, double time_s,
-                    const Pose2& motion, const LocalMap& local_map) const;
-  std::vector<std::size_t> visibleBuildings(const Particle& particle, double range_m) const;
-  std::shared_ptr<const Swarm> refinedSwarm(const Particle& particle, std::uint32_t index,
-                                            std::size_t building, const LocalMap& local_map) const;
-  BuildingState stateOf(const Particle& particle, std::size_t building) const;
-  bool isPlausible(const Particle& particle, const std::vector<std::size_t>& buildings) const;
+  /// A building that one particle sees.
+  struct Visible {
+    std::size_t building;
+    BuildingState state;  ///< the best after the step
+    bool refined;         ///< false: as drawn
+  };
+
+  void samplePoses(double time_s, const Pose2& motion);
+  std::vector<std::size_t> buildingsNear(double range_m) const;
+  void updateMap(Particle& particle, std::uint32_t index, const std::vector<std::size_t>& near,
+                 double range_m, const std::stop_token& stop);
+  double refineBuilding(Particle& particle, std::uint32_t index, Visible& seen,
+                        const std::stop_token& stop);
+  BuildingState stateOf(std::size_t building, const Swarm::Values& values) const;
+  bool isPlausible(const Pose2& robot, const std::vector<Visible>& visible) const;
   void resample();
   Estimate estimateOf(std::size_t building, const Swarm& best) const;
 
@@ -63,10 +71,15 @@ class FastSlamPsom {
   SlamOptions options_;
   std::uint64_t seed_;
   std::vector<BuildingModel> models_;
+  std::vector<std::size_t> by_x_;  ///< buildings, sorted by their drawn centres
+  LineSums sums_;                  ///< of the local map of this step
   std::vector<Particle> particles_;
+  std::vector<Particle> next_;  ///< what a step works on; its memory is kept
   std::size_t best_ = 0;
   Pose2 odometry_;           ///< of the last step
   std::uint32_t frame_ = 0;  ///< steps done
+  /// No swarm of any particle was ever farther from its drawing than this, metres.
+  std::atomic<double> farthest_moved_ = 0.0;
   StepResult last_step_;
 };
 

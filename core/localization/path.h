@@ -11,19 +11,9 @@ namespace handmap {
 
 class Path {
  public:
-  Path() = default;
-  Path(const Path&) = default;
-  Path(Path&&) = default;
-  Path& operator=(const Path&) = default;
-  Path& operator=(Path&&) = default;
-  /// A chain that nobody else holds is taken down link by link: recursion would overflow the stack.
-  ~Path() {
-    while (last_ && last_.use_count() == 1) last_ = std::move(last_->before);
-  }
-
   Path extended(const StampedPose& pose) const {
     Path result;
-    result.last_ = std::make_shared<Link>(Link{pose, last_});
+    result.last_ = std::make_shared<Link>(pose, last_);
     return result;
   }
   std::vector<StampedPose> poses() const {
@@ -39,6 +29,14 @@ class Path {
   struct Link {
     StampedPose pose;
     std::shared_ptr<Link> before;
+
+    Link(const StampedPose& with, std::shared_ptr<Link> after)
+        : pose(with), before(std::move(after)) {}
+    /// A chain that nobody else holds is taken down link by link: recursion would overflow the
+    /// stack.
+    ~Link() {
+      while (before && before.use_count() == 1) before = std::move(before->before);
+    }
   };
   std::shared_ptr<Link> last_;
 };

@@ -8,88 +8,130 @@ namespace handmap {
 namespace {
 
 /// Members closer to the best than this have met, metres: a tenth of a cell.
-constexpr double kMet = 0.01;
-
-constexpr double BuildingState::*kParameters[] = {&BuildingState::x, &BuildingState::y,
-                                                  &BuildingState::width};
+constexpr float kMet = 0.01F;
 
 bool haveMet(const Swarm& swarm) {
-  return std::all_of(swarm.members.begin(), swarm.members.end(), [&](const SwarmMember& member) {
-    return std::all_of(std::begin(kParameters), std::end(kParameters), [&](auto parameter) {
-      return std::abs(member.position.*parameter - swarm.best.*parameter) < kMet;
-    });
-  });
+  int apart = 0;
+  for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
+    const float best = swarm.best[static_cast<std::size_t>(parameter)];
+    for (const float position : swarm.positions(parameter)) {
+      apart |= static_cast<int>(std::abs(position - best) >= kMet);
+    }
+  }
+  return apart == 0;
 }
 
-void move(SwarmMember& member, const BuildingState& own_best, const BuildingState& best,
-          const SlamOptions& options, RandomStream& random) {
-  for (const auto parameter : kParameters) {
-    double& velocity = member.velocity.*parameter;
-    double& position = member.position.*parameter;
-    velocity = options.inertia * velocity +
-               options.cognitive * random.uniform() * (own_best.*parameter - position) +
-               options.social * random.uniform() * (best.*parameter - position);
-    position += velocity;
+/// The best position of every member, and its score.
+class OwnBests {
+ public:
+  explicit OwnBests(const Swarm& swarm) : scores_(swarm.members()), new_scores_(swarm.members()) {
+    positions_.reserve(Swarm::kParameters * scores_.size());
+    for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
+      const std::span<const float> positions = swarm.positions(parameter);
+      positions_.insert(positions_.end(), positions.begin(), positions.end());
+    }
   }
-  member.position.width = std::max(member.position.width, kMinWidth);
+
+  const float* positions(int parameter) const {
+    return positions_.data() + static_cast<std::size_t>(parameter) * scores_.size();
+  }
+  /// Scores every member; a better position than any before becomes its best, and the swarm's.
+  void update(Swarm& swarm, const SwarmScore& score) {
+    score(swarm, new_scores_);
+    for (std::size_t i = 0; i < scores_.size(); ++i) {
+      if (new_scores_[i] <= scores_[i]) continue;
+      scores_[i] = new_scores_[i];
+      const Swarm::Values member = swarm.member(i);
+      for (std::size_t p = 0; p < member.size(); ++p) {
+        positions_[p * scores_.size() + i] = member[p];
+      }
+      if (scores_[i] <= swarm.best_score) continue;
+      swarm.best_score = scores_[i];
+      swarm.best = member;
+    }
+  }
+
+ private:
+  std::vector<float> positions_;
+  std::vector<float> scores_;
+  std::vector<float> new_scores_;
+};
+
+/// `numbers`: two a member.
+void move(Swarm& swarm, int parameter, const float* own_best, const float* numbers,
+          const SlamOptions& options) {
+  const auto inertia = static_cast<float>(options.inertia);
+  const auto cognitive = static_cast<float>(options.cognitive);
+  const auto social = static_cast<float>(options.social);
+  const float best = swarm.best[static_cast<std::size_t>(parameter)];
+  const std::size_t count = swarm.members();
+  float* positions = swarm.positions(parameter).data();
+  float* velocities = swarm.velocities(parameter).data();
+  for (std::size_t i = 0; i < count; ++i) {
+    velocities[i] = inertia * velocities[i] +
+                    cognitive * numbers[i] * (own_best[i] - positions[i]) +
+                    social * numbers[count + i] * (best - positions[i]);
+    positions[i] += velocities[i];
+  }
+}
+
+void keepWide(std::span<float> widths) {
+  for (float& width : widths) width = std::max(width, static_cast<float>(kMinWidth));
 }
 
 }  // namespace
 
-BuildingState Swarm::mean() const {
-  if (members.empty()) return best;
-  BuildingState mean;
-  for (const auto parameter : kParameters) {
-    for (const SwarmMember& member : members) mean.*parameter += member.position.*parameter;
-    mean.*parameter /= static_cast<double>(members.size());
+void Swarm::updateMoments() {
+  if (members_ == 0) return;
+  const auto count = static_cast<float>(members_);
+  for (int parameter = 0; parameter < kParameters; ++parameter) {
+    float sum = 0.0F;
+    for (const float position : positions(parameter)) sum += position;
+    const float middle = sum / count;
+    float squares = 0.0F;
+    for (const float position : positions(parameter)) {
+      squares += (position - middle) * (position - middle);
+    }
+    mean[static_cast<std::size_t>(parameter)] = middle;
+    variance[static_cast<std::size_t>(parameter)] = squares / count;
   }
-  return mean;
 }
 
-Swarm sampleSwarm(const BuildingState& drawn, const Uncertainty& uncertainty, int members,
+Swarm sampleSwarm(double drawn_width, const Uncertainty& uncertainty, int members,
                   RandomStream& random) {
-  Swarm swarm;
-  swarm.best = drawn;
-  swarm.members.resize(static_cast<std::size_t>(members));
-  for (SwarmMember& member : swarm.members) {
-    member.position.x = random.normal(drawn.x, uncertainty.position);
-    member.position.y = random.normal(drawn.y, uncertainty.position);
-    member.position.width = std::max(kMinWidth, random.normal(drawn.width, uncertainty.size));
+  Swarm swarm(static_cast<std::size_t>(members));
+  for (std::size_t i = 0; i < swarm.members(); ++i) {
+    swarm.positions(Swarm::kX)[i] = static_cast<float>(random.normal(0.0, uncertainty.position));
+    swarm.positions(Swarm::kY)[i] = static_cast<float>(random.normal(0.0, uncertainty.position));
+    swarm.positions(Swarm::kWidth)[i] =
+        static_cast<float>(random.normal(drawn_width, uncertainty.size));
   }
+  keepWide(swarm.positions(Swarm::kWidth));
+  swarm.best[Swarm::kWidth] = static_cast<float>(drawn_width);
+  swarm.updateMoments();
   return swarm;
 }
 
-Swarm refined(Swarm swarm, const BuildingScore& score, const SlamOptions& options,
-              RandomStream& random) {
-  std::vector<BuildingState> own_best;
-  std::vector<double> own_score;
-  swarm.best_score = 0.0;
-  const auto keep_best = [&](std::size_t i) {
-    if (own_score[i] <= swarm.best_score) return;
-    swarm.best_score = own_score[i];
-    swarm.best = own_best[i];
-  };
-  for (const SwarmMember& member : swarm.members) {
-    own_best.push_back(member.position);
-    own_score.push_back(score(member.position));
-    keep_best(own_best.size() - 1);
-  }
-  if (swarm.best_score <= 0.0) return swarm;
+void refine(Swarm& swarm, const SwarmScore& score, const SlamOptions& options, RandomStream& random,
+            const std::stop_token& stop) {
+  OwnBests own_bests(swarm);
+  swarm.best_score = 0.0F;
+  own_bests.update(swarm, score);
+  if (swarm.best_score <= 0.0F) return;
 
+  std::vector<float> numbers(2 * Swarm::kParameters * swarm.members());
   for (int iteration = 0; iteration < options.pso_iterations && !haveMet(swarm); ++iteration) {
-    const BuildingState best = swarm.best;
-    for (std::size_t i = 0; i < swarm.members.size(); ++i) {
-      SwarmMember& member = swarm.members[i];
-      move(member, own_best[i], best, options, random);
-      const double value = score(member.position);
-      if (value <= own_score[i]) continue;
-      own_score[i] = value;
-      own_best[i] = member.position;
-      keep_best(i);
+    if (stop.stop_requested()) return;
+    random.uniforms(numbers);
+    for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
+      move(swarm, parameter, own_bests.positions(parameter),
+           numbers.data() + 2 * static_cast<std::size_t>(parameter) * swarm.members(), options);
     }
+    keepWide(swarm.positions(Swarm::kWidth));
+    own_bests.update(swarm, score);
   }
   ++swarm.observations;
-  return swarm;
+  swarm.updateMoments();
 }
 
 }  // namespace handmap

@@ -1,96 +1,61 @@
 #include "core/localization/wall_likelihood.h"
 
-#include <array>
-#include <cstdint>
+#include <cmath>
 
 namespace handmap {
 
-namespace {
-
-/// The part of a–b within `range` of the origin, as shares of the way; empty where first >= second.
-std::pair<double, double> clippedToCircle(const Vec2& a, const Vec2& b, double range) {
-  const Vec2 d = b - a;
-  const double squared = d.squaredNorm();
-  const double middle = -a.dot(d) / squared;
-  const double closest = a.squaredNorm() - middle * middle * squared;
-  if (closest >= range * range) return {0.0, 0.0};
-  const double half = std::sqrt((range * range - closest) / squared);
-  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
-}
-
-}  // namespace
-
-WallCells& WallCells::operator+=(const WallCells& other) {
-  sum += other.sum;
-  non_zero += other.non_zero;
-  all += other.all;
-  return *this;
-}
-
-double discounted(const WallCells& cells, EffectiveRatio ratio) {
-  if (cells.non_zero == 0) return 0.0;
-  const int zero = cells.all - cells.non_zero;
-  // With no zero cell at all the ratio of the text has no value; one cell stands in.
-  const int divisor = ratio == EffectiveRatio::ToAll ? cells.all : std::max(zero, 1);
-  return cells.sum * cells.non_zero / divisor;
-}
-
-WallLikelihood::WallLikelihood(const BuildingModel& model, const Pose2& robot,
-                               const LocalMap& local_map)
+WallLikelihood::WallLikelihood(const BuildingModel& model, const Pose2& robot, const LineSums& sums)
     : model_(model),
-      local_map_(local_map),
-      robot_(robot),
-      along_(unitVector(model.heading() - robot.heading)),
-      across_(perpendicular(along_)) {}
-
-WallCells WallLikelihood::operator()(const BuildingState& state) const {
-  const Vec2 centre = robot_.toOwn({state.x, state.y});
-  const auto corner_at = [&](const Vec2& outline) -> Vec2 {
-    return centre + along_ * (outline.x() * state.width) + across_ * outline.y();
-  };
-  WallCells cells;
-  Vec2 previous = corner_at(model_.outline().back());
-  for (const Vec2& outline : model_.outline()) {
-    const Vec2 corner = corner_at(outline);
-    // Outlines run counter-clockwise: the robot, at the origin, is outside a wall on its right.
-    if (cross(previous, corner) < 0.0) cells += alongWall(previous, corner);
-    previous = corner;
-  }
-  return cells;
+      sums_(sums),
+      steps_(LineDirection::stepsOf(model.heading() - robot.heading)),
+      along_(steps_),
+      across_(steps_ + LineDirection::kHalfTurn / 2),
+      cells_per_m_(static_cast<float>(1.0 / sums.cell())) {
+  const Vec2 ahead = unitVector(robot.heading + steps_ * LineDirection::kStep) / sums.cell();
+  const Vec2 centre(model.drawn().x - robot.x, model.drawn().y - robot.y);
+  ahead_x_ = static_cast<float>(ahead.x());
+  ahead_y_ = static_cast<float>(ahead.y());
+  drawn_u_ = static_cast<float>(ahead.dot(centre));
+  drawn_v_ = static_cast<float>(cross(ahead, centre));
 }
 
-WallCells WallLikelihood::alongWall(const Vec2& a, const Vec2& b) const {
-  // One cell inside the edge of the grid, so that rounding never leads out of it.
-  const auto [first, last] = clippedToCircle(a, b, local_map_.range() - local_map_.cell());
-  if (first >= last) return {};
-  const double cell = local_map_.cell();
-  const double length = (last - first) * (b - a).norm();
-  const int count = static_cast<int>(std::lround(length / cell));
-  const Vec2 step = (b - a).normalized() * cell;
-  const Vec2 from = a + (b - a) * first + step / 2.0;
-
-  // Fixed point, 16 bits of fraction: the loop is all integer but for the sum.
-  constexpr double kOne = 65536.0;
-  const auto fixed = [](double value) { return static_cast<std::int32_t>(std::lround(value)); };
-  const double origin = local_map_.range();
-  std::int32_t u = fixed((from.x() + origin) / cell * kOne);
-  std::int32_t v = fixed((from.y() + origin) / cell * kOne);
-  const std::int32_t du = fixed(step.x() / cell * kOne);
-  const std::int32_t dv = fixed(step.y() / cell * kOne);
-  const cv::Mat1f& grid = local_map_.cells();
-  const float* values = grid.ptr<float>();
-  const int stride = grid.cols;
-
-  WallCells cells;
-  cells.all = count;
-  float sum = 0.0F;
-  for (int i = 0; i < count; ++i, u += du, v += dv) {
-    const float value = values[(v >> 16) * stride + (u >> 16)];
-    sum += value;
-    cells.non_zero += value > 0.0F;
+WallCells WallLikelihood::operator()(float x, float y, float width) const {
+  const float u = drawn_u_ + ahead_x_ * x + ahead_y_ * y;
+  const float v = drawn_v_ + ahead_x_ * y - ahead_y_ * x;
+  LineCells cells;
+  for (const ModelWall& wall : model_.walls()) {
+    const float u0 = u + wall.from_x * width * cells_per_m_;
+    const float v0 = v + wall.from_y * cells_per_m_;
+    const float u1 = u + wall.to_x * width * cells_per_m_;
+    const float v1 = v + wall.to_y * cells_per_m_;
+    // Counter-clockwise: the robot, at the origin, is outside a wall on its right.
+    if (!(u0 * v1 < v0 * u1)) continue;
+    switch (wall.runs) {
+      case ModelWall::Runs::Along:
+        sums_.add(along_, v0, u0, u1, cells);
+        break;
+      case ModelWall::Runs::Across:
+        sums_.add(across_, -u0, v0, v1, cells);
+        break;
+      case ModelWall::Runs::Slanted:
+        addSlanted(u0, v0, u1, v1, cells);
+        break;
+    }
   }
-  cells.sum = sum;
-  return cells;
+  return {static_cast<double>(cells.sum) * static_cast<double>(sums_.unit()), cells.non_zero,
+          cells.all};
+}
+
+/// Its direction changes with the width. It is turned about its middle to the nearest direction.
+void WallLikelihood::addSlanted(float u0, float v0, float u1, float v1, LineCells& cells) const {
+  const Vec2 way(u1 - u0, v1 - v0);
+  const int turn = LineDirection::stepsOf(std::atan2(way.y(), way.x()));
+  const Vec2 along = unitVector(turn * LineDirection::kStep);
+  const Vec2 middle(0.5F * (u0 + u1), 0.5F * (v0 + v1));
+  const auto lateral = static_cast<float>(cross(along, middle));
+  const auto reached = static_cast<float>(along.dot(middle));
+  const auto half = static_cast<float>(way.norm() / 2.0);
+  sums_.add(LineDirection(steps_ + turn), lateral, reached - half, reached + half, cells);
 }
 
 }  // namespace handmap

@@ -1,42 +1,53 @@
 // How well a building explains the local map (paper, III): the cell values under its visible walls.
 #pragma once
 
+#include <algorithm>
+
 #include "core/localization/building_model.h"
+#include "core/localization/line_sums.h"
 #include "core/localization/slam_options.h"
-#include "core/perception/local_map.h"
 
 namespace handmap {
 
-/// The cells under the visible walls of one building or of several.
+/// The cells under the visible walls of one building.
 struct WallCells {
   double sum = 0.0;  ///< of the cell values
   int non_zero = 0;
   int all = 0;
-
-  WallCells& operator+=(const WallCells& other);
 };
 
 /// The sum discounted by the effective ratio: 0 where no cell is hit.
-double discounted(const WallCells& cells, EffectiveRatio ratio);
+inline double discounted(const WallCells& cells, EffectiveRatio ratio) {
+  if (cells.non_zero == 0) return 0.0;
+  const int zero = cells.all - cells.non_zero;
+  // With no zero cell at all the ratio of the text has no value; one cell stands in.
+  const int divisor = ratio == EffectiveRatio::ToAll ? cells.all : std::max(zero, 1);
+  return cells.sum * cells.non_zero / divisor;
+}
 
-/// One building model seen from one robot pose; scores any state of it.
+/// One building model seen from one robot pose; scores any state of it. Walls are visible where
+/// they face the robot and lie within the range of the local map; each is read at steps of one
+/// cell. So that walls of one direction share their sums, the building is turned about its centre
+/// to the nearest LineDirection, by an eighth of a degree at most.
 class WallLikelihood {
  public:
-  /// Keeps references to `model` and `local_map`.
-  WallLikelihood(const BuildingModel& model, const Pose2& robot, const LocalMap& local_map);
+  /// Keeps references to `model` and `sums`.
+  WallLikelihood(const BuildingModel& model, const Pose2& robot, const LineSums& sums);
 
-  /// Walls are visible where they face the robot and lie within the range of the local map; each is
-  /// read at steps of one cell.
-  WallCells operator()(const BuildingState& state) const;
+  /// `x` and `y` of the centre from the drawn one in the map frame, and the width, metres.
+  WallCells operator()(float x, float y, float width) const;
 
  private:
-  WallCells alongWall(const Vec2& a, const Vec2& b) const;
+  void addSlanted(float u0, float v0, float u1, float v1, LineCells& cells) const;
 
   const BuildingModel& model_;
-  const LocalMap& local_map_;
-  Pose2 robot_;
-  Vec2 along_;  ///< the building's axes in the robot frame
-  Vec2 across_;
+  const LineSums& sums_;
+  int steps_;  ///< the building's heading in the robot frame, in LineDirection::kStep
+  LineDirection along_;
+  LineDirection across_;
+  float cells_per_m_;
+  float ahead_x_, ahead_y_;  ///< the building's heading in the map frame, 1/cell
+  float drawn_u_, drawn_v_;  ///< the drawn centre from the robot in the building's axes, cells
 };
 
 }  // namespace handmap

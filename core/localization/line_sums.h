@@ -1,0 +1,105 @@
+// Sums of the local map along straight lines: a wall of any length costs two reads.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "core/localization/row_memory.h"
+#include "core/perception/local_map.h"
+
+namespace handmap {
+
+/// A direction of lines in the robot frame, to a quarter of a degree. Lines are not oriented: the
+/// opposite direction is the same lines with the other sign.
+struct LineDirection {
+  static constexpr int kHalfTurn = 720;
+  static constexpr double kStep = kPi / kHalfTurn;  ///< radians
+
+  /// The nearest to a heading, in steps of kStep.
+  static int stepsOf(double heading_rad) {
+    return static_cast<int>(std::lround(heading_rad / kStep));
+  }
+  /// `steps` from ahead, less than a million to either side.
+  explicit LineDirection(int steps) {
+    const int turned = (steps + kManyTurns) % (2 * kHalfTurn);
+    index = turned % kHalfTurn;
+    sign = turned < kHalfTurn ? 1.0F : -1.0F;
+  }
+  int index;
+  float sign;
+
+ private:
+  static constexpr int kManyTurns = 2 * kHalfTurn * 1000;
+};
+
+/// What lies under some walls; `sum` in units of LineSums::unit().
+struct LineCells {
+  std::uint32_t sum = 0;
+  std::int32_t non_zero = 0;
+  std::int32_t all = 0;
+};
+
+/// The local map read along rows that are turned in steps of a quarter of a degree, one cell wide
+/// and in steps of one cell, nearest cell. A row is read when it is first asked for, by whichever
+/// thread asks; what it holds does not depend on that.
+class LineSums {
+ public:
+  /// Takes a local map, which must not change from now on, and forgets the one before. Values are
+  /// rounded to unit(), those above 1 taken as 1. No other thread may read meanwhile.
+  void reset(const LocalMap& local_map);
+
+  double cell() const { return cell_; }
+  /// 1/5000 for a map of 800 cells a side; two sums share 32 bits.
+  float unit() const { return unit_; }
+
+  /// Adds the part within range of a line in `direction`: `lateral` to the left of the robot, from
+  /// `from` to `to` along it, all in cells.
+  void add(LineDirection direction, float lateral, float from, float to, LineCells& cells) const {
+    const float place = direction.sign * lateral + static_cast<float>(radius_);
+    if (!(place >= 0.0F && place < static_cast<float>(2 * radius_))) return;
+    const auto row = static_cast<std::size_t>(place);
+    const auto half = static_cast<float>(half_[row]);
+    const float ends[] = {direction.sign * from, direction.sign * to};
+    const int first = indexOf(std::min(ends[0], ends[1]), half);
+    const int last = indexOf(std::max(ends[0], ends[1]), half);
+    if (first >= last) return;
+    const std::uint32_t* sums = rowOf(static_cast<std::size_t>(direction.index), row);
+    const std::uint32_t packed = sums[last] - sums[first];
+    cells.sum += packed & sum_mask_;
+    cells.non_zero += static_cast<std::int32_t>(packed >> sum_bits_);
+    cells.all += last - first;
+  }
+
+ private:
+  static int indexOf(float along, float half) {
+    return static_cast<int>(std::min(half, std::max(-half, along)) + half + 0.5F);
+  }
+  const std::uint32_t* rowOf(std::size_t direction, std::size_t row) const {
+    const std::size_t slot = direction * rows_ + row;
+    const std::uint32_t* sums = slots_[slot].load(std::memory_order_acquire);
+    return sums != nullptr ? sums : read(direction, row);
+  }
+  const std::uint32_t* read(std::size_t direction, std::size_t row) const;
+  void resize(const LocalMap& local_map);
+
+  cv::Mat1f cells_;
+  double cell_ = 0.0;
+  int radius_ = 0;              ///< cells
+  std::size_t rows_ = 0;        ///< of one direction
+  std::vector<int> half_;       ///< cells of a row to either side, by row
+  std::int32_t origin_ = 0;     ///< column and row of the robot, 16 bits of fraction
+  std::uint32_t sum_bits_ = 0;  ///< the low bits of an entry hold the sum, the others the number
+  std::uint32_t sum_mask_ = 0;
+  float unit_ = 0.0F;
+  // By direction and row; null: not yet read.
+  mutable std::unique_ptr<std::atomic<const std::uint32_t*>[]> slots_;
+  mutable std::vector<std::atomic<bool>> used_ =
+      std::vector<std::atomic<bool>>(LineDirection::kHalfTurn);
+  mutable tbb::enumerable_thread_specific<RowMemory> memory_;
+};
+
+}  // namespace handmap
