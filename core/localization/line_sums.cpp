@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 
+#include <opencv2/imgproc.hpp>
+#include <tbb/parallel_for.h>
+
 namespace handmap {
 
 namespace {
@@ -15,9 +18,7 @@ std::int32_t fixed(double value) { return static_cast<std::int32_t>(std::lround(
 }  // namespace
 
 void LineSums::reset(const LocalMap& local_map) {
-  const bool same_size = local_map.cell() == cell_ && local_map.cells().size() == cells_.size();
-  cells_ = local_map.cells();
-  if (!same_size) resize(local_map);
+  if (local_map.cell() != cell_ || local_map.cells().cols != stride_) resize(local_map);
   for (std::size_t direction = 0; direction < used_.size(); ++direction) {
     if (!used_[direction].exchange(false, std::memory_order_relaxed)) continue;
     for (std::size_t row = 0; row < rows_; ++row) {
@@ -25,10 +26,35 @@ void LineSums::reset(const LocalMap& local_map) {
     }
   }
   for (RowMemory& memory : memory_) memory.release();
+  tbb::parallel_for(0, blocks_, [&](int row) { takeBlocks(local_map.cells(), row); });
+  // A stretch that has its middle in a block lies in that and the eight around it.
+  cv::dilate(hit_, near_hit_, cv::Mat(), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
+}
+
+/// One row of blocks.
+void LineSums::takeBlocks(const cv::Mat1f& cells, int row) {
+  const float scale = 1.0F / unit_;
+  const std::uint32_t one = 1U << sum_bits_;
+  std::uint8_t* hit = hit_.ptr(row);
+  std::fill_n(hit, blocks_, std::uint8_t{0});
+  for (int y = row * kBlock; y < std::min((row + 1) * kBlock, stride_); ++y) {
+    const float* from = cells.ptr<float>(y);
+    std::uint32_t* to =
+        packed_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
+    for (int x = 0; x < stride_; ++x) {
+      const auto units = static_cast<std::int32_t>(std::min(from[x], 1.0F) * scale + 0.5F);
+      to[x] = static_cast<std::uint32_t>(units) + (from[x] > 0.0F ? one : 0U);
+    }
+    for (int x = 0; x < stride_; ++x) hit[x / kBlock] |= static_cast<std::uint8_t>(to[x] != 0);
+  }
 }
 
 void LineSums::resize(const LocalMap& local_map) {
   cell_ = local_map.cell();
+  stride_ = local_map.cells().cols;
+  packed_.resize(local_map.cells().total());
+  blocks_ = (stride_ + kBlock - 1) / kBlock;
+  hit_.create(blocks_, blocks_);
   origin_ = fixed(local_map.range() / cell_);
   // One cell inside the edge of the grid, so that rounding never leads out of it.
   radius_ = std::max(0, static_cast<int>(local_map.range() / cell_ - 1.0));
@@ -59,17 +85,20 @@ const std::uint32_t* LineSums::read(std::size_t direction, std::size_t row) cons
   const std::size_t count = 2 * static_cast<std::size_t>(half) + 1;
   RowMemory& memory = memory_.local();
   std::uint32_t* sums = memory.take(count);
-  const float* values = cells_.ptr<float>();
-  const int stride = static_cast<int>(cells_.step1());
-  const std::uint32_t one = 1U << sum_bits_;
-  const float scale = 1.0F / unit_;
   std::uint32_t sum = 0;
   sums[0] = 0;
-  for (std::size_t i = 1; i < count; ++i, x += dx, y += dy) {
-    const float value = values[(y >> 16) * stride + (x >> 16)];
-    const auto units = static_cast<std::int32_t>(std::min(value, 1.0F) * scale + 0.5F);
-    sum += static_cast<std::uint32_t>(units) + (value > 0.0F ? one : 0);
-    sums[i] = sum;
+  for (std::size_t i = 1; i < count; i += kBlock) {
+    const std::size_t end = std::min(i + kBlock, count);
+    if (near_hit_(blockOf(y + dy * (kBlock / 2)), blockOf(x + dx * (kBlock / 2))) == 0) {
+      std::fill(sums + i, sums + end, sum);
+      x += dx * kBlock;
+      y += dy * kBlock;
+      continue;
+    }
+    for (std::size_t j = i; j < end; ++j, x += dx, y += dy) {
+      sum += packed_[static_cast<std::size_t>((y >> 16) * stride_ + (x >> 16))];
+      sums[j] = sum;
+    }
   }
 
   used_[direction].store(true, std::memory_order_relaxed);

@@ -1,6 +1,7 @@
 // Sums of the local map along straight lines: a wall of any length costs two reads.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -48,7 +49,7 @@ struct LineCells {
 /// thread asks; what it holds does not depend on that.
 class LineSums {
  public:
-  /// Takes a local map, which must not change from now on, and forgets the one before. Values are
+  /// Takes over a local map and forgets the one before. Values are
   /// rounded to unit(), those above 1 taken as 1. No other thread may read meanwhile.
   void reset(const LocalMap& local_map);
 
@@ -83,10 +84,17 @@ class LineSums {
     const std::uint32_t* sums = slots_[slot].load(std::memory_order_acquire);
     return sums != nullptr ? sums : read(direction, row);
   }
+  /// Of a place in fixed point; the nearest where it lies beside the grid.
+  int blockOf(std::int32_t place) const {
+    return std::clamp(place >> (16 + kBlockBits), 0, blocks_ - 1);
+  }
   const std::uint32_t* read(std::size_t direction, std::size_t row) const;
   void resize(const LocalMap& local_map);
+  void takeBlocks(const cv::Mat1f& cells, int row);
 
-  cv::Mat1f cells_;
+  static constexpr int kBlockBits = 3;
+  static constexpr int kBlock = 1 << kBlockBits;  ///< cells, either way
+
   double cell_ = 0.0;
   int radius_ = 0;              ///< cells
   std::size_t rows_ = 0;        ///< of one direction
@@ -95,6 +103,11 @@ class LineSums {
   std::uint32_t sum_bits_ = 0;  ///< the low bits of an entry hold the sum, the others the number
   std::uint32_t sum_mask_ = 0;
   float unit_ = 0.0F;
+  int stride_ = 0;                     ///< cells in a row of the local map
+  std::vector<std::uint32_t> packed_;  ///< its cells, as entries of one cell
+  int blocks_ = 0;                     ///< in a row of the local map
+  cv::Mat1b hit_;                      ///< by block: whether any cell is not 0
+  cv::Mat1b near_hit_;                 ///< the same of a block and those around it
   // By direction and row; null: not yet read.
   mutable std::unique_ptr<std::atomic<const std::uint32_t*>[]> slots_;
   mutable std::vector<std::atomic<bool>> used_ =

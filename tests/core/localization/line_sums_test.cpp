@@ -18,6 +18,18 @@ LocalMap speckled(double range_m, std::uint32_t seed) {
   return local_map;
 }
 
+/// A few small spots in an empty map, up to its edge.
+LocalMap spotted(double range_m) {
+  LocalMap local_map(0.1, range_m);
+  RandomStream random(9, 1000);
+  const int side = local_map.cells().cols;
+  for (int i = 0; i < 60; ++i) {
+    const cv::Rect spot(random.index(side), random.index(side), 1 + random.index(9), 1);
+    local_map.cells()(spot & cv::Rect(0, 0, side, side)).setTo(0.5F);
+  }
+  return local_map;
+}
+
 /// The definition: cell by cell along the middle of a row, in the frame that is turned by
 /// `steps` · kStep. Ends are rounded to cells.
 LineCells plain(const LocalMap& map, float unit, int steps, int row, int first, int last) {
@@ -35,8 +47,7 @@ LineCells plain(const LocalMap& map, float unit, int steps, int row, int first, 
   return cells;
 }
 
-TEST(LineSums, AreWhatTheirCellsHold) {
-  const LocalMap map = speckled(20.0, 0);
+void checkAgainstCells(const LocalMap& map) {
   LineSums sums;
   sums.reset(map);
   RandomStream random(10);
@@ -57,6 +68,10 @@ TEST(LineSums, AreWhatTheirCellsHold) {
   }
   EXPECT_LT(different, 100);
 }
+
+TEST(LineSums, AreWhatTheirCellsHold) { checkAgainstCells(speckled(20.0, 0)); }
+
+TEST(LineSums, PassOverNothingThatIsThere) { checkAgainstCells(spotted(20.0)); }
 
 TEST(LineSums, AlongTheAxesAreExact) {
   const LocalMap map = speckled(20.0, 1);
