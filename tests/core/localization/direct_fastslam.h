@@ -15,8 +15,9 @@ namespace handmap::test {
 
 class DirectFastSlam {
  public:
-  DirectFastSlam(const Map& drawing, const SlamOptions& options, std::uint64_t seed)
-      : drawing_(drawing), options_(options), seed_(seed) {
+  DirectFastSlam(const Map& drawing, const Pose2& start_odometry, const SlamOptions& options,
+                 std::uint64_t seed)
+      : drawing_(drawing), options_(options), seed_(seed), odometry_(start_odometry) {
     for (const Building& building : drawing.buildings) models_.emplace_back(building);
     const auto count = static_cast<std::size_t>(options.slam_particles);
     particles_.assign(count, Particle{*drawing.start, 1.0 / options.slam_particles, {}});

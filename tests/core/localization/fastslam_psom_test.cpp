@@ -167,7 +167,7 @@ TEST(FastSlamPsom, DoesWhatThePlainFormOfTheAlgorithmDoes) {
   const Map drawing = drawnWrong(truth);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     FastSlamPsom fast(drawing, {}, few(), seed);
-    test::DirectFastSlam plain(drawing, few(), seed);
+    test::DirectFastSlam plain(drawing, {}, few(), seed);
     for (int i = 0; i < 7; ++i) {
       const Pose2 pose{4.0 * i, 0.0, 0.0};
       const LocalMap local_map = seen(truth, pose);
