@@ -31,30 +31,42 @@ void LineSums::reset(const LocalMap& local_map) {
   cv::dilate(hit_, near_hit_, cv::Mat(), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
 }
 
-/// One row of blocks.
+/// Packs one row of blocks; those that were and are empty are passed over.
 void LineSums::takeBlocks(const cv::Mat1f& cells, int row) {
+  const int first_y = row * kBlock;
+  const int last_y = std::min(first_y + kBlock, stride_);
+  std::vector<std::uint8_t> any(static_cast<std::size_t>(stride_));
+  for (int y = first_y; y < last_y; ++y) {
+    const float* from = cells.ptr<float>(y);
+    for (std::size_t x = 0; x < any.size(); ++x)
+      any[x] |= static_cast<std::uint8_t>(from[x] > 0.0F);
+  }
   const float scale = 1.0F / unit_;
   const std::uint32_t one = 1U << sum_bits_;
-  std::uint8_t* hit = hit_.ptr(row);
-  std::fill_n(hit, blocks_, std::uint8_t{0});
-  for (int y = row * kBlock; y < std::min((row + 1) * kBlock, stride_); ++y) {
-    const float* from = cells.ptr<float>(y);
-    std::uint32_t* to =
-        packed_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
-    for (int x = 0; x < stride_; ++x) {
-      const auto units = static_cast<std::int32_t>(std::min(from[x], 1.0F) * scale + 0.5F);
-      to[x] = static_cast<std::uint32_t>(units) + (from[x] > 0.0F ? one : 0U);
+  std::uint8_t* hit = hit_.ptr(row + 1) + 1;
+  for (int block = 0; block < blocks_; ++block) {
+    const int first_x = block * kBlock;
+    const int last_x = std::min(first_x + kBlock, stride_);
+    const bool before = hit[block] != 0;
+    hit[block] = *std::max_element(any.begin() + first_x, any.begin() + last_x);
+    if (!before && hit[block] == 0) continue;
+    for (int y = first_y; y < last_y; ++y) {
+      const float* from = cells.ptr<float>(y);
+      std::uint32_t* to = packed_.data() + static_cast<std::ptrdiff_t>(y) * stride_;
+      for (int x = first_x; x < last_x; ++x) {
+        const auto units = static_cast<std::int32_t>(std::min(from[x], 1.0F) * scale + 0.5F);
+        to[x] = static_cast<std::uint32_t>(units) + (from[x] > 0.0F ? one : 0U);
+      }
     }
-    for (int x = 0; x < stride_; ++x) hit[x / kBlock] |= static_cast<std::uint8_t>(to[x] != 0);
   }
 }
 
 void LineSums::resize(const LocalMap& local_map) {
   cell_ = local_map.cell();
   stride_ = local_map.cells().cols;
-  packed_.resize(local_map.cells().total());
+  packed_.assign(local_map.cells().total(), 0);
   blocks_ = (stride_ + kBlock - 1) / kBlock;
-  hit_.create(blocks_, blocks_);
+  hit_ = cv::Mat1b(blocks_ + 2, blocks_ + 2, std::uint8_t{0});
   origin_ = fixed(local_map.range() / cell_);
   // One cell inside the edge of the grid, so that rounding never leads out of it.
   radius_ = std::max(0, static_cast<int>(local_map.range() / cell_ - 1.0));
@@ -85,19 +97,25 @@ const std::uint32_t* LineSums::read(std::size_t direction, std::size_t row) cons
   const std::size_t count = 2 * static_cast<std::size_t>(half) + 1;
   RowMemory& memory = memory_.local();
   std::uint32_t* sums = memory.take(count);
+  const std::uint32_t* packed = packed_.data();
+  const int stride = stride_;
+  const std::uint8_t* near = near_hit_.ptr(1) + 1;
+  const int near_stride = near_hit_.cols;
   std::uint32_t sum = 0;
-  sums[0] = 0;
-  for (std::size_t i = 1; i < count; i += kBlock) {
-    const std::size_t end = std::min(i + kBlock, count);
-    if (near_hit_(blockOf(y + dy * (kBlock / 2)), blockOf(x + dx * (kBlock / 2))) == 0) {
-      std::fill(sums + i, sums + end, sum);
-      x += dx * kBlock;
-      y += dy * kBlock;
+  *sums = 0;
+  for (std::uint32_t *to = sums + 1, *end = sums + count; to < end;) {
+    const int ahead = std::min(kBlock, static_cast<int>(end - to));
+    const int block_x = (x + dx * (ahead / 2)) >> (16 + kBlockBits);
+    const int block_y = (y + dy * (ahead / 2)) >> (16 + kBlockBits);
+    if (near[block_y * near_stride + block_x] == 0) {
+      to = std::fill_n(to, ahead, sum);
+      x += dx * ahead;
+      y += dy * ahead;
       continue;
     }
-    for (std::size_t j = i; j < end; ++j, x += dx, y += dy) {
-      sum += packed_[static_cast<std::size_t>((y >> 16) * stride_ + (x >> 16))];
-      sums[j] = sum;
+    for (int i = 0; i < ahead; ++i, x += dx, y += dy) {
+      sum += packed[(y >> 16) * stride + (x >> 16)];
+      *to++ = sum;
     }
   }
 

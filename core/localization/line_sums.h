@@ -84,10 +84,6 @@ class LineSums {
     const std::uint32_t* sums = slots_[slot].load(std::memory_order_acquire);
     return sums != nullptr ? sums : read(direction, row);
   }
-  /// Of a place in fixed point; the nearest where it lies beside the grid.
-  int blockOf(std::int32_t place) const {
-    return std::clamp(place >> (16 + kBlockBits), 0, blocks_ - 1);
-  }
   const std::uint32_t* read(std::size_t direction, std::size_t row) const;
   void resize(const LocalMap& local_map);
   void takeBlocks(const cv::Mat1f& cells, int row);
@@ -106,7 +102,7 @@ class LineSums {
   int stride_ = 0;                     ///< cells in a row of the local map
   std::vector<std::uint32_t> packed_;  ///< its cells, as entries of one cell
   int blocks_ = 0;                     ///< in a row of the local map
-  cv::Mat1b hit_;                      ///< by block: whether any cell is not 0
+  cv::Mat1b hit_;                      ///< by block and one around: whether any cell is not 0
   cv::Mat1b near_hit_;                 ///< the same of a block and those around it
   // By direction and row; null: not yet read.
   mutable std::unique_ptr<std::atomic<const std::uint32_t*>[]> slots_;
