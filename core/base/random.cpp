@@ -24,12 +24,19 @@ double RandomStream::uniform() { return (*this)() * 0x1p-32; }
 
 void RandomStream::uniforms(std::span<float> values) {
   used_ = 4;  // what is left of the block before is not used
-  for (std::size_t i = 0; i < values.size(); i += 4, ++counter_[0]) {
+  const auto part = [](std::uint32_t bits) {
+    return static_cast<float>(bits & 0xFFFFU) * 0x1p-16F;
+  };
+  for (; !values.empty(); ++counter_[0]) {
     const auto block = r123::Philox4x32()(counter_, key_);
-    const std::size_t count = std::min<std::size_t>(4, values.size() - i);
-    for (std::size_t j = 0; j < count; ++j) {
-      values[i + j] = static_cast<float>(block[j] >> 8U) * 0x1p-24F;
+    std::array<float, 8> numbers;
+    for (std::size_t i = 0; i < 4; ++i) {
+      numbers[i] = part(block[i]);
+      numbers[i + 4] = part(block[i] >> 16U);
     }
+    const std::size_t count = std::min(numbers.size(), values.size());
+    std::copy_n(numbers.begin(), count, values.begin());
+    values = values.subspan(count);
   }
 }
 

@@ -27,7 +27,7 @@ class RandomStream {
   result_type operator()();
   /// In [0, 1), 32 random bits.
   double uniform();
-  /// Fills `values` with numbers in [0, 1) of 24 random bits, four from each block of the counter.
+  /// Fills `values` with numbers in [0, 1) of 16 random bits, eight from each block of the counter.
   void uniforms(std::span<float> values);
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Standard normal (Box-Muller; both values of a pair are used).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 
@@ -55,9 +56,11 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
   samplePoses(time_s, motion);
   const std::vector<std::size_t> near = buildingsNear(local_map.range());
   sums_.reset(local_map);
+  const std::vector<std::size_t> order = byHeading();
   std::atomic<std::size_t> done = 0;
-  tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t place) {
     if (stop.stop_requested()) return;
+    const std::size_t i = order[place];
     updateMap(next_[i], static_cast<std::uint32_t>(i), near, local_map.range(), stop);
     const std::size_t before = done++;
     const auto percent = [&](std::size_t count) { return 100 * count / next_.size(); };
@@ -85,6 +88,16 @@ void FastSlamPsom::samplePoses(double time_s, const Pose2& motion) {
     }
     particle.path = particle.path.extended({time_s, particle.pose});
   });
+}
+
+/// Particles one after the other that read the same lines find them in the cache.
+std::vector<std::size_t> FastSlamPsom::byHeading() const {
+  std::vector<std::size_t> order(next_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return next_[a].pose.heading < next_[b].pose.heading;
+  });
+  return order;
 }
 
 /// All that any particle may see, and some more; ascending.
@@ -140,14 +153,14 @@ double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, Vis
     return discounted(walls(x, y, width), options_.effective_ratio);
   };
   if (!options_.refine || drawn.fixed) {
-    return score(0.0F, 0.0F, static_cast<float>(model.drawn().width));
+    return static_cast<double>(score(0.0F, 0.0F, static_cast<float>(model.drawn().width)));
   }
   const auto scores = [&](const Swarm& swarm, std::span<float> values) {
     const auto x = swarm.positions(Swarm::kX);
     const auto y = swarm.positions(Swarm::kY);
     const auto width = swarm.positions(Swarm::kWidth);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = static_cast<float>(score(x[i], y[i], width[i]));
+      values[i] = score(x[i], y[i], width[i]);
     }
   };
 

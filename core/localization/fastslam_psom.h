@@ -57,6 +57,7 @@ class FastSlamPsom {
   };
 
   void samplePoses(double time_s, const Pose2& motion);
+  std::vector<std::size_t> byHeading() const;
   std::vector<std::size_t> buildingsNear(double range_m) const;
   void updateMap(Particle& particle, std::uint32_t index, const std::vector<std::size_t>& near,
                  double range_m, const std::stop_token& stop);

@@ -74,10 +74,10 @@ void LineSums::resize(const LocalMap& local_map) {
   half_.clear();
   for (int row = -radius_; row < radius_; ++row) {
     const double lateral = row + 0.5;
-    half_.push_back(static_cast<int>(
-        std::lround(std::sqrt(radius_ * static_cast<double>(radius_) - lateral * lateral))));
+    const double half = std::sqrt(radius_ * static_cast<double>(radius_) - lateral * lateral);
+    half_.push_back(2 * static_cast<int>(std::lround(half / 2.0)));  // whole stretches in a row
   }
-  const auto longest = static_cast<std::uint32_t>(rows_);
+  const auto longest = static_cast<std::uint32_t>(rows_) + 2U;
   sum_bits_ = 32U - static_cast<std::uint32_t>(std::bit_width(longest));
   sum_mask_ = (1U << sum_bits_) - 1U;
   unit_ = 1.0F / static_cast<float>(std::min(65535U, sum_mask_ / std::max(1U, longest)));
@@ -94,7 +94,7 @@ const std::uint32_t* LineSums::read(std::size_t direction, std::size_t row) cons
   const std::int32_t dx = fixed(step.x());
   const std::int32_t dy = fixed(step.y());
 
-  const std::size_t count = 2 * static_cast<std::size_t>(half) + 1;
+  const std::size_t count = static_cast<std::size_t>(2 * half / kStretch) + 2;
   RowMemory& memory = memory_.local();
   std::uint32_t* sums = memory.take(count);
   const std::uint32_t* packed = packed_.data();
@@ -102,22 +102,21 @@ const std::uint32_t* LineSums::read(std::size_t direction, std::size_t row) cons
   const std::uint8_t* near = near_hit_.ptr(1) + 1;
   const int near_stride = near_hit_.cols;
   std::uint32_t sum = 0;
-  *sums = 0;
-  for (std::uint32_t *to = sums + 1, *end = sums + count; to < end;) {
-    const int ahead = std::min(kBlock, static_cast<int>(end - to));
-    const int block_x = (x + dx * (ahead / 2)) >> (16 + kBlockBits);
-    const int block_y = (y + dy * (ahead / 2)) >> (16 + kBlockBits);
-    if (near[block_y * near_stride + block_x] == 0) {
-      to = std::fill_n(to, ahead, sum);
-      x += dx * ahead;
-      y += dy * ahead;
-      continue;
-    }
-    for (int i = 0; i < ahead; ++i, x += dx, y += dy) {
-      sum += packed[(y >> 16) * stride + (x >> 16)];
+  std::uint32_t* to = sums;
+  for (int left = 2 * half; left > 0; left -= kBlock) {
+    const int block_x = (x + dx * (kBlock / 2)) >> (16 + kBlockBits);
+    const int block_y = (y + dy * (kBlock / 2)) >> (16 + kBlockBits);
+    const bool hit = near[block_y * near_stride + block_x] != 0;
+    for (int i = 0; i < std::min(kBlock, left); i += kStretch) {
       *to++ = sum;
+      for (int j = 0; hit && j < kStretch; ++j) {
+        sum += packed[((y + j * dy) >> 16) * stride + ((x + j * dx) >> 16)];
+      }
+      x += kStretch * dx;
+      y += kStretch * dy;
     }
   }
+  to[0] = to[1] = sum;  // the second for the stretch that begins with the end of the row
 
   used_[direction].store(true, std::memory_order_relaxed);
   const std::uint32_t* other = nullptr;

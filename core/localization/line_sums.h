@@ -37,16 +37,17 @@ struct LineDirection {
   static constexpr int kManyTurns = 2 * kHalfTurn * 1000;
 };
 
-/// What lies under some walls; `sum` in units of LineSums::unit().
-struct LineCells {
-  std::uint32_t sum = 0;
-  std::int32_t non_zero = 0;
-  std::int32_t all = 0;
+/// The cells of the local map under the visible walls of one building or of several.
+struct WallCells {
+  float sum = 0.0F;  ///< of the cell values
+  float non_zero = 0.0F;
+  int all = 0;
 };
 
 /// The local map read along rows that are turned in steps of a quarter of a degree, one cell wide
-/// and in steps of one cell, nearest cell. A row is read when it is first asked for, by whichever
-/// thread asks; what it holds does not depend on that.
+/// and in steps of one cell, nearest cell. Sums are kept for every fourth step: in between, cells
+/// count as if the four were alike. A row is read when it is first asked for, by whichever thread
+/// asks; what it holds does not depend on that.
 class LineSums {
  public:
   /// Takes over a local map and forgets the one before. Values are
@@ -59,7 +60,7 @@ class LineSums {
 
   /// Adds the part within range of a line in `direction`: `lateral` to the left of the robot, from
   /// `from` to `to` along it, all in cells.
-  void add(LineDirection direction, float lateral, float from, float to, LineCells& cells) const {
+  void add(LineDirection direction, float lateral, float from, float to, WallCells& cells) const {
     const float place = direction.sign * lateral + static_cast<float>(radius_);
     if (!(place >= 0.0F && place < static_cast<float>(2 * radius_))) return;
     const auto row = static_cast<std::size_t>(place);
@@ -69,9 +70,18 @@ class LineSums {
     const int last = indexOf(std::max(ends[0], ends[1]), half);
     if (first >= last) return;
     const std::uint32_t* sums = rowOf(static_cast<std::size_t>(direction.index), row);
-    const std::uint32_t packed = sums[last] - sums[first];
-    cells.sum += packed & sum_mask_;
-    cells.non_zero += static_cast<std::int32_t>(packed >> sum_bits_);
+    const std::uint32_t* low = sums + first / kStretch;
+    const std::uint32_t* high = sums + last / kStretch;
+    const std::uint32_t whole = high[0] - low[0];
+    const std::uint32_t more = (high[1] - high[0]) * static_cast<std::uint32_t>(last % kStretch);
+    const std::uint32_t less = (low[1] - low[0]) * static_cast<std::uint32_t>(first % kStretch);
+    const auto parts = [&](const auto& field) {
+      return static_cast<float>(
+          static_cast<std::int32_t>(kStretch * field(whole) + field(more) - field(less)));
+    };
+    cells.sum += unit_ / kStretch * parts([&](std::uint32_t entry) { return entry & sum_mask_; });
+    cells.non_zero +=
+        1.0F / kStretch * parts([&](std::uint32_t entry) { return entry >> sum_bits_; });
     cells.all += last - first;
   }
 
@@ -90,6 +100,7 @@ class LineSums {
 
   static constexpr int kBlockBits = 3;
   static constexpr int kBlock = 1 << kBlockBits;  ///< cells, either way
+  static constexpr int kStretch = 4;              ///< cells between two sums of a row
 
   double cell_ = 0.0;
   int radius_ = 0;              ///< cells

@@ -22,32 +22,32 @@ WallLikelihood::WallLikelihood(const BuildingModel& model, const Pose2& robot, c
 WallCells WallLikelihood::operator()(float x, float y, float width) const {
   const float u = drawn_u_ + ahead_x_ * x + ahead_y_ * y;
   const float v = drawn_v_ + ahead_x_ * y - ahead_y_ * x;
-  LineCells cells;
+  WallCells cells;
+  const float w = width * cells_per_m_;
+  // Counter-clockwise: the robot, at the origin, is outside a wall on its right.
   for (const ModelWall& wall : model_.walls()) {
-    const float u0 = u + wall.from_x * width * cells_per_m_;
+    const float u0 = u + wall.from_x * w;
     const float v0 = v + wall.from_y * cells_per_m_;
-    const float u1 = u + wall.to_x * width * cells_per_m_;
-    const float v1 = v + wall.to_y * cells_per_m_;
-    // Counter-clockwise: the robot, at the origin, is outside a wall on its right.
-    if (!(u0 * v1 < v0 * u1)) continue;
     switch (wall.runs) {
       case ModelWall::Runs::Along:
-        sums_.add(along_, v0, u0, u1, cells);
+        if (v0 * (wall.to_x - wall.from_x) <= 0.0F) break;
+        sums_.add(along_, v0, u0, u + wall.to_x * w, cells);
         break;
       case ModelWall::Runs::Across:
-        sums_.add(across_, -u0, v0, v1, cells);
+        if (u0 * (wall.to_y - wall.from_y) >= 0.0F) break;
+        sums_.add(across_, -u0, v0, v + wall.to_y * cells_per_m_, cells);
         break;
       case ModelWall::Runs::Slanted:
-        addSlanted(u0, v0, u1, v1, cells);
+        addSlanted(u0, v0, u + wall.to_x * w, v + wall.to_y * cells_per_m_, cells);
         break;
     }
   }
-  return {static_cast<double>(cells.sum) * static_cast<double>(sums_.unit()), cells.non_zero,
-          cells.all};
+  return cells;
 }
 
 /// Its direction changes with the width. It is turned about its middle to the nearest direction.
-void WallLikelihood::addSlanted(float u0, float v0, float u1, float v1, LineCells& cells) const {
+void WallLikelihood::addSlanted(float u0, float v0, float u1, float v1, WallCells& cells) const {
+  if (u0 * v1 >= v0 * u1) return;
   const Vec2 way(u1 - u0, v1 - v0);
   const int turn = LineDirection::stepsOf(std::atan2(way.y(), way.x()));
   const Vec2 along = unitVector(turn * LineDirection::kStep);

@@ -9,19 +9,12 @@
 
 namespace handmap {
 
-/// The cells under the visible walls of one building.
-struct WallCells {
-  double sum = 0.0;  ///< of the cell values
-  int non_zero = 0;
-  int all = 0;
-};
-
 /// The sum discounted by the effective ratio: 0 where no cell is hit.
-inline double discounted(const WallCells& cells, EffectiveRatio ratio) {
-  if (cells.non_zero == 0) return 0.0;
-  const int zero = cells.all - cells.non_zero;
+inline float discounted(const WallCells& cells, EffectiveRatio ratio) {
+  if (cells.non_zero <= 0.0F) return 0.0F;
+  const auto all = static_cast<float>(cells.all);
   // With no zero cell at all the ratio of the text has no value; one cell stands in.
-  const int divisor = ratio == EffectiveRatio::ToAll ? cells.all : std::max(zero, 1);
+  const float divisor = ratio == EffectiveRatio::ToAll ? all : std::max(all - cells.non_zero, 1.0F);
   return cells.sum * cells.non_zero / divisor;
 }
 
@@ -38,7 +31,7 @@ class WallLikelihood {
   WallCells operator()(float x, float y, float width) const;
 
  private:
-  void addSlanted(float u0, float v0, float u1, float v1, LineCells& cells) const;
+  void addSlanted(float u0, float v0, float u1, float v1, WallCells& cells) const;
 
   const BuildingModel& model_;
   const LineSums& sums_;

@@ -83,7 +83,8 @@ class DirectFastSlam {
       visible.push_back(b);
       const DirectLikelihood walls(models_[b], particle.pose, local_map);
       if (!options_.refine) {
-        likelihood += discounted(walls(models_[b].drawn()), options_.effective_ratio);
+        likelihood +=
+            static_cast<double>(discounted(walls(models_[b].drawn()), options_.effective_ratio));
         continue;
       }
       RandomStream random(seed_, frame_, index, 2 + static_cast<std::uint32_t>(b));
@@ -94,7 +95,7 @@ class DirectFastSlam {
       const auto score = [&](const Swarm& members, std::span<float> scores) {
         for (std::size_t i = 0; i < scores.size(); ++i) {
           const WallCells cells = walls(stateOf(b, members.member(i)));
-          scores[i] = static_cast<float>(discounted(cells, options_.effective_ratio));
+          scores[i] = discounted(cells, options_.effective_ratio);
         }
       };
       refine(swarm, score, options_, random);

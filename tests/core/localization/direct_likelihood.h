@@ -66,12 +66,14 @@ class DirectLikelihood {
     const float* values = grid.ptr<float>();
     const int stride = grid.cols;
     float sum = 0.0F;
+    int non_zero = 0;
     for (int i = 0; i < count; ++i, u += du, v += dv) {
       const float value = values[(v >> 16) * stride + (u >> 16)];
       sum += value;
-      cells.non_zero += value > 0.0F;
+      non_zero += value > 0.0F;
     }
-    cells.sum += static_cast<double>(sum);
+    cells.sum += sum;
+    cells.non_zero += static_cast<float>(non_zero);
     cells.all += count;
   }
 

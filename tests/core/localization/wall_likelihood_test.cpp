@@ -50,7 +50,7 @@ LocalMap waves(double range_m) {
 /// What reading every cell finds for the building where it is, half a cell beside, and turned by an
 /// eighth of a degree.
 struct Reach {
-  WallCells least{1e9, 1 << 30, 1 << 30};
+  WallCells least{1e9F, 1e9F, 1 << 30};
   WallCells most;
 
   Reach(Building building, const BuildingState& state, const Pose2& robot, const LocalMap& map) {
@@ -96,7 +96,8 @@ TEST(WallLikelihood, AgreesWithReadingEveryCell) {
     const WallCells fast = read(model, robot, sums, state);
     const Reach plain(building, state, robot, local_map);
     // A wall or its part within range has two ends, each rounded to a cell, of up to six walls.
-    constexpr int kEnds = 6;
+    // Where the map begins inside the four cells of an end, at most three are not as it thinks.
+    constexpr int kEnds = 9;
     EXPECT_GE(fast.all, plain.least.all - kEnds) << trial;
     EXPECT_LE(fast.all, plain.most.all + kEnds) << trial;
     EXPECT_GE(fast.non_zero, plain.least.non_zero - kEnds) << trial;
@@ -104,15 +105,15 @@ TEST(WallLikelihood, AgreesWithReadingEveryCell) {
     EXPECT_GE(fast.sum, plain.least.sum - kEnds) << trial;
     EXPECT_LE(fast.sum, plain.most.sum + kEnds) << trial;
     const WallCells exact = test::DirectLikelihood(model, robot, local_map)(state);
-    difference += fast.sum - exact.sum;
-    all += exact.sum;
+    difference += static_cast<double>(fast.sum - exact.sum);
+    all += static_cast<double>(exact.sum);
     hit += exact.non_zero > 100;
   }
   EXPECT_GT(hit, 1000);
   EXPECT_NEAR(difference, 0.0, 2e-3 * all);  // rounding does not lean to one side
 }
 
-TEST(WallLikelihood, IsExactWhereNothingIsRounded) {
+TEST(WallLikelihood, IsAllButExactWhereNothingIsRounded) {
   // Robot and walls along the axes, corners 0.03 m beside the corners of cells, all within range.
   const LocalMap local_map = waves(20.0);
   LineSums sums;
@@ -126,8 +127,9 @@ TEST(WallLikelihood, IsExactWhereNothingIsRounded) {
     const WallCells fast = read(model, {}, sums, model.drawn());
     const WallCells plain = test::DirectLikelihood(model, {}, local_map)(model.drawn());
     EXPECT_EQ(fast.all, plain.all) << trial;
-    EXPECT_EQ(fast.non_zero, plain.non_zero) << trial;
-    EXPECT_NEAR(fast.sum, plain.sum, 1e-4 * plain.all) << trial;  // units of the sums
+    // Up to four ends inside four cells that are not alike.
+    EXPECT_NEAR(fast.non_zero, plain.non_zero, 3.0) << trial;
+    EXPECT_NEAR(fast.sum, plain.sum, 0.1) << trial;
   }
 }
 
@@ -164,11 +166,11 @@ TEST(WallLikelihood, WallsThatFaceAwayOrAreOutOfRangeDoNotCount) {
 }
 
 TEST(EffectiveRatio, DiscountsTheSum) {
-  const WallCells cells{6.0, 30, 40};
-  EXPECT_DOUBLE_EQ(discounted(cells, EffectiveRatio::ToAll), 6.0 * 30 / 40);
-  EXPECT_DOUBLE_EQ(discounted(cells, EffectiveRatio::ToZero), 6.0 * 30 / 10);
-  EXPECT_DOUBLE_EQ(discounted({6.0, 40, 40}, EffectiveRatio::ToZero), 6.0 * 40);
-  EXPECT_DOUBLE_EQ(discounted({}, EffectiveRatio::ToAll), 0.0);
+  const WallCells cells{6.0F, 30.0F, 40};
+  EXPECT_FLOAT_EQ(discounted(cells, EffectiveRatio::ToAll), 6.0F * 30 / 40);
+  EXPECT_FLOAT_EQ(discounted(cells, EffectiveRatio::ToZero), 6.0F * 30 / 10);
+  EXPECT_FLOAT_EQ(discounted({6.0F, 40.0F, 40}, EffectiveRatio::ToZero), 6.0F * 40);
+  EXPECT_FLOAT_EQ(discounted({}, EffectiveRatio::ToAll), 0.0F);
 }
 
 }  // namespace
