@@ -1,7 +1,5 @@
 #include "core/localization/building_model.h"
 
-#include <algorithm>
-
 namespace handmap {
 
 namespace {
@@ -26,12 +24,11 @@ BuildingModel::BuildingModel(const Building& building) {
   const Pose2 frame{box.centre.x(), box.centre.y(), box.heading};
   drawn_ = {box.centre.x(), box.centre.y(), box.width};
   heading_ = normalizedAngle(box.heading);
+  ahead_ = unitVector(heading_);
   depth_ = box.depth;
   for (const Vec2& corner : building.footprint()) {
     const Vec2 own = frame.toOwn(corner);
     outline_.emplace_back(own.x() / box.width, own.y());
-    reach_ = std::max(reach_, std::abs(outline_.back().x()));
-    reach_across_ = std::max(reach_across_, std::abs(own.y()));
   }
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     walls_.push_back(wallBetween(outline_[i], outline_[(i + 1) % outline_.size()]));

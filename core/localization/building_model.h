@@ -33,23 +33,33 @@ class BuildingModel {
 
   const BuildingState& drawn() const { return drawn_; }
   double heading() const { return heading_; }
+  const Vec2& ahead() const { return ahead_; }  ///< unitVector(heading())
   const std::vector<ModelWall>& walls() const { return walls_; }
-  /// Of a circle around the centre that holds footprint(state), metres.
-  double radius(const BuildingState& state) const {
-    return std::hypot(reach_ * state.width, reach_across_);
-  }
   Polygon footprint(const BuildingState& state) const;
   /// The box of footprint(state).
   Rectangle box(const BuildingState& state) const;
+  /// Whether box(state) holds a point; footprint(state) holds no other.
+  bool mayHold(const BuildingState& state, const Vec2& point) const {
+    const Vec2 way(point.x() - state.x, point.y() - state.y);
+    return std::abs(ahead_.dot(way)) <= state.width / 2.0 &&
+           std::abs(cross(ahead_, way)) <= depth_ / 2.0;
+  }
+  /// Whether two boxes of one heading have nothing in common; false where that is not easily told.
+  bool isApart(const BuildingState& state, const BuildingModel& other,
+               const BuildingState& other_state) const {
+    if (other.heading_ != heading_) return false;
+    const Vec2 way(other_state.x - state.x, other_state.y - state.y);
+    return std::abs(ahead_.dot(way)) >= (state.width + other_state.width) / 2.0 ||
+           std::abs(cross(ahead_, way)) >= (depth_ + other.depth_) / 2.0;
+  }
 
  private:
   BuildingState drawn_;
   double heading_;
+  Vec2 ahead_;
   double depth_;
   std::vector<Vec2> outline_;  ///< corners as the ends of walls()
   std::vector<ModelWall> walls_;
-  double reach_ = 0.0;  ///< of the outline along the heading, as a share of the width
-  double reach_across_ = 0.0;
 };
 
 }  // namespace handmap

@@ -21,15 +21,6 @@ constexpr std::uint32_t kMotion = 0;
 constexpr std::uint32_t kResampling = 1;
 constexpr std::uint32_t kSwarms = 2;
 
-/// Whether two boxes of one heading have nothing in common; false where that is not easily told.
-bool apart(const Rectangle& a, const Rectangle& b) {
-  if (std::abs(normalizedAngle(a.heading - b.heading)) > 1e-9) return false;
-  const Vec2 ahead = unitVector(a.heading);
-  const Vec2 way = b.centre - a.centre;
-  return std::abs(ahead.dot(way)) >= (a.width + b.width) / 2.0 ||
-         std::abs(cross(ahead, way)) >= (a.depth + b.depth) / 2.0;
-}
-
 }  // namespace
 
 FastSlamPsom::FastSlamPsom(const Map& drawing, const Pose2& start_odometry,
@@ -92,11 +83,15 @@ void FastSlamPsom::samplePoses(double time_s, const Pose2& motion) {
 
 /// Particles one after the other that read the same lines find them in the cache.
 std::vector<std::size_t> FastSlamPsom::byHeading() const {
+  const auto bucket = [&](const Particle& particle) {
+    const int steps = LineDirection::stepsOf(particle.pose.heading) + LineDirection::kHalfTurn;
+    return static_cast<std::size_t>(std::clamp(steps, 0, 2 * LineDirection::kHalfTurn));
+  };
+  std::vector<std::size_t> next_place(2 * LineDirection::kHalfTurn + 2);
+  for (const Particle& particle : next_) ++next_place[bucket(particle) + 1];
+  std::partial_sum(next_place.begin(), next_place.end(), next_place.begin());
   std::vector<std::size_t> order(next_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return next_[a].pose.heading < next_[b].pose.heading;
-  });
+  for (std::size_t i = 0; i < next_.size(); ++i) order[next_place[bucket(next_[i])]++] = i;
   return order;
 }
 
@@ -125,6 +120,7 @@ std::vector<std::size_t> FastSlamPsom::buildingsNear(double range_m) const {
 void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index,
                              const std::vector<std::size_t>& near, double range_m,
                              const std::stop_token& stop) {
+  const Vec2 ahead = unitVector(particle.pose.heading);
   std::vector<Visible> visible;
   visible.reserve(near.size());
   double likelihood = 0.0;
@@ -135,7 +131,7 @@ void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index,
     if (way.squaredNorm() >= range_m * range_m) continue;
     // m_t,b ← PSO(m_{t-1},b, z_t, x_t)
     visible.push_back({building, models_[building].drawn(), false});
-    likelihood += refineBuilding(particle, index, visible.back(), stop);
+    likelihood += refineBuilding(particle, index, ahead, visible.back(), stop);
   }
   // w_t = p(z_t | x_t, m_t): the likelihood with the best latest map
   particle.weight *= likelihood;
@@ -144,11 +140,11 @@ void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index,
 }
 
 /// The score of the best state.
-double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, Visible& seen,
-                                    const std::stop_token& stop) {
+double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, const Vec2& ahead,
+                                    Visible& seen, const std::stop_token& stop) {
   const Building& drawn = drawing_.buildings[seen.building];
   const BuildingModel& model = models_[seen.building];
-  const WallLikelihood walls(model, particle.pose, sums_);
+  const WallLikelihood walls(model, particle.pose, ahead, sums_);
   const auto score = [&](float x, float y, float width) {
     return discounted(walls(x, y, width), options_.effective_ratio);
   };
@@ -200,13 +196,14 @@ bool FastSlamPsom::isPlausible(const Pose2& robot, const std::vector<Visible>& v
   for (std::size_t i = 0; i < visible.size(); ++i) {
     const Visible& a = visible[i];
     const BuildingModel& model = models_[a.building];
-    const double distance = std::hypot(a.state.x - robot.x, a.state.y - robot.y);
-    if (distance <= model.radius(a.state) && contains(footprint(a), robot.position())) return false;
+    if (model.mayHold(a.state, robot.position()) && contains(footprint(a), robot.position())) {
+      return false;
+    }
     for (std::size_t j = i + 1; j < visible.size(); ++j) {
       const Visible& b = visible[j];
       // Buildings that overlap in the drawing already may go on doing so.
       if (!a.refined && !b.refined) continue;
-      if (apart(model.box(a.state), models_[b.building].box(b.state))) continue;
+      if (model.isApart(a.state, models_[b.building], b.state)) continue;
       if (overlap(footprint(a), footprint(b)) && !overlap(drawn(a), drawn(b))) return false;
     }
   }

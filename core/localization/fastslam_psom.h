@@ -61,7 +61,7 @@ class FastSlamPsom {
   std::vector<std::size_t> buildingsNear(double range_m) const;
   void updateMap(Particle& particle, std::uint32_t index, const std::vector<std::size_t>& near,
                  double range_m, const std::stop_token& stop);
-  double refineBuilding(Particle& particle, std::uint32_t index, Visible& seen,
+  double refineBuilding(Particle& particle, std::uint32_t index, const Vec2& ahead, Visible& seen,
                         const std::stop_token& stop);
   BuildingState stateOf(std::size_t building, const Swarm::Values& values) const;
   bool isPlausible(const Pose2& robot, const std::vector<Visible>& visible) const;

@@ -17,6 +17,14 @@ std::int32_t fixed(double value) { return static_cast<std::int32_t>(std::lround(
 
 }  // namespace
 
+std::vector<Vec2> LineSums::unitVectors() {
+  std::vector<Vec2> units;
+  for (int index = 0; index < LineDirection::kHalfTurn; ++index) {
+    units.push_back(unitVector(index * LineDirection::kStep));
+  }
+  return units;
+}
+
 void LineSums::reset(const LocalMap& local_map) {
   if (local_map.cell() != cell_ || local_map.cells().cols != stride_) resize(local_map);
   for (std::size_t direction = 0; direction < used_.size(); ++direction) {
@@ -85,7 +93,7 @@ void LineSums::resize(const LocalMap& local_map) {
 }
 
 const std::uint32_t* LineSums::read(std::size_t direction, std::size_t row) const {
-  const Vec2 step = unitVector(static_cast<double>(direction) * LineDirection::kStep);
+  const Vec2& step = units_[direction];
   const int half = half_[row];
   const Vec2 from =
       step * (0.5 - half) + perpendicular(step) * (static_cast<double>(row) + 0.5 - radius_);

@@ -58,6 +58,10 @@ class LineSums {
   /// 1/5000 for a map of 800 cells a side; two sums share 32 bits.
   float unit() const { return unit_; }
 
+  Vec2 unitAlong(LineDirection direction) const {
+    return static_cast<double>(direction.sign) * units_[static_cast<std::size_t>(direction.index)];
+  }
+
   /// Adds the part within range of a line in `direction`: `lateral` to the left of the robot, from
   /// `from` to `to` along it, all in cells.
   void add(LineDirection direction, float lateral, float from, float to, WallCells& cells) const {
@@ -86,6 +90,7 @@ class LineSums {
   }
 
  private:
+  static std::vector<Vec2> unitVectors();
   static int indexOf(float along, float half) {
     return static_cast<int>(std::min(half, std::max(-half, along)) + half + 0.5F);
   }
@@ -102,6 +107,7 @@ class LineSums {
   static constexpr int kBlock = 1 << kBlockBits;  ///< cells, either way
   static constexpr int kStretch = 4;              ///< cells between two sums of a row
 
+  std::vector<Vec2> units_ = unitVectors();  ///< along rows, by direction
   double cell_ = 0.0;
   int radius_ = 0;              ///< cells
   std::size_t rows_ = 0;        ///< of one direction

@@ -4,19 +4,21 @@
 
 namespace handmap {
 
-WallLikelihood::WallLikelihood(const BuildingModel& model, const Pose2& robot, const LineSums& sums)
+WallLikelihood::WallLikelihood(const BuildingModel& model, const Pose2& robot, const Vec2& ahead,
+                               const LineSums& sums)
     : model_(model),
       sums_(sums),
       steps_(LineDirection::stepsOf(model.heading() - robot.heading)),
       along_(steps_),
       across_(steps_ + LineDirection::kHalfTurn / 2),
       cells_per_m_(static_cast<float>(1.0 / sums.cell())) {
-  const Vec2 ahead = unitVector(robot.heading + steps_ * LineDirection::kStep) / sums.cell();
+  const Vec2 turn = sums.unitAlong(along_);
+  const Vec2 along = (turn.x() * ahead + turn.y() * perpendicular(ahead)) / sums.cell();
   const Vec2 centre(model.drawn().x - robot.x, model.drawn().y - robot.y);
-  ahead_x_ = static_cast<float>(ahead.x());
-  ahead_y_ = static_cast<float>(ahead.y());
-  drawn_u_ = static_cast<float>(ahead.dot(centre));
-  drawn_v_ = static_cast<float>(cross(ahead, centre));
+  ahead_x_ = static_cast<float>(along.x());
+  ahead_y_ = static_cast<float>(along.y());
+  drawn_u_ = static_cast<float>(along.dot(centre));
+  drawn_v_ = static_cast<float>(cross(along, centre));
 }
 
 WallCells WallLikelihood::operator()(float x, float y, float width) const {
@@ -50,7 +52,7 @@ void WallLikelihood::addSlanted(float u0, float v0, float u1, float v1, WallCell
   if (u0 * v1 >= v0 * u1) return;
   const Vec2 way(u1 - u0, v1 - v0);
   const int turn = LineDirection::stepsOf(std::atan2(way.y(), way.x()));
-  const Vec2 along = unitVector(turn * LineDirection::kStep);
+  const Vec2 along = sums_.unitAlong(LineDirection(turn));
   const Vec2 middle(0.5F * (u0 + u1), 0.5F * (v0 + v1));
   const auto lateral = static_cast<float>(cross(along, middle));
   const auto reached = static_cast<float>(along.dot(middle));

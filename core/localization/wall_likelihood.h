@@ -24,8 +24,9 @@ inline float discounted(const WallCells& cells, EffectiveRatio ratio) {
 /// to the nearest LineDirection, by an eighth of a degree at most.
 class WallLikelihood {
  public:
-  /// Keeps references to `model` and `sums`.
-  WallLikelihood(const BuildingModel& model, const Pose2& robot, const LineSums& sums);
+  /// Keeps references to `model` and `sums`. `ahead` is unitVector(robot.heading).
+  WallLikelihood(const BuildingModel& model, const Pose2& robot, const Vec2& ahead,
+                 const LineSums& sums);
 
   /// `x` and `y` of the centre from the drawn one in the map frame, and the width, metres.
   WallCells operator()(float x, float y, float width) const;

@@ -30,9 +30,9 @@ Building lShape(double x, double y, double size, double heading) {
 
 WallCells read(const BuildingModel& model, const Pose2& robot, const LineSums& sums,
                const BuildingState& state) {
-  return WallLikelihood(model, robot, sums)(static_cast<float>(state.x - model.drawn().x),
-                                            static_cast<float>(state.y - model.drawn().y),
-                                            static_cast<float>(state.width));
+  return WallLikelihood(model, robot, unitVector(robot.heading), sums)(
+      static_cast<float>(state.x - model.drawn().x), static_cast<float>(state.y - model.drawn().y),
+      static_cast<float>(state.width));
 }
 
 /// A smooth map with gaps: a wall read half a cell aside finds about the same.
