@@ -1,22 +1,22 @@
 #include "core/perception/vote_grid.h"
 
 #include <algorithm>
-#include <array>
 
+#include <Eigen/Core>
 #include <opencv2/imgproc.hpp>
 
 namespace handmap {
 
 namespace {
 
-using Run = std::array<float, 16>;
+using Run = Eigen::Array<float, 16, 1>;
 
 /// `values` and the next 15 cells of the row, smoothed over the cells that lie `step` apart.
 Run convolved(const float* values, std::ptrdiff_t step, const std::vector<float>& kernel) {
   const float* from = values - step * static_cast<std::ptrdiff_t>(kernel.size() / 2);
-  Run result{};
+  Run result = Run::Zero();
   for (const float weight : kernel) {
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] += weight * from[i];
+    result += weight * Eigen::Map<const Run>(from);
     from += step;
   }
   return result;
@@ -83,18 +83,17 @@ void VoteGrid::moveTo(cv::Mat1f& cells, float saturation, float scale) {
   forEachBlock(along_rows, [&](std::size_t x, std::size_t y) {
     for (std::size_t row = y; row < y + kBlock; ++row) {
       const std::size_t at = row * stride_ + x;
-      const Run run = convolved(votes_.data() + at, 1, kernel_);
-      std::copy(run.begin(), run.end(), smoothed_.begin() + static_cast<std::ptrdiff_t>(at));
+      Eigen::Map<Run>(smoothed_.data() + at) = convolved(votes_.data() + at, 1, kernel_);
     }
   });
   forEachBlock(spread(along_rows, blocks_), [&](std::size_t x, std::size_t y) {
     if (x < pad_ || x >= side_ + pad_) return;
-    const std::size_t width = std::min(kBlock, side_ + pad_ - x);
+    const int width = static_cast<int>(std::min(kBlock, side_ + pad_ - x));
     for (std::size_t row = std::max(y, pad_); row < std::min(y + kBlock, side_ + pad_); ++row) {
       const Run run = convolved(smoothed_.data() + row * stride_ + x,
                                 static_cast<std::ptrdiff_t>(stride_), kernel_);
       float* to = cells.ptr<float>(static_cast<int>(row - pad_)) + (x - pad_);
-      for (std::size_t i = 0; i < width; ++i) to[i] = std::min(scale * run[i], 1.0F);
+      for (int i = 0; i < width; ++i) to[i] = std::min(scale * run[i], 1.0F);
     }
   });
   clear(votes_, voted_);
