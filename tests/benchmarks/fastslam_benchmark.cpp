@@ -3,9 +3,11 @@
 // a way; of every frame the quickest of all repetitions counts, since other programs only add.
 // x_direct: how much longer the plain form (tests/core/localization/direct_fastslam.h: walls read
 // cell by cell, one thread) takes for the same frames. The street needs ../shared/data.
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <limits>
+#include <thread>
 
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
@@ -150,6 +152,125 @@ void beside(benchmark::State& state, const Drive& drive, bool refine) {
   state.counters["x_direct_median"] = share(direct, 0.5) / share(best, 0.5);
   state.counters["x_direct"] = share(direct, 0.95) / share(best, 0.95);
 }
+
+/// The wall likelihood alone, as much as a frame of the paper's setting can ask for: 100 particles,
+/// three buildings of 50 m, 20 members, 11 times, 5 m around the truth: 66,000 buildings.
+class Likelihoods {
+ public:
+  Likelihoods() {
+    RandomStream random(2);
+    for (const double x : {-30.0, 0.0, 30.0}) {
+      Building building;
+      building.shape = Rectangle{{x, 25.0}, 50.0, 15.0, 0.0};
+      models_.emplace_back(building);
+      for (double s = -20.0; s < 20.0; s += 0.05) {
+        walls_.push_back({static_cast<float>(x + s), 17.5F, 0.05F, 1.0F});
+      }
+    }
+    for (int i = 0; i < 100; ++i) {
+      poses_.push_back({random.normal(), random.normal(), random.normal(0.0, 0.012)});
+    }
+    // As FastSlamPsom takes them.
+    std::sort(poses_.begin(), poses_.end(),
+              [](const Pose2& a, const Pose2& b) { return a.heading < b.heading; });
+    for (float& value : off_) value = static_cast<float>(random.normal(0.0, 5.0));
+  }
+
+  LocalMap localMap() const { return LocalMapBuilder(40.0, {}).add({}, true, walls_); }
+
+  /// `score` of a model, a pose, and the changes of x, y and width.
+  template <typename Score>
+  float sum(const Score& score) const {
+    float sum = 0.0F;
+    for (const Pose2& pose : poses_) {
+      for (const BuildingModel& model : models_) sum += score(model, pose, off_);
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<BuildingModel> models_;
+  std::vector<WallPoint> walls_;
+  std::vector<Pose2> poses_;
+  std::array<float, 3 * 220> off_{};
+};
+
+void likelihoods(benchmark::State& state) {
+  const Likelihoods all;
+  const LocalMap map = all.localMap();
+  LineSums sums;
+  double fast_ms = std::numeric_limits<double>::infinity();
+  double direct_ms = fast_ms;
+  const auto timed = [](double& best_ms, const auto& function) {
+    const auto begin = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize(function());
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - begin;
+    best_ms = std::min(best_ms, taken.count());
+  };
+  for (auto _ : state) {
+    timed(fast_ms, [&] {
+      sums.reset(map);
+      return all.sum([&](const BuildingModel& model, const Pose2& pose, const auto& off) {
+        const WallLikelihood walls(model, pose, unitVector(pose.heading), sums);
+        const auto width = static_cast<float>(model.drawn().width);
+        float sum = 0.0F;
+        for (std::size_t i = 0; i < off.size(); i += 3) {
+          sum += discounted(walls(off[i], off[i + 1], width + off[i + 2]), EffectiveRatio::ToAll);
+        }
+        return sum;
+      });
+    });
+    timed(direct_ms, [&] {
+      return all.sum([&](const BuildingModel& model, const Pose2& pose, const auto& off) {
+        const test::DirectLikelihood walls(model, pose, map);
+        const BuildingState& drawn = model.drawn();
+        float sum = 0.0F;
+        for (std::size_t i = 0; i < off.size(); i += 3) {
+          const BuildingState there{drawn.x + static_cast<double>(off[i]),
+                                    drawn.y + static_cast<double>(off[i + 1]),
+                                    drawn.width + static_cast<double>(off[i + 2])};
+          sum += discounted(walls(there), EffectiveRatio::ToAll);
+        }
+        return sum;
+      });
+    });
+  }
+  state.counters["fast_ms"] = fast_ms;
+  state.counters["direct_ms"] = direct_ms;
+  state.counters["x_direct"] = direct_ms / fast_ms;
+}
+BENCHMARK(likelihoods)->Unit(benchmark::kMillisecond)->Iterations(20);
+
+/// How long after a request to stop a step of 10,000 particles returns, at worst.
+void stopping(benchmark::State& state) {
+  SlamOptions options;
+  options.slam_particles = 10000;
+  const Drive& drive = rows();
+  FastSlamPsom slam(drive.drawing, drive.start_odometry, options, 1);
+  LocalMapBuilder builder(40.0, {});
+  tbb::task_arena arena(2);
+  double worst_ms = 0.0;
+  for (auto _ : state) {
+    const Frame& frame = drive.frames[1];
+    const LocalMap map = builder.add(frame.odometry, true, frame.walls);
+    std::stop_source stop;
+    std::chrono::steady_clock::time_point asked;
+    std::jthread other([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5 + 10 * (state.iterations() % 5)));
+      asked = std::chrono::steady_clock::now();
+      stop.request_stop();
+    });
+    bool done = false;
+    arena.execute([&] { done = slam.step(1.0, frame.odometry, map, stop.get_token()); });
+    const auto returned = std::chrono::steady_clock::now();
+    other.join();
+    const std::chrono::duration<double, std::milli> taken = returned - asked;
+    if (!done) worst_ms = std::max(worst_ms, taken.count());
+  }
+  state.counters["worst_ms"] = worst_ms;
+}
+BENCHMARK(stopping)->Unit(benchmark::kMillisecond)->Iterations(10);
 
 bool hasStreet(benchmark::State& state) {
   if (std::filesystem::exists(kStreet)) return true;
