@@ -46,8 +46,9 @@ void LineSums::takeBlocks(const cv::Mat1f& cells, int row) {
   std::vector<std::uint8_t> any(static_cast<std::size_t>(stride_));
   for (int y = first_y; y < last_y; ++y) {
     const float* from = cells.ptr<float>(y);
-    for (std::size_t x = 0; x < any.size(); ++x)
+    for (std::size_t x = 0; x < any.size(); ++x) {
       any[x] |= static_cast<std::uint8_t>(from[x] > 0.0F);
+    }
   }
   const float scale = 1.0F / unit_;
   const std::uint32_t one = 1U << sum_bits_;

@@ -50,8 +50,8 @@ struct WallCells {
 /// asks; what it holds does not depend on that.
 class LineSums {
  public:
-  /// Takes over a local map and forgets the one before. Values are
-  /// rounded to unit(), those above 1 taken as 1. No other thread may read meanwhile.
+  /// Takes over a local map and forgets the one before. Values are rounded to unit(), those above
+  /// 1 taken as 1. No other thread may read meanwhile.
   void reset(const LocalMap& local_map);
 
   double cell() const { return cell_; }
@@ -119,7 +119,7 @@ class LineSums {
   int stride_ = 0;                     ///< cells in a row of the local map
   std::vector<std::uint32_t> packed_;  ///< its cells, as entries of one cell
   int blocks_ = 0;                     ///< in a row of the local map
-  cv::Mat1b hit_;                      ///< by block and one around: whether any cell is not 0
+  cv::Mat1b hit_;                      ///< by block, one more around: whether any cell is not 0
   cv::Mat1b near_hit_;                 ///< the same of a block and those around it
   // By direction and row; null: not yet read.
   mutable std::unique_ptr<std::atomic<const std::uint32_t*>[]> slots_;
