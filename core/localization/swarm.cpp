@@ -24,41 +24,42 @@ bool haveMet(const Swarm& swarm) {
 /// The best position of every member, and its score.
 class OwnBests {
  public:
-  explicit OwnBests(const Swarm& swarm) : scores_(swarm.members()), new_scores_(swarm.members()) {
-    positions_.reserve(Swarm::kParameters * scores_.size());
+  explicit OwnBests(const Swarm& swarm)
+      : count_(swarm.members()), values_((Swarm::kParameters + 2) * count_) {
     for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
-      const std::span<const float> positions = swarm.positions(parameter);
-      positions_.insert(positions_.end(), positions.begin(), positions.end());
+      std::ranges::copy(swarm.positions(parameter), array(parameter).begin());
     }
   }
 
-  const float* positions(int parameter) const {
-    return positions_.data() + static_cast<std::size_t>(parameter) * scores_.size();
-  }
+  std::span<const float> positions(int parameter) { return array(parameter); }
+
   /// Scores every member; a better position than any before becomes its best, and the swarm's.
   void update(Swarm& swarm, const SwarmScore& score) {
-    score(swarm, new_scores_);
-    for (std::size_t i = 0; i < scores_.size(); ++i) {
-      if (new_scores_[i] <= scores_[i]) continue;
-      scores_[i] = new_scores_[i];
+    const std::span<float> best = array(Swarm::kParameters);
+    const std::span<float> scores = array(Swarm::kParameters + 1);
+    score(swarm, scores);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (scores[i] <= best[i]) continue;
+      best[i] = scores[i];
       const Swarm::Values member = swarm.member(i);
-      for (std::size_t p = 0; p < member.size(); ++p) {
-        positions_[p * scores_.size() + i] = member[p];
-      }
-      if (scores_[i] <= swarm.best_score) continue;
-      swarm.best_score = scores_[i];
+      for (std::size_t p = 0; p < member.size(); ++p) values_[p * count_ + i] = member[p];
+      if (best[i] <= swarm.best_score) continue;
+      swarm.best_score = best[i];
       swarm.best = member;
     }
   }
 
  private:
-  std::vector<float> positions_;
-  std::vector<float> scores_;
-  std::vector<float> new_scores_;
+  std::span<float> array(int index) {
+    return {values_.data() + static_cast<std::size_t>(index) * count_, count_};
+  }
+
+  std::size_t count_;
+  std::vector<float> values_;  ///< positions of each parameter, their scores, the newest scores
 };
 
 /// `numbers`: two a member.
-void move(Swarm& swarm, int parameter, const float* own_best, const float* numbers,
+void move(Swarm& swarm, int parameter, std::span<const float> own_best, const float* numbers,
           const SlamOptions& options) {
   const auto inertia = static_cast<float>(options.inertia);
   const auto cognitive = static_cast<float>(options.cognitive);
@@ -119,9 +120,10 @@ void refine(Swarm& swarm, const SwarmScore& score, const SlamOptions& options, R
   own_bests.update(swarm, score);
   if (swarm.best_score <= 0.0F) return;
 
-  std::vector<float> numbers(2 * Swarm::kParameters * swarm.members());
+  std::vector<float> numbers;
   for (int iteration = 0; iteration < options.pso_iterations && !haveMet(swarm); ++iteration) {
     if (stop.stop_requested()) return;
+    numbers.resize(2 * Swarm::kParameters * swarm.members());
     random.uniforms(numbers);
     for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
       move(swarm, parameter, own_bests.positions(parameter),
