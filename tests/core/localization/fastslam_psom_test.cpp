@@ -205,7 +205,7 @@ TEST(FastSlamPsom, BuildingsOutOfSightChangeNothing) {
 }
 
 TEST(FastSlamPsom, ASwarmThatWentFarFromItsDrawingIsStillSeen) {
-  // Drawn 60 m beside where it stands: out of range of the last poses, but its swarm is not.
+  // It stands 35 m beside its drawing, which is out of range of the last poses.
   Map drawing = street();
   drawing.buildings.resize(1);
   drawing.uncertainty = {40.0, 0.1};
