@@ -67,9 +67,9 @@ int train(const TrainArguments& arguments) {
 
   const Confusion& crossed = classifier->record().cross_validated;
   fmt::print(
-      "{} windows, {} of buildings; {} features, {}; gamma {}, lambda {}\n", set.buildings().size(),
+      "{} windows, {} of buildings; {} features, {}; gamma {}, C {}\n", set.buildings().size(),
       crossed.buildings(), arguments.family == FeatureFamily::Paper ? "paper" : "handmap",
-      arguments.grey ? "grey" : "colour", classifier->record().gamma, classifier->record().lambda);
+      arguments.grey ? "grey" : "colour", classifier->record().gamma, classifier->record().c);
   fmt::print("{:15} balanced accuracy  precision  recall     F1\n", "");
   printFigures("cross-validated", crossed);
   if (validates) printFigures("validation", validation);

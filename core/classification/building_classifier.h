@@ -18,7 +18,7 @@ namespace handmap {
 struct TrainingRecord {
   std::uint64_t seed = 0;
   double gamma = 0.0;  ///< SvmOptions
-  double lambda = 0.0;
+  double c = 0.0;
   Confusion cross_validated;
 };
 

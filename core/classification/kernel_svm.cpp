@@ -4,58 +4,89 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-
-#include "core/classification/clusters.h"
+#include <opencv2/core.hpp>
+#include <opencv2/ml.hpp>
 
 namespace handmap {
 
 namespace {
 
-constexpr int kMaxIterations = 30;
+constexpr int kClusterRounds = 8;
+constexpr int kMaxIterations = 50'000;
+constexpr double kTolerance = 0.01;   // of the optimum of the plane
 constexpr Eigen::Index kBlock = 128;  // samples at a time: their kernels stay in the cache
-constexpr double kRidge = 0.01;       // of the norm: vectors that lie close together
+constexpr float kRidge = 0.001F;      // vectors that lie close together
 
-/// What training minimizes: penalty over the weights, costs of the samples inside the margin.
-struct Problem {
-  Eigen::MatrixXd inputs;   ///< samples × weights
-  Eigen::VectorXd targets;  ///< ±1
-  Eigen::VectorXd costs;
-  Eigen::MatrixXd penalty;
-};
-
-/// Newton's method: each step is a weighted least squares over the samples inside the margin, until
-/// those stay the same.
-Eigen::VectorXd solve(const Problem& problem, const std::stop_token& stop) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(problem.inputs.cols());
-  std::vector<Eigen::Index> inside;
-  for (int i = 0; i < kMaxIterations && !stop.stop_requested(); ++i) {
-    const Eigen::VectorXd margins = (problem.inputs * weights).cwiseProduct(problem.targets);
-    std::vector<Eigen::Index> now;
-    for (Eigen::Index k = 0; k < margins.size(); ++k) {
-      if (margins[k] < 1.0) now.push_back(k);
-    }
-    if (now == inside) break;
-    inside = std::move(now);
-    const Eigen::VectorXd roots = problem.costs(inside).cwiseSqrt();
-    const Eigen::MatrixXd rows = roots.asDiagonal() * problem.inputs(inside, Eigen::all);
-    Eigen::MatrixXd normal = problem.penalty;
-    normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
-    const Eigen::VectorXd right = rows.transpose() * roots.cwiseProduct(problem.targets(inside));
-    weights = normal.selfadjointView<Eigen::Lower>().llt().solve(right);
-  }
-  return weights;
+/// A view of the samples; OpenCV does not write to it.
+cv::Mat1f viewOf(const SampleMatrix& samples) {
+  return {static_cast<int>(samples.rows()), static_cast<int>(samples.cols()),
+          const_cast<float*>(samples.data())};  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
-void setClasses(const std::vector<bool>& positive, Problem& problem) {
-  const auto positives = std::count(positive.begin(), positive.end(), true);
-  const auto all = static_cast<std::ptrdiff_t>(positive.size());
-  problem.targets.resize(all);
-  problem.costs.resize(all);
-  for (Eigen::Index i = 0; i < all; ++i) {
-    const bool is_positive = positive[static_cast<std::size_t>(i)];
-    problem.targets[i] = is_positive ? 1.0 : -1.0;
-    problem.costs[i] = 0.5 / static_cast<double>(is_positive ? positives : all - positives);
+std::vector<Eigen::Index> rowsOf(const std::vector<bool>& positive, bool wanted) {
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < positive.size(); ++i) {
+    if (positive[i] == wanted) rows.push_back(static_cast<Eigen::Index>(i));
   }
+  return rows;
+}
+
+/// Those that k-means finds in each class by itself, half of them in either class; fewer where a
+/// class has fewer samples.
+SampleMatrix clusterCentres(const SampleMatrix& samples, const std::vector<bool>& positive,
+                            const SvmOptions& options) {
+  SampleMatrix centres(0, samples.cols());
+  cv::setRNGSeed(static_cast<int>(options.seed));  // of this thread
+  for (const bool wanted : {true, false}) {
+    const SampleMatrix of_class = samples(rowsOf(positive, wanted), Eigen::all);
+    const auto count = std::min<Eigen::Index>(options.vectors / 2, of_class.rows());
+    cv::Mat labels;
+    cv::Mat1f found;
+    cv::kmeans(viewOf(of_class), static_cast<int>(count), labels,
+               {cv::TermCriteria::MAX_ITER, kClusterRounds, 0.0}, 1, cv::KMEANS_PP_CENTERS, found);
+    centres.conservativeResize(centres.rows() + count, Eigen::NoChange);
+    centres.bottomRows(count) =
+        Eigen::Map<const SampleMatrix>(found.ptr<float>(), count, samples.cols());
+  }
+  // Four places after the point are plenty, and keep the file of a model small.
+  constexpr float kSteps = 1e4F;
+  return (centres * kSteps).array().round() / kSteps + 0.0F;  // no negative zeros
+}
+
+/// Of a plane w·x + b that parts the classes.
+struct Plane {
+  Eigen::VectorXf weights;
+  float bias;
+};
+
+Plane separatingPlane(const SampleMatrix& inputs, const std::vector<bool>& positive, double c) {
+  // The machine says > 0 for the class with the lower number.
+  cv::Mat1i classes(static_cast<int>(positive.size()), 1);
+  for (int i = 0; i < classes.rows; ++i) classes(i) = positive[static_cast<std::size_t>(i)] ? 0 : 1;
+  const auto all = static_cast<double>(positive.size());
+  const auto positives = static_cast<double>(std::count(positive.begin(), positive.end(), true));
+  const cv::Mat1d class_weights =
+      (cv::Mat1d(2, 1) << 0.5 * all / positives, 0.5 * all / (all - positives));
+  const auto svm = cv::ml::SVM::create();
+  svm->setType(cv::ml::SVM::C_SVC);
+  svm->setKernel(cv::ml::SVM::LINEAR);
+  svm->setC(c);
+  svm->setClassWeights(class_weights);
+  svm->setTermCriteria(
+      {cv::TermCriteria::MAX_ITER + cv::TermCriteria::EPS, kMaxIterations, kTolerance});
+  svm->train(viewOf(inputs), cv::ml::ROW_SAMPLE, classes);
+
+  // A linear machine has one support vector: the sum of all.
+  const cv::Mat1f vectors = svm->getSupportVectors();
+  cv::Mat1d alphas;
+  cv::Mat1i used;
+  const double rho = svm->getDecisionFunction(0, alphas, used);
+  Plane plane{Eigen::VectorXf::Zero(inputs.cols()), static_cast<float>(-rho)};
+  for (int i = 0; i < static_cast<int>(alphas.total()); ++i) {
+    plane.weights += static_cast<float>(alphas(i)) *
+                     Eigen::Map<const Eigen::VectorXf>(vectors[used(i)], plane.weights.size());
+  }
+  return plane;
 }
 
 }  // namespace
@@ -77,22 +108,17 @@ SampleMatrix KernelSvm::kernel(const SampleMatrix& samples) const {
 }
 
 KernelSvm KernelSvm::train(const SampleMatrix& samples, const std::vector<bool>& positive,
-                           const SvmOptions& options, const std::stop_token& stop) {
-  KernelSvm svm(clusterCentres(samples, positive, options.vectors, options.seed, stop), {}, 0.0F,
+                           const SvmOptions& options) {
+  KernelSvm svm(clusterCentres(samples, positive, options), {}, 0.0F,
                 static_cast<float>(options.gamma / static_cast<double>(samples.cols())));
-  const Eigen::Index vectors = svm.vectors_.rows();
-  Problem problem;
-  problem.inputs.resize(samples.rows(), vectors + 1);
-  problem.inputs.leftCols(vectors) = svm.kernel(samples).cast<double>();
-  problem.inputs.col(vectors).setOnes();
-  setClasses(positive, problem);
-  problem.penalty.setZero(vectors + 1, vectors + 1);
-  problem.penalty.topLeftCorner(vectors, vectors) = svm.kernel(svm.vectors_).cast<double>();
-  problem.penalty.diagonal().array() += kRidge;
-  problem.penalty *= options.lambda;
-  const Eigen::VectorXd solution = solve(problem, stop);
-  svm.weights_ = solution.head(vectors).cast<float>();
-  svm.bias_ = static_cast<float>(solution[vectors]);
+  // K = L Lᵀ; the inputs L⁻¹ k(x) have the scalar products of the kernel.
+  Eigen::MatrixXf vectors = svm.kernel(svm.vectors_);
+  vectors.diagonal().array() += kRidge;
+  const Eigen::LLT<Eigen::MatrixXf> root(vectors);
+  const SampleMatrix inputs = root.matrixL().solve(svm.kernel(samples).transpose()).transpose();
+  const Plane plane = separatingPlane(inputs, positive, options.c);
+  svm.weights_ = root.matrixU().solve(plane.weights);
+  svm.bias_ = plane.bias;
   return svm;
 }
 

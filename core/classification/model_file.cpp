@@ -13,7 +13,7 @@ namespace handmap {
 namespace {
 
 constexpr std::string_view kFormat = "handmap-building-classifier";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr std::uintmax_t kMaxBytes = 16U << 20;
 constexpr double kMaxMagnitude = 1e9;
 constexpr std::size_t kMaxVectors = 4096;
@@ -69,7 +69,7 @@ TrainingRecord readRecord(const JsonValue& json) {
   TrainingRecord record;
   record.seed = static_cast<std::uint64_t>(json.at("seed").integer(0, INT64_MAX));
   record.gamma = json.at("gamma").positive(1e6);
-  record.lambda = json.at("lambda").positive(1e6);
+  record.c = json.at("c").positive(1e6);
   record.cross_validated = {windows("building_as_building"), windows("building_as_other"),
                             windows("other_as_building"), windows("other_as_other")};
   return record;
@@ -78,9 +78,9 @@ TrainingRecord readRecord(const JsonValue& json) {
 std::string recordJson(const TrainingRecord& record) {
   const Confusion& c = record.cross_validated;
   return fmt::format(
-      "{{\"seed\":{},\"gamma\":{},\"lambda\":{},\"building_as_building\":{},"
+      "{{\"seed\":{},\"gamma\":{},\"c\":{},\"building_as_building\":{},"
       "\"building_as_other\":{},\"other_as_building\":{},\"other_as_other\":{}}}",
-      record.seed, record.gamma, record.lambda, c.building_as_building, c.building_as_other,
+      record.seed, record.gamma, record.c, c.building_as_building, c.building_as_other,
       c.other_as_building, c.other_as_other);
 }
 

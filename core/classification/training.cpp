@@ -14,9 +14,11 @@ namespace handmap {
 namespace {
 
 constexpr std::array kGammas = {0.2, 0.4, 0.8};
-constexpr std::array kLambdas = {1e-6, 1e-5, 1e-4, 1e-3};
-// Windows of each class: to choose by, and to train with, which bounds time and memory.
-constexpr std::size_t kEnoughToChoose = 4000;
+constexpr std::array kCs = {1.0, 10.0};
+// Windows of each class: to choose by, to train with, and to judge by, which bounds time and
+// memory.
+constexpr std::size_t kEnoughToChoose = 1500;
+constexpr std::size_t kEnough = 3000;
 constexpr std::size_t kMost = 30'000;
 constexpr std::size_t kMostKept = 2'000'000;  // of both, in a set: less than a gigabyte
 
@@ -54,6 +56,24 @@ bool canBeHeldOut(const std::vector<int>& fold_of, const std::vector<bool>& buil
   return folds[0].size() > 1 && folds[1].size() > 1;
 }
 
+/// Evenly from each class, at most `count` of it: rare ones stay whole.
+Samples thinned(const Eigen::Ref<const SampleMatrix>& features, const std::vector<bool>& buildings,
+                std::size_t count) {
+  std::array<std::size_t, 2> size{};
+  for (const bool building : buildings) ++size[building ? 1 : 0];
+  std::array<std::size_t, 2> seen{};
+  std::vector<Eigen::Index> rows;
+  Samples result;
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    const std::size_t every = (size[buildings[i] ? 1 : 0] + count - 1) / count;
+    if (seen[buildings[i] ? 1 : 0]++ % every != 0) continue;
+    rows.push_back(static_cast<Eigen::Index>(i));
+    result.buildings.push_back(buildings[i]);
+  }
+  result.features = features(rows, Eigen::all);
+  return result;
+}
+
 /// Samples with the fold that each is held out in.
 class Folds {
  public:
@@ -66,8 +86,10 @@ class Folds {
     }
   }
 
-  /// Of every sample the distance by a machine that was trained without its fold.
-  Eigen::VectorXf heldOut(const SvmOptions& options, const std::stop_token& stop,
+  /// Of every sample the distance by a machine that was trained without its fold, with at most
+  /// `enough` of each class.
+  Eigen::VectorXf heldOut(const SvmOptions& options, std::size_t enough,
+                          const std::stop_token& stop,
                           const std::function<void()>& fold_done) const {
     Eigen::VectorXf distances = Eigen::VectorXf::Zero(samples_.features.rows());
     for (int fold = 0; fold < count_ && !stop.stop_requested(); ++fold) {
@@ -78,8 +100,8 @@ class Folds {
         (fold_of_[i] == fold ? out : in).push_back(static_cast<Eigen::Index>(i));
         if (fold_of_[i] != fold) buildings.push_back(samples_.buildings[i]);
       }
-      const KernelSvm svm =
-          KernelSvm::train(samples_.features(in, Eigen::all), buildings, options, stop);
+      const Samples some = thinned(samples_.features(in, Eigen::all), buildings, enough);
+      const KernelSvm svm = KernelSvm::train(some.features, some.buildings, options);
       distances(out) = svm.decide(samples_.features(out, Eigen::all));
       fold_done();
     }
@@ -102,34 +124,16 @@ class Folds {
   std::vector<int> fold_of_;
 };
 
-/// Evenly from each class, at most `count` of it: rare ones stay whole.
-Samples thinned(const Eigen::Ref<const SampleMatrix>& features, const std::vector<bool>& buildings,
-                std::size_t count) {
-  std::array<std::size_t, 2> size{};
-  for (const bool building : buildings) ++size[building ? 1 : 0];
-  std::array<std::size_t, 2> seen{};
-  std::vector<Eigen::Index> rows;
-  Samples result;
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    const std::size_t every = (size[buildings[i] ? 1 : 0] + count - 1) / count;
-    if (seen[buildings[i] ? 1 : 0]++ % every != 0) continue;
-    rows.push_back(static_cast<Eigen::Index>(i));
-    result.buildings.push_back(buildings[i]);
-  }
-  result.features = features(rows, Eigen::all);
-  return result;
-}
-
 SvmOptions chooseOptions(const Folds& folds, SvmOptions options, const std::stop_token& stop,
                          const std::function<void()>& fold_done) {
   SvmOptions best = options;
   double best_accuracy = -1.0;
   for (const double gamma : kGammas) {
-    for (const double lambda : kLambdas) {
+    for (const double c : kCs) {
       options.gamma = gamma;
-      options.lambda = lambda;
+      options.c = c;
       const double accuracy =
-          folds.score(folds.heldOut(options, stop, fold_done)).balancedAccuracy();
+          folds.score(folds.heldOut(options, kEnoughToChoose, stop, fold_done)).balancedAccuracy();
       if (accuracy <= best_accuracy) continue;
       best_accuracy = accuracy;
       best = options;
@@ -177,30 +181,30 @@ std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
   Samples samples = thinned(set.samples(), set.buildings(), kMost);
   const Standardization standardization = Standardization::of(samples.features);
   samples.features = standardization(samples.features);
-  const Folds all(std::move(samples), options.folds);
-  const std::vector<bool>& buildings = all.samples().buildings;
-  const Folds some(thinned(all.samples().features, buildings, kEnoughToChoose), options.folds);
-  // In the time of one fold of `some`.
-  const double all_cost =
-      static_cast<double>(buildings.size()) / static_cast<double>(some.samples().buildings.size());
-  const double total = options.folds * (kGammas.size() * kLambdas.size() + all_cost) + all_cost;
+  const Folds folds(std::move(samples), options.folds);
+  const std::vector<bool>& buildings = folds.samples().buildings;
+  const Samples enough = thinned(folds.samples().features, buildings, kEnough);
+  // In the time of one fold while options are chosen.
+  constexpr double kCost = static_cast<double>(kEnough * kEnough) /
+                           static_cast<double>(kEnoughToChoose * kEnoughToChoose);
+  const double total = options.folds * (kGammas.size() * kCs.size() + kCost) + kCost;
   double done = 0.0;
   const auto tell = [&](double cost) {
     done += cost;
     if (progress) progress(done / total);
   };
 
-  const SvmOptions chosen = chooseOptions(some, {.vectors = options.vectors, .seed = options.seed},
+  const SvmOptions chosen = chooseOptions(folds, {.vectors = options.vectors, .seed = options.seed},
                                           stop, [&] { tell(1.0); });
-  const Eigen::VectorXf distances = all.heldOut(chosen, stop, [&] { tell(all_cost); });
-  KernelSvm svm = KernelSvm::train(all.samples().features, buildings, chosen, stop);
+  const Eigen::VectorXf distances = folds.heldOut(chosen, kEnough, stop, [&] { tell(kCost); });
   if (stop.stop_requested()) return std::nullopt;
-  tell(all_cost);
+  KernelSvm svm = KernelSvm::train(enough.features, enough.buildings, chosen);
+  tell(kCost);
   const Logistic logistic = Logistic::fit(distances, buildings);
   Eigen::VectorXf probable(distances.size());
   for (Eigen::Index i = 0; i < distances.size(); ++i) probable[i] = logistic(distances[i]) - 0.5F;
   return BuildingClassifier(set.features(), standardization, std::move(svm), logistic,
-                            {options.seed, chosen.gamma, chosen.lambda, all.score(probable)});
+                            {options.seed, chosen.gamma, chosen.c, folds.score(probable)});
 }
 
 void judge(const BuildingClassifier& classifier, const cv::Mat& image,

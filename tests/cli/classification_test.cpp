@@ -115,9 +115,9 @@ TEST_F(Classification, RefusesOtherModelsAndImages) {
   expectFailed(classify("grey.png"), 2,
                "handmap-cli: error: grey.png: building classifier: image: found grey, expected "
                "colour, or a model for grey images\n");
-  replaceIn("model", "\"version\":1", "\"version\":9");
+  replaceIn("model", "\"version\":2", "\"version\":9");
   expectFailed(classify("images/0.png"), 2,
-               "handmap-cli: error: model: version: found 9, expected 1; train the model again\n");
+               "handmap-cli: error: model: version: found 9, expected 2; train the model again\n");
   expectFailed(classify("none.png"), 2,
                "handmap-cli: error: none.png: found no such file, expected a readable file\n");
   expectFailed(run({"classify"}), 1,

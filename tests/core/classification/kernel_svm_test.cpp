@@ -1,5 +1,6 @@
 #include "core/classification/kernel_svm.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

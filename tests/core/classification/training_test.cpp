@@ -154,7 +154,7 @@ struct Damage {
 TEST(BuildingClassifier, RefusesDamagedModels) {
   const std::vector<Damage> damages = {
       {"handmap-building-classifier", "handmap", {"format: found", "handmap-building-classifier"}},
-      {"\"version\":1", "\"version\":2", {"version: found 2, expected 1"}},
+      {"\"version\":2", "\"version\":1", {"version: found 1, expected 2"}},
       {"\"window\":16", "\"window\":8", {"window: found 8, expected 16"}},
       {"\"features\":\"handmap\"", "\"features\":\"more\"", {"features: found \"more\""}},
       {"\"features\":\"handmap\"", "\"features\":\"paper\"", {"mean: found 77 numbers", "6"}},
