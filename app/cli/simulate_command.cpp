@@ -17,8 +17,6 @@ namespace {
 
 enum class Scenery { TwoRows, Campus, Street };
 
-constexpr double kMovingStep_m = 1.0;
-
 struct SimulateArguments {
   std::string world;
   Scenery scene = Scenery::TwoRows;
@@ -27,6 +25,7 @@ struct SimulateArguments {
   bool clutter = false;
   bool images = false;
   bool moving = false;
+  double step_m = 1.0;
   bool labels = false;
   RenderOptions rendering;
   std::string out;
@@ -63,7 +62,7 @@ std::unique_ptr<ObservationSource> sourceOf(const SimulateArguments& arguments,
     };
   }
   const SimulationOptions options;
-  return renderedSource(world, arguments.moving ? atStep(options, kMovingStep_m) : options,
+  return renderedSource(world, arguments.moving ? atStep(options, arguments.step_m) : options,
                         arguments.rendering, arguments.moving ? Looking::Ahead : Looking::Around,
                         arguments.seed, std::move(listener));
 }
@@ -109,7 +108,10 @@ void addImageOptions(CLI::App& command, SimulateArguments& a) {
   CLI::Option* images =
       command.add_flag("--images", a.images, "Rendered stereo images in place of range points");
   const auto only = [&](CLI::Option* option) { option->needs(images); };
-  only(command.add_flag("--moving", a.moving, "Look ahead every metre, not around at every stop"));
+  CLI::Option* moving = command.add_flag("--moving", a.moving, "Look ahead, not around at stops");
+  only(moving);
+  addNumber(command, "--step", a.step_m, 0.1, 100, "From view to view when moving, metres")
+      ->needs(moving);
   only(command.add_flag("--labels", a.labels,
                         "Also labels/ (classes of CamVid) and depth/ (centimetres)"));
   only(command.add_flag("--colour", r.colour, "In colour"));

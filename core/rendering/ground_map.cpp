@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
-#include <opencv2/imgproc.hpp>
-
 #include "core/rendering/noise.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr double kShadowCell_m = 0.25;
 constexpr double kRoadCell_m = 0.5;
 constexpr double kReach_m = 90.0;
 constexpr double kRoadReach_m = 40.0;  // a leg farther out is no part of it
@@ -19,7 +16,6 @@ constexpr double kBeyond_m = 100.0;  // the road goes on past both ends of the r
 constexpr float kKerb_m = 4.0F;
 constexpr float kKerbWidth_m = 0.16F;
 constexpr float kPavement_m = 5.4F;
-constexpr int kShift = 4;  // of cv's drawing: sixteenths of a cell
 constexpr float kFar_m = 1e3F;
 
 std::vector<Vec2> prolonged(std::vector<Vec2> route) {
@@ -62,55 +58,6 @@ GroundMap::GroundMap(const std::vector<Vec2>& route, const Vec2& centre, std::ui
   // Cells stay where they are in the world however the robot moves.
   low_ = ((centre - Vec2::Constant(kReach_m)) / kRoadCell_m).array().floor() * kRoadCell_m;
   road_ = distanceMap(prolonged(route), low_, static_cast<int>(2.0 * kReach_m / kRoadCell_m));
-  const int side = static_cast<int>(2.0 * kReach_m / kShadowCell_m);
-  shadow_ = cv::Mat1b::zeros(side, side);
-}
-
-cv::Point2f GroundMap::cellOf(const Vec2& place) const {
-  const Vec2 cell = (place - low_) / kShadowCell_m - Vec2::Constant(0.5);
-  return {static_cast<float>(cell.x()), static_cast<float>(cell.y())};
-}
-
-void GroundMap::fillConvex(const std::vector<Vec2>& corners) {
-  std::vector<cv::Point> cells;
-  const cv::Rect2f square(-2e3F, -2e3F, 5e3F, 5e3F);
-  for (const Vec2& corner : corners) {
-    const cv::Point2f cell = cellOf(corner) * static_cast<float>(1 << kShift);
-    if (!square.contains(cell / static_cast<float>(1 << kShift))) return;
-    cells.emplace_back(cv::Point(cell));
-  }
-  std::vector<cv::Point> hull;
-  cv::convexHull(cells, hull);
-  cv::fillConvexPoly(shadow_, hull, 255, cv::LINE_8, kShift);
-}
-
-void GroundMap::addShadow(const Polygon& footprint, double height_m, const Vec3& to_sun) {
-  const Vec2 shift = -height_m / to_sun.z() * to_sun.head<2>();
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    const Vec2& a = footprint[i];
-    const Vec2& b = footprint[(i + 1) % footprint.size()];
-    fillConvex({a, b, b + shift, a + shift});
-  }
-}
-
-void GroundMap::addShadow(const Vec2& centre, double radius_m, double height_m,
-                          const Vec3& to_sun) {
-  const Vec2 shift = -height_m / to_sun.z() * to_sun.head<2>();
-  const Vec2 away = shift.norm() > 0.0 ? Vec2(shift.normalized()) : Vec2(1.0, 0.0);
-  std::vector<Vec2> outline;
-  for (int i = 0; i < 16; ++i) {
-    const Vec2 on_circle = unitVector(2.0 * kPi * i / 16);
-    outline.emplace_back(
-        centre + shift +
-        radius_m * (on_circle.x() / to_sun.z() * away + on_circle.y() * perpendicular(away)));
-  }
-  fillConvex(outline);
-}
-
-void GroundMap::softenShadows() {
-  cv::Mat soft;
-  cv::GaussianBlur(shadow_, soft, {5, 5}, 0.9);
-  soft.convertTo(sun_, CV_32F, -1.0 / 255.0, 1.0);
 }
 
 float GroundMap::sampled(const cv::Mat1f& map, float x, float y, float outside) const {
@@ -127,8 +74,6 @@ float GroundMap::sampled(const cv::Mat1f& map, float x, float y, float outside) 
   const float* high = map[j + 1] + i;
   return (1.0F - b) * ((1.0F - a) * low[0] + a * low[1]) + b * ((1.0F - a) * high[0] + a * high[1]);
 }
-
-float GroundMap::sunAt(float x, float y) const { return sampled(sun_, x, y, 1.0F); }
 
 Label GroundMap::labelAt(float x, float y) const {
   const float distance = sampled(road_, x, y, kFar_m);

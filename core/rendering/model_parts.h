@@ -16,15 +16,8 @@ void addPlant(const Obstacle& plant, double clear_m, int leaves, std::uint64_t s
               std::uint32_t number, Model& model);
 void addHedge(const Thing& hedge, std::uint64_t seed, std::uint32_t number, Model& model);
 void addCar(const Thing& car, std::uint64_t seed, std::uint32_t number, Model& model);
-
-/// How high a plant of that kind reaches and how wide it is there, for its shadow.
-struct PlantSize {
-  bool bush;
-  double trunk_m;   ///< radius
-  double crown_m;   ///< radius
-  double bottom_m;  ///< of the crown
-  double top_m;
-};
-PlantSize sizeOf(const Obstacle& plant, double clear_m, std::uint64_t seed, std::uint32_t number);
+void addPerson(const Thing& person, std::uint64_t seed, std::uint32_t number, Model& model);
+void addSign(const Thing& sign, std::uint64_t seed, std::uint32_t number, Model& model);
+void addLamp(const Thing& lamp, std::uint64_t seed, Model& model);
 
 }  // namespace handmap

@@ -115,7 +115,14 @@ void addTrunk(const Vec2& place, double radius, double height, std::uint32_t see
   }
 }
 
-}  // namespace
+/// How high a plant reaches and how wide it is there.
+struct PlantSize {
+  bool bush;
+  double trunk_m;   ///< radius
+  double crown_m;   ///< radius
+  double bottom_m;  ///< of the crown
+  double top_m;
+};
 
 PlantSize sizeOf(const Obstacle& plant, double clear_m, std::uint64_t seed, std::uint32_t number) {
   RandomStream random(seed, number, 0, kPlantSize);
@@ -133,6 +140,8 @@ PlantSize sizeOf(const Obstacle& plant, double clear_m, std::uint64_t seed, std:
   size.top_m = size.bottom_m + std::max(2.5, size.crown_m * random.uniform(1.5, 2.1));
   return size;
 }
+
+}  // namespace
 
 void addPlant(const Obstacle& plant, double clear_m, int leaves, std::uint64_t seed,
               std::uint32_t number, Model& model) {

@@ -91,6 +91,38 @@ Colour carCabinColour(const Surface& cabin, const TexturePoint& at) {
   return mixed(cabin.colour, mixed(pane, kRubber, pillar), window);
 }
 
+Colour clothColour(const Surface& cloth, const TexturePoint& at) {
+  const float pixel = std::max(at.du, at.dv);
+  return cloth.colour * (1.0F + 0.3F * grain(at.u, at.v, 0.04F, pixel, cloth.seed) +
+                         0.35F * grain(at.u, at.v, 0.15F, pixel, cloth.seed + 1));
+}
+
+/// How far out a place of a plate is, 1 at its edge. The first corner lies along u: up.
+float shareOfPlate(const Surface& plate, const TexturePoint& at) {
+  const float distance = std::sqrt(at.u * at.u + at.v * at.v) / plate.length;
+  if (plate.count > 4) return 1.1F * distance;  // stands for a round one
+  const float side = 2.0F * 3.14159265F / static_cast<float>(plate.count);
+  const float angle = std::atan2(at.v, at.u) / side;
+  const float from_middle = side * (angle - static_cast<float>(floorOf(angle)) - 0.5F);
+  return distance * std::cos(from_middle) / std::cos(side / 2.0F);
+}
+
+/// A triangle warns, a square has priority, a round one forbids (red rim) or commands (blue).
+Colour signColour(const Surface& plate, const TexturePoint& at) {
+  const Colour white(0.72F, 0.72F, 0.70F);
+  const Colour red(0.50F, 0.03F, 0.04F);
+  const Colour blue(0.03F, 0.10F, 0.38F);
+  const float out = shareOfPlate(plate, at);
+  const float pixel = std::max(at.du, at.dv) / plate.length;
+  const float inside = coverage(out, -1.0F, plate.count == 4 ? 0.8F : 0.7F, pixel);
+  if (plate.count == 4) return mixed(white, Colour(0.68F, 0.42F, 0.03F), inside);
+  const bool commands = plate.count > 4 && plate.seed % 3U == 0U;
+  const Colour face = mixed(commands ? white : red, commands ? blue : white, inside);
+  const float symbol = coverage(at.v / plate.length, -0.09F, 0.09F, pixel) *
+                       coverage(at.u / plate.length, -0.35F, 0.35F, pixel);
+  return mixed(face, commands ? white : Colour(0.03F, 0.03F, 0.03F), symbol);
+}
+
 }  // namespace
 
 Colour reflectanceAt(const Surface& surface, const Model& model, const TexturePoint& at) {
@@ -109,6 +141,10 @@ Colour reflectanceAt(const Surface& surface, const Model& model, const TexturePo
       return carEndColour(surface, at);
     case Material::CarCabin:
       return carCabinColour(surface, at);
+    case Material::Cloth:
+      return clothColour(surface, at);
+    case Material::Sign:
+      return signColour(surface, at);
     case Material::Plain:
       break;
   }

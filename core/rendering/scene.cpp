@@ -58,17 +58,33 @@ Colour hazed(const Colour& colour, double depth) {
   return left * colour + (1.0F - left) * kHazeColour;
 }
 
+void addThing(const Thing& thing, std::uint64_t seed, std::uint32_t number, Model& model) {
+  switch (thing.kind) {
+    case Thing::Kind::Car:
+      return addCar(thing, seed, number, model);
+    case Thing::Kind::Hedge:
+      return addHedge(thing, seed, number, model);
+    case Thing::Kind::Person:
+      return addPerson(thing, seed, number, model);
+    case Thing::Kind::Sign:
+      return addSign(thing, seed, number, model);
+    case Thing::Kind::Lamp:
+      return addLamp(thing, seed, model);
+  }
+}
+
 }  // namespace
 
 Scene::Scene(const World& world, const Light& light, const Vec2& centre, double time_s)
     : to_sun_(sunDirection(light)),
       sun_(sunAt(light, time_s, world.seed)),
       ground_(world.map.route, centre, world.seed),
+      sun_map_(centre, to_sun_),
       sky_(to_sun_, sun_, world.seed) {
   addBuildings(world, centre);
   addThings(world, centre);
   addPlants(world, centre);
-  ground_.softenShadows();
+  sun_map_.add(model_.surfaces);
 }
 
 void Scene::addBuildings(const World& world, const Vec2& centre) {
@@ -76,7 +92,6 @@ void Scene::addBuildings(const World& world, const Vec2& centre) {
     const Polygon footprint = world.map.buildings[i].footprint();
     if (distanceTo(footprint, centre) > kFarBuildings_m) continue;
     addBuilding(world, i, model_);
-    ground_.addShadow(footprint, appearanceOf(world, i).eaves_m(), to_sun_);
   }
 }
 
@@ -85,13 +100,7 @@ void Scene::addThings(const World& world, const Vec2& centre) {
     const Thing& thing = world.things[i];
     if ((thing.footprint.centre - centre).norm() > kFarThings_m) continue;
     const auto number = static_cast<std::uint32_t>(i);
-    if (thing.kind == Thing::Kind::Car) {
-      addCar(thing, world.seed, number, model_);
-    } else {
-      addHedge(thing, world.seed, number, model_);
-    }
-    ground_.addShadow(thing.footprint.corners(), thing.height, to_sun_);
-    ground_.addShadow(thing.footprint.corners(), 0.02, to_sun_);
+    addThing(thing, world.seed, number, model_);
   }
 }
 
@@ -106,24 +115,17 @@ void Scene::addPlants(const World& world, const Vec2& centre) {
       clear = std::min(clear, distanceTo(building.footprint(), plant.centre) - 0.2);
     }
     const auto number = static_cast<std::uint32_t>(i);
-    const PlantSize size = sizeOf(plant, clear, world.seed, number);
     addPlant(plant, clear, leavesAt(away), world.seed, number, model_);
-    ground_.addShadow(plant.centre, 0.9 * size.crown_m, (size.bottom_m + size.top_m) / 2.0,
-                      to_sun_);
-    ground_.addShadow(Rectangle{plant.centre, 2.0 * std::max(size.trunk_m, 0.1),
-                                2.0 * std::max(size.trunk_m, 0.1), 0.0}
-                          .corners(),
-                      size.bottom_m + 0.5, to_sun_);
   }
 }
 
-Colour Scene::lit(const Colour& reflectance, const Vec3& normal, float sun) const {
+Colour Scene::lit(const Colour& reflectance, const Vec3& point, const Vec3& normal) const {
   const auto up = static_cast<float>(normal.z());
   const Colour from_sky = Colour(0.36F, 0.40F, 0.46F) * (0.6F + 0.4F * up);
   const Colour from_ground = Colour(0.10F, 0.095F, 0.08F) * (0.5F - 0.5F * up);
   const float facing = std::max(0.0F, static_cast<float>(normal.dot(to_sun_)));
-  return reflectance *
-         (from_sky + from_ground + Colour(1.55F, 1.45F, 1.28F) * (sun * sun_ * facing));
+  const float sun = facing > 0.0F ? sun_ * sun_map_.sunAt(point, normal) : 0.0F;
+  return reflectance * (from_sky + from_ground + Colour(1.55F, 1.45F, 1.28F) * (sun * facing));
 }
 
 Colour Scene::radiance(std::int32_t seen, const ViewCamera& camera, double u, double v) const {
@@ -142,7 +144,7 @@ Colour Scene::groundRadiance(const ViewCamera& camera, double u, double v) const
   const auto pixel =
       static_cast<float>(std::sqrt(hit.by_column.head<2>().norm() * hit.by_row.head<2>().norm()));
   const Colour colour = ground_.colourAt(x, y, pixel);
-  return hazed(lit(colour, Vec3::UnitZ(), ground_.sunAt(x, y)), hit.depth);
+  return hazed(lit(colour, hit.point, Vec3::UnitZ()), hit.depth);
 }
 
 Colour Scene::surfaceRadiance(const Surface& surface, const ViewCamera& camera, double u,
@@ -159,7 +161,7 @@ Colour Scene::surfaceRadiance(const Surface& surface, const ViewCamera& camera, 
   const bool towards_eye = surface.normal.dot(camera.eye - surface.corners[0]) > 0.0;
   const Vec3 normal = towards_eye ? surface.normal : Vec3(-surface.normal);
   const Colour colour = reflectanceAt(surface, model_, at);
-  return hazed(lit(colour, normal, 1.0F), hit.depth);
+  return hazed(lit(colour, hit.point, normal), hit.depth);
 }
 
 Label Scene::labelAt(std::int32_t seen, const ViewCamera& camera, double u, double v) const {

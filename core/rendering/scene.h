@@ -5,6 +5,7 @@
 #include "core/rendering/model_parts.h"
 #include "core/rendering/render_options.h"
 #include "core/rendering/sky.h"
+#include "core/rendering/sun_map.h"
 #include "core/rendering/view_camera.h"
 
 namespace handmap {
@@ -23,7 +24,7 @@ class Scene {
   void addBuildings(const World& world, const Vec2& centre);
   void addThings(const World& world, const Vec2& centre);
   void addPlants(const World& world, const Vec2& centre);
-  Colour lit(const Colour& reflectance, const Vec3& normal, float sun) const;
+  Colour lit(const Colour& reflectance, const Vec3& point, const Vec3& normal) const;
   Colour surfaceRadiance(const Surface& surface, const ViewCamera& camera, double u,
                          double v) const;
   Colour groundRadiance(const ViewCamera& camera, double u, double v) const;
@@ -32,6 +33,7 @@ class Scene {
   float sun_;
   Model model_;
   GroundMap ground_;
+  SunMap sun_map_;
   Sky sky_;
 };
 

@@ -26,7 +26,9 @@ enum class Material : std::uint8_t {
   Foliage,
   CarSide,
   CarEnd,
-  CarCabin
+  CarCabin,
+  Cloth,
+  Sign
 };
 
 /// A convex piece of a plane with its own texture coordinates: metres from `origin` along two unit
@@ -45,7 +47,7 @@ struct Surface {
   std::uint32_t seed = 0;    ///< of the texture
   std::uint32_t facade = 0;  ///< index into Model::facades, for Material::Facade
   Colour colour = Colour::Zero();
-  float length = 0.0F;  ///< of the first edge
+  float length = 0.0F;  ///< of the first edge; of a sign its radius, the origin is its middle
   float height = 0.0F;  ///< of parts of cars; negative for Material::CarEnd at the rear
 };
 

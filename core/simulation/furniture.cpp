@@ -10,12 +10,20 @@ namespace {
 
 constexpr std::uint32_t kCars = 7;
 constexpr std::uint32_t kHedges = 8;
+constexpr std::uint32_t kLamps = 11;
+constexpr std::uint32_t kSigns = 12;
+constexpr std::uint32_t kPeople = 13;
 
 constexpr double kCarSpacing_m = 6.5;
 constexpr double kCarOffset_m = 3.0;  // of its middle from the route: a wheel at the kerb
 constexpr double kWay_m = 1.8;        // half the width that stays free for the robot
 constexpr double kToWall_m = 0.4;
 constexpr double kPavement_m = 5.4;  // a hedge stands behind it
+constexpr double kPost_m = 4.35;     // of a sign or a lamp from the route: at the kerb
+constexpr double kLampSpacing_m = 26.0;
+constexpr double kSignSpacing_m = 28.0;
+constexpr double kPeopleSpacing_m = 8.0;
+constexpr double kSquare_m = 14.0;  // people stand so far from the route, where no house is
 
 class Furniture {
  public:
@@ -70,6 +78,60 @@ class Furniture {
     }
   }
 
+  /// One side after the other; all of a kind.
+  void putUpLamps() {
+    RandomStream random(seed_, 0, 0, kLamps);
+    const double height =
+        random.uniform() < 0.6 ? random.uniform(5.5, 8.0) : random.uniform(3.4, 4.2);
+    double side = random.uniform() < 0.5 ? 1.0 : -1.0;
+    for (double s = random.uniform(2.0, kLampSpacing_m); s < route_.length(); s += kLampSpacing_m) {
+      const Pose2 beside = route_.poseAt(s + random.uniform(-2.0, 2.0));
+      const double towards_road = beside.heading - side * kPi / 2.0;
+      put({Thing::Kind::Lamp,
+           {beside.toOuter({0.0, side * kPost_m}), 0.16, 0.16, normalizedAngle(towards_road)},
+           height});
+      side = -side;
+    }
+  }
+
+  /// Those on the right look at who comes along the route, those on the left the other way.
+  void putUpSigns() {
+    RandomStream random(seed_, 0, 0, kSigns);
+    for (const double side : {1.0, -1.0}) {
+      for (double s = 5.0; s < route_.length(); s += kSignSpacing_m) {
+        const Pose2 beside = route_.poseAt(s + random.uniform(0.0, 0.8 * kSignSpacing_m));
+        const double turn = random.normal(0.0, 0.1) + (side > 0.0 ? 0.0 : kPi);
+        const double height = random.uniform(2.4, 3.0);
+        if (random.uniform() > 0.6) continue;
+        put({Thing::Kind::Sign,
+             {beside.toOuter({0.0, side * kPost_m}), 0.07, 0.07,
+              normalizedAngle(beside.heading + turn)},
+             height});
+      }
+    }
+  }
+
+  /// Alone or in twos and threes.
+  void placePeople() {
+    RandomStream random(seed_, 0, 0, kPeople);
+    for (const double side : {1.0, -1.0}) {
+      for (double s = 2.0; s < route_.length(); s += kPeopleSpacing_m) {
+        const Pose2 beside = route_.poseAt(s + random.uniform(0.0, kPeopleSpacing_m));
+        const bool on_square = random.uniform() < 0.3;
+        const double offset =
+            on_square ? random.uniform(kPavement_m, kSquare_m) : random.uniform(4.4, 5.2);
+        const double share = random.uniform();
+        const int together = share < 0.65 ? 0 : share < 0.85 ? 1 : share < 0.95 ? 2 : 3;
+        Vec2 place = beside.toOuter({0.0, side * offset});
+        for (int i = 0; i < together; ++i) {
+          const double heading = random.uniform(-kPi, kPi);
+          put({Thing::Kind::Person, {place, 0.3, 0.5, heading}, random.uniform(1.5, 1.95)});
+          place += random.uniform(1.3, 1.8) * unitVector(beside.heading + random.normal(0.0, 0.4));
+        }
+      }
+    }
+  }
+
  private:
   /// Where nothing stands yet and the robot does not pass.
   void put(const Thing& thing) {
@@ -101,6 +163,9 @@ World furnished(World world, std::uint64_t seed) {
   Furniture furniture(world, seed);
   furniture.parkCars();
   furniture.plantHedges();
+  furniture.putUpLamps();
+  furniture.putUpSigns();
+  furniture.placePeople();
   return world;
 }
 

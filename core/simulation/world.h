@@ -14,11 +14,14 @@ struct Obstacle {
   double radius = 0.0;
 };
 
-/// A parked car or a hedge: lower than a house, and drawn by no one.
+/// What stands in a street and is drawn by no one: a parked car, a hedge, someone who stands there,
+/// a traffic sign, a street lamp.
 struct Thing {
-  enum class Kind { Car, Hedge };
+  enum class Kind { Car, Hedge, Person, Sign, Lamp };
   Kind kind = Kind::Car;
-  Rectangle footprint;  ///< a car looks along its heading
+  /// A car, a person and a sign look along its heading; the arm of a lamp points there. Of a sign
+  /// and a lamp the post.
+  Rectangle footprint;
   double height = 0.0;
 };
 
@@ -42,8 +45,9 @@ World streetWorld(std::uint64_t seed);
 /// world. Throws BadInput where there is neither, or where the route is endless or runs through a
 /// building.
 World worldFromMap(const Map& map, std::uint64_t seed);
-/// The world with parked cars beside the route and hedges before some buildings; nothing that was
-/// there before changes.
+/// The world with parked cars beside the route, hedges before some buildings, lamps and signs at
+/// the kerb, and people on the pavements and on the squares behind; nothing that was there before
+/// changes.
 World furnished(World world, std::uint64_t seed);
 
 /// What a drawing keeps right about the places of its buildings, however wrong the measures are.

@@ -99,6 +99,48 @@ TEST(Renderer, CarsHedgesAndTreesAreSeenAndLabelled) {
   EXPECT_EQ(at(12.0, 0.0, 2.0).first, Label::Building);
 }
 
+TEST(Renderer, PeopleSignsAndLampsAreSeenAndLabelled) {
+  World world = wallAhead();
+  world.things = {{Thing::Kind::Person, {{6.0, 0.0}, 0.3, 0.5, kPi}, 1.8},
+                  {Thing::Kind::Sign, {{6.0, 2.0}, 0.07, 0.07, kPi}, 2.6},
+                  {Thing::Kind::Lamp, {{6.0, -2.0}, 0.16, 0.16, 0.0}, 6.0}};
+  const Renderer renderer(RenderOptions{}, 1);
+  const ImageTruth truth = renderer.truth(renderer.sceneAt(world, Pose2{}, 0.0), Pose2{}, 0.0);
+  const ViewCamera camera = viewCamera(renderer.camera(), 640, 480, Pose2{}, 0.0);
+  const auto at = [&](double y, double z) {
+    const double pixels = camera.fx / 6.0;
+    const int column = static_cast<int>(std::lround(camera.cx - pixels * y));
+    const int row = static_cast<int>(std::lround(camera.cy - pixels * (z - 1.5)));
+    return static_cast<Label>(truth.labels(row, column));
+  };
+  EXPECT_EQ(at(0.0, 1.2), Label::Pedestrian);
+  EXPECT_EQ(at(0.0, 1.7), Label::Pedestrian);
+  EXPECT_NE(at(0.0, 1.95), Label::Pedestrian);
+  EXPECT_EQ(at(2.0, 2.25), Label::Sign);
+  EXPECT_EQ(at(2.0, 1.0), Label::Pole);
+  EXPECT_EQ(at(-2.0, 2.5), Label::Pole);
+}
+
+TEST(Renderer, AHouseShadesTheWallBehindIt) {
+  World world = wallAhead();
+  world.map.buildings.push_back(box("S", {{-8.0, 12.0}, 8.0, 8.0, 0.0}));  // out of the picture
+  const auto left = [&](double azimuth_deg) {
+    RenderOptions options = test::smallCamera();
+    options.light.sun_azimuth_deg = azimuth_deg;
+    options.light.sun_elevation_deg = 8.0;
+    options.light.cloud_share = 0.0;
+    options.noise_sigma = 0.0;
+    const Renderer renderer(options, 1);
+    return renderer.images(renderer.sceneAt(world, Pose2{}, 0.0), Pose2{}, 0.0, 0, 0).left;
+  };
+  const World alone = wallAhead();
+  const double azimuth = toDegrees(std::atan2(12.0, -8.0 - 12.0));  // the sun behind the house
+  const cv::Mat shaded = left(azimuth);
+  world = alone;
+  const cv::Mat sunny = left(azimuth);
+  EXPECT_GT(cv::norm(shaded, sunny, cv::NORM_L1) / (160 * 120), 5.0);  // grey levels
+}
+
 TEST(Renderer, FollowsFromItsSeedsOnAnyNumberOfThreads) {
   const World world = streetWorld(4);
   const Pose2 pose{30.0, 0.0, 0.2};

@@ -1,5 +1,7 @@
 #include "core/simulation/world.h"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -83,7 +85,7 @@ TEST(World, CampusesAreVariedAndPossible) {
   EXPECT_GT(turned, 100);
 }
 
-/// Cars and hedges clear of buildings, trees, each other and the robot's way.
+/// Cars, hedges and the rest clear of buildings, trees, each other and the robot's way.
 void expectClearThings(const World& world) {
   const std::optional<Route> route = routeOf(world.map);
   for (std::size_t i = 0; i < world.things.size(); ++i) {
@@ -134,8 +136,7 @@ TEST(World, StreetsHaveHousesOnBothSides) {
 }
 
 TEST(World, FurnitureChangesNothingThatWasThere) {
-  std::size_t cars = 0;
-  std::size_t hedges = 0;
+  std::map<Thing::Kind, std::size_t> counts;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     for (const World& bare : {twoRowWorld(seed), campusWorld(seed)}) {
       EXPECT_TRUE(bare.things.empty());
@@ -143,13 +144,14 @@ TEST(World, FurnitureChangesNothingThatWasThere) {
       EXPECT_EQ(full.map, bare.map);
       EXPECT_EQ(full.obstacles.size(), bare.obstacles.size());
       expectClearThings(full);
-      for (const Thing& thing : full.things) {
-        (thing.kind == Thing::Kind::Car ? cars : hedges)++;
-      }
+      for (const Thing& thing : full.things) ++counts[thing.kind];
     }
   }
-  EXPECT_GT(cars, 200U);
-  EXPECT_GT(hedges, 30U);
+  EXPECT_GT(counts[Thing::Kind::Car], 200U);
+  EXPECT_GT(counts[Thing::Kind::Hedge], 30U);
+  EXPECT_GT(counts[Thing::Kind::Lamp], 60U);
+  EXPECT_GT(counts[Thing::Kind::Sign], 60U);
+  EXPECT_GT(counts[Thing::Kind::Person], 150U);
 }
 
 TEST(World, FollowsFromItsSeed) {
