@@ -53,10 +53,13 @@ void writeMoreEdges(const EdgeStatistics& edges, Writer& write) {
 
 void writeColour(const cv::Vec3b& bgr, bool more, Writer& write) {
   const float sum = static_cast<float>(bgr[0] + bgr[1] + bgr[2]) + 3.0F;
-  for (const int channel : {2, 1, 0}) write((static_cast<float>(bgr[channel]) + 1.0F) / sum);
+  const auto share = [&](int channel) { return (static_cast<float>(bgr[channel]) + 1.0F) / sum; };
+  write(share(2));
+  write(share(1));
+  if (more) write(share(0));
+  write((sum - 3.0F) / 765.0F);
   if (!more) return;
   const auto [least, greatest] = std::minmax({bgr[0], bgr[1], bgr[2]});
-  write((sum - 3.0F) / 765.0F);
   write(static_cast<float>(greatest - least) / (static_cast<float>(greatest) + 1.0F));
 }
 

@@ -8,9 +8,10 @@
 
 namespace handmap {
 
-/// Paper: normalized colour (r, g, b), edge density, peak of the Hough voting, variance of the edge
-/// directions; without colour mean and deviation of the brightness in its place.
-/// Handmap: also brightness, saturation, contrast, strength and directions of the edges; all of
+/// Paper: normalized colour (r, g; in place of b = 1 − r − g the brightness), edge density, peak of
+/// the Hough voting, variance of the edge directions; without colour mean and deviation of the
+/// brightness in its place.
+/// Handmap: also b, saturation, contrast, strength and directions of the edges; all of
 /// these also of the 3×3 and 9×9 windows around, of the 3×3 around the window two above and of
 /// those around the window two below; the place in the image.
 enum class FeatureFamily { Paper, Handmap };

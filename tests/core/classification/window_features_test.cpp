@@ -31,7 +31,7 @@ TEST(WindowFeatures, OfThePaperAreColourAndEdges) {
   const SampleMatrix features = windowFeatures(image, kAll[0]);
   EXPECT_NEAR(features(0, 0), 121.0 / 203.0, 1e-5);  // red first
   EXPECT_NEAR(features(0, 1), 61.0 / 203.0, 1e-5);
-  EXPECT_NEAR(features(0, 2), 21.0 / 203.0, 1e-5);
+  EXPECT_NEAR(features(0, 2), 200.0 / 765.0, 1e-5);
   EXPECT_NEAR(features(1, 3), 3.0 / 16.0, 1e-5);  // two of the step, one of the one at the left
   EXPECT_NEAR(features(1, 4), 1.0, 1e-5);
   EXPECT_NEAR(features(1, 5), 0.0, 1e-5);
