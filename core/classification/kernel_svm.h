@@ -17,8 +17,8 @@ namespace handmap {
 
 struct SvmOptions {
   int vectors = 240;   ///< at most
-  double gamma = 0.8;  ///< kernel exp(−γ |x − v|² / features); features are of variance 1
-  double c = 10.0;     ///< C: weight of the loss against the norm
+  double gamma = 0.4;  ///< kernel exp(−γ |x − v|² / features); features are of variance 1
+  double c = 3.0;      ///< C: weight of the loss against the norm
   std::uint64_t seed = 1;
 };
 
