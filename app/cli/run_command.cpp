@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
+#include "core/map/map_model.h"
 #include "core/odometry/visual_odometry_source.h"
 #include "core/recording/image_file.h"
 #include "core/session/run_session.h"
@@ -92,12 +93,31 @@ std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const Interrupt& i
 }
 
 void writeOutputs(const RunArguments& arguments, const RunSession& session, const Snapshot& last) {
-  if (!arguments.out.empty()) writeMap(session.refinedMap(), arguments.out);
+  if (!arguments.out.empty()) {
+    Map refined = session.refinedMap();
+    moveModel(refined, arguments.map, arguments.out);
+    writeMap(refined, arguments.out);
+  }
   if (!arguments.trajectory.empty()) {
     writeFileAtomically(arguments.trajectory, formatTum(session.trajectory()));
   }
   if (!arguments.report.empty()) writeFileAtomically(arguments.report, session.reportJson());
   if (!arguments.local_map.empty()) writePng(picture(*last.local_map), arguments.local_map);
+}
+
+/// The one that was asked for, else that of the map; nullptr: the program's own.
+std::shared_ptr<const BuildingClassifier> classifierFor(const RunArguments& arguments,
+                                                        const Map& drawing) {
+  std::filesystem::path model = arguments.model;
+  if (model.empty()) model = modelOf(drawing, arguments.map).value_or("");
+  if (model.empty()) return nullptr;
+  try {
+    return std::make_shared<const BuildingClassifier>(BuildingClassifier::load(model));
+  } catch (const Error& error) {
+    if (!arguments.model.empty()) throw;
+    throw Error(error.code(), error.what(),
+                "the map names this model as its own; --model takes another, or none");
+  }
 }
 
 int run(RunArguments arguments) {
@@ -109,11 +129,10 @@ int run(RunArguments arguments) {
   }
   arguments.settings.slam.refine = !arguments.localize_only;
   arguments.settings.perception.classify = arguments.model != "none";
-  if (!arguments.model.empty() && arguments.settings.perception.classify) {
-    arguments.settings.perception.classifier =
-        std::make_shared<const BuildingClassifier>(BuildingClassifier::load(arguments.model));
-  }
   Map drawing = readDrawing(arguments.map);
+  if (arguments.settings.perception.classify) {
+    arguments.settings.perception.classifier = classifierFor(arguments, drawing);
+  }
   auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
 
   const Interrupt interrupt;
@@ -154,8 +173,10 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
                    "In place of the recording's own; visual: from the images")
       ->option_text("FILE.tum|visual");
   command
-      ->add_option("--model", a.model,
-                   "Tells buildings in images, made by train; none: all walls are (default: own)")
+      ->add_option(
+          "--model", a.model,
+          "Tells buildings in images, made by train; none: all walls are (default: that of the "
+          "map, else the program's)")
       ->option_text("MODEL|none");
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},

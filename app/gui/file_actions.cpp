@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
+#include "core/map/map_model.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
@@ -97,18 +98,21 @@ bool FileActions::replace(const Map& map) {
 
 bool FileActions::save() {
   const QString path = parts_.document.filePath();
-  if (path.isEmpty()) return saveAs();
-  if (!guarded([&] { parts_.document.save(path); })) return false;
-  recovery_.clear();
-  remember(path);
-  return true;
+  return path.isEmpty() ? saveAs() : saveTo(path);
 }
 
 bool FileActions::saveAs() {
   const QString path = askPath(tr("Save the drawing"), parts_.document.displayName(), mapFilter(),
                                QStringLiteral("handmap"));
-  if (path.isEmpty()) return false;
-  if (!guarded([&] { parts_.document.save(path); })) return false;
+  return !path.isEmpty() && saveTo(path);
+}
+
+bool FileActions::saveTo(const QString& path) {
+  const auto work = [&] {
+    before_save_(path);
+    parts_.document.save(path);
+  };
+  if (!guarded(work)) return false;
   recovery_.clear();
   remember(path);
   return true;
@@ -134,7 +138,11 @@ void FileActions::exportMap() {
                                    tr("-refined") + QStringLiteral(".handmap"),
                                mapFilter(), QStringLiteral("handmap"));
   if (path.isEmpty()) return;
-  guarded([&] { writeMap(result->map, path.toStdString()); });
+  guarded([&] {
+    Map map = result->map;
+    moveModel(map, parts_.document.filePath().toStdString(), path.toStdString());
+    writeMap(map, path.toStdString());
+  });
 }
 
 void FileActions::exportGeoJson() {

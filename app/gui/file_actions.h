@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 #include "app/gui/recovery.h"
 
@@ -43,6 +44,11 @@ class FileActions : public QObject {
   bool replace(const Map& map);
   /// Says so if an earlier session has left unsaved work behind.
   void offerRecovery();
+  /// Called with the path before the drawing is saved there; an Error it throws is told, and
+  /// nothing is saved.
+  void setBeforeSave(std::function<void(const QString& path)> work) {
+    before_save_ = std::move(work);
+  }
   QMenu& recentMenu() { return *recent_; }
   /// The session ends as the user wants it.
   void sessionEnds() { recovery_.clear(); }
@@ -55,6 +61,7 @@ class FileActions : public QObject {
   void connectActions();
   void remember(const QString& path);
   void fillRecentMenu();
+  bool saveTo(const QString& path);
   QString askPath(const QString& title, const QString& suggestion, const QString& filter,
                   const QString& suffix);
   void exportMap();
@@ -68,6 +75,7 @@ class FileActions : public QObject {
   Parts parts_;
   Recovery recovery_;
   QMenu* recent_;
+  std::function<void(const QString& path)> before_save_ = [](const QString&) {};
 };
 
 }  // namespace handmap

@@ -13,6 +13,7 @@
 
 #include "app/gui/docks.h"
 #include "app/gui/file_actions.h"
+#include "app/gui/map_model.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/run_actions.h"
 #include "app/gui/welcome_strip.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings)
   runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,
                           *overlays_, *transport_, docks_->layers(), docks_->setup(),
                           docks_->charts(), docks_->camera(), docks_->buildings()});
+  new MapModel({document_, *files_, docks_->teach(), *messages_}, this);
   makeBars();
   makeStatusBar();
   connectEditing();

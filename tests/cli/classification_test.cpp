@@ -125,5 +125,29 @@ TEST_F(Classification, RefusesOtherModelsAndImages) {
                "hint: handmap-cli classify --help\n");
 }
 
+TEST_F(Classification, ARunTakesTheModelThatItsMapNames) {
+  train({"--features", "paper"});
+  ASSERT_EQ(run({"simulate", "--images", "--width", "64", "--height", "64", "--out", "rec"}).status,
+            0);
+  replaceIn("rec/sketch.handmap", "\"version\": 1,",
+            "\"version\": 1, \"handmap:model\": \"../model\",");
+  const auto one_stop = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "--map", "rec/sketch.handmap", "--recording", "rec", "--to",
+                               "0", "--slam-particles", "5"});
+    return run(more);
+  };
+  // The rendered images are grey and the model is for colours: so it shows that it is asked.
+  const Outcome taken = one_stop({});
+  EXPECT_NE(taken.err.find("found grey, expected colour"), std::string::npos) << taken.err;
+  const Outcome other = one_stop({"--model", "none", "--out", "refined.handmap"});
+  EXPECT_EQ(other.status, 0) << other.err;
+  EXPECT_NE(contentOf("refined.handmap").find("\"handmap:model\": \"model\""), std::string::npos);
+
+  fs::remove("model");
+  expectFailed(one_stop({}), 2,
+               "handmap-cli: error: rec/../model: found no such file, expected a readable file\n"
+               "hint: the map names this model as its own; --model takes another, or none\n");
+}
+
 }  // namespace
 }  // namespace handmap

@@ -1,6 +1,7 @@
 // Whole ways through the window, without a display.
 #include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -233,6 +234,51 @@ TEST_F(WindowTest, PicturesAreWrittenWholeOrNotAtAll) {
   const QImage back(path("canvas.png"));
   EXPECT_EQ(back.size(), window->canvas().size() * 2);
   EXPECT_THROW(writePicture(back, path("no/such/folder.png")), Error);
+}
+
+TEST_F(WindowTest, ATaughtModelIsSavedAndOpenedWithItsMap) {
+  const auto window = open();
+  TeachPanel& teach = window->docks().teach();
+  const auto chosen = [&] {
+    return window->docks().setup().setup().settings.perception.classifier;
+  };
+  auto* button = teach.findChild<QPushButton*>("save_with_map");
+  EXPECT_FALSE(button->isEnabled());
+  document_.save(path("yard.handmap"));
+  teach.setModel(std::make_shared<const BuildingClassifier>(BuildingClassifier::builtIn(false)));
+  EXPECT_FALSE(teach.isUnsaved());
+  button->click();
+  EXPECT_TRUE(message(*window).contains("yard.handmap")) << message(*window).toStdString();
+  EXPECT_TRUE(QFile::exists(path("yard.model.json")));
+  EXPECT_FALSE(document_.isModified());
+
+  window->files().replace({});  // another drawing: the model goes with its own
+  EXPECT_FALSE(teach.classifier());
+  EXPECT_FALSE(chosen());
+  ASSERT_TRUE(window->files().open(path("yard.handmap")));
+  ASSERT_TRUE(chosen());
+  EXPECT_EQ(chosen()->toJson(), BuildingClassifier::builtIn(false).toJson());
+
+  window->files().replace({});
+  QFile::remove(path("yard.model.json"));
+  EXPECT_TRUE(window->files().open(path("yard.handmap"))) << "the map opens without it";
+  EXPECT_TRUE(message(*window).contains("yard.model.json")) << message(*window).toStdString();
+  EXPECT_FALSE(chosen());
+}
+
+TEST_F(WindowTest, SavingTheMapSavesWhatWasTaughtAndIsInNoFile) {
+  const auto window = open();
+  document_.save(path("yard.handmap"));
+  TeachPanel& teach = window->docks().teach();
+  ASSERT_TRUE(window->files().save());
+  EXPECT_FALSE(QFile::exists(path("yard.model.json"))) << "nothing was taught";
+  teach.setModel(std::make_shared<const BuildingClassifier>(BuildingClassifier::builtIn(true)));
+  teach.setUnsaved();
+  ASSERT_TRUE(window->files().save());
+  EXPECT_TRUE(QFile::exists(path("yard.model.json")));
+  EXPECT_FALSE(teach.isUnsaved());
+  EXPECT_EQ(readMap(path("yard.handmap").toStdString()).unknown.at("handmap:model"),
+            "\"yard.model.json\"");
 }
 
 }  // namespace

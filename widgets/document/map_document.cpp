@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "core/map/map_io.h"
+#include "core/map/map_model.h"
 
 namespace handmap {
 
@@ -132,18 +133,27 @@ void MapDocument::open(const QString& path) { reset(readMap(nativePath(path)), p
 void MapDocument::save(const QString& path) {
   const QString old_folder = QFileInfo(file_path_).absolutePath();
   const QString new_folder = QFileInfo(path).absolutePath();
-  if (file_path_.isEmpty() || old_folder == new_folder || map_.underlays.empty()) {
+  if (file_path_.isEmpty() || old_folder == new_folder) {
     writeMap(map_, nativePath(path));
   } else {
     Map copy = map_;
     copy.underlays = rebased(map_.underlays, old_folder, new_folder);
+    moveModel(copy, nativePath(file_path_), nativePath(path));
     writeMap(copy, nativePath(path));
     file_path_ = path;
     setUnderlays(copy.underlays, tr("Save in Another Folder"));
+    setMember(&Map::unknown, copy.unknown, tr("Save in Another Folder"), false);
   }
   file_path_ = path;
   undo_stack_.setClean();
   Q_EMIT fileChanged();
+}
+
+void MapDocument::setModel(const QString& model, const QString& map_path) {
+  Map named;
+  named.unknown = map_.unknown;
+  handmap::setModel(named, nativePath(model), nativePath(map_path));
+  setMember(&Map::unknown, named.unknown, tr("Save Model with the Map"), false);
 }
 
 void MapDocument::setSelection(QStringList keys) {

@@ -34,6 +34,9 @@ class MapDocument : public QObject {
   void reset(Map map = {}, QString path = {});
   void open(const QString& path);  ///< throws Error; the document is then as before
   void save(const QString& path);  ///< throws Error; atomic
+  /// Names the model that belongs to this map, see core/map/map_model.h; `map_path` is where the
+  /// map will be saved.
+  void setModel(const QString& model, const QString& map_path);
 
   // --- Selection: keys of objects that exist, each once
   QStringList selection() const { return selection_; }

@@ -76,6 +76,11 @@ QSpinBox* RunSetupPanel::addNumber(const QString& label, int low, int high, cons
 void RunSetupPanel::setTaughtClassifier(std::shared_ptr<const BuildingClassifier> classifier) {
   taught_ = std::move(classifier);
   int index = buildings_->findData(static_cast<int>(ToldBy::Taught));
+  if (!taught_) {
+    if (index >= 0) buildings_->removeItem(index);
+    if (index >= 0) buildings_->setCurrentIndex(0);
+    return;
+  }
   if (index < 0) {
     index = 1;
     buildings_->insertItem(index, tr("What was taught"), static_cast<int>(ToldBy::Taught));

@@ -24,7 +24,7 @@ class RunSetupPanel : public QWidget {
   explicit RunSetupPanel(QWidget* parent = nullptr);
 
   /// What tells buildings from the rest in images, beside the classifier of the program; chosen at
-  /// once.
+  /// once. nullptr: there is none any more.
   void setTaughtClassifier(std::shared_ptr<const BuildingClassifier> classifier);
 
   RunSetup setup() const;

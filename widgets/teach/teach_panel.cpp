@@ -47,6 +47,7 @@ TeachPanel::TeachPanel(QWidget* parent)
       colour_(new QCheckBox(tr("Use colours"))),
       train_(new QPushButton),
       save_(new QPushButton(tr("Save model…"))),
+      save_with_map_(new QPushButton(tr("Save with the map"))),
       progress_(new QProgressBar),
       figures_(new QLabel) {
   auto* layout = new QGridLayout(this);
@@ -111,6 +112,9 @@ QWidget* TeachPanel::makeTraining() {
   colour_->setToolTip(tr("Without, the model also suits cameras that see grey"));
   progress_->setRange(0, kProgressSteps);
   connect(save_, &QPushButton::clicked, this, &TeachPanel::askToSave);
+  save_with_map_->setObjectName("save_with_map");
+  save_with_map_->setToolTip(tr("Beside the drawing, which takes it up whenever it is opened"));
+  connect(save_with_map_, &QPushButton::clicked, this, &TeachPanel::saveWithMapRequested);
   auto* load = new QPushButton(tr("Load model…"));
   connect(load, &QPushButton::clicked, this, &TeachPanel::askToLoad);
   layout->addWidget(train_);
@@ -119,6 +123,7 @@ QWidget* TeachPanel::makeTraining() {
   layout->addStretch();
   layout->addWidget(load);
   layout->addWidget(save_);
+  layout->addWidget(save_with_map_);
   return row;
 }
 
@@ -174,6 +179,7 @@ void TeachPanel::keepLabels() {
 }
 
 void TeachPanel::showFound() {
+  if (!classifier_) view_->setFound(cv::Mat1f());
   if (!classifier_ || image_.empty()) return;
   try {
     view_->setFound(classifier_->probabilities(image_));
@@ -201,6 +207,7 @@ void TeachPanel::train() {
   connect(worker_.get(), &TeachWorker::finished, this,
           [this](const std::shared_ptr<const BuildingClassifier>& classifier) {
             trainingEnded();
+            unsaved_ = true;
             setClassifier(classifier);
           });
   connect(worker_.get(), &TeachWorker::cancelled, this, &TeachPanel::trainingEnded);
@@ -230,10 +237,16 @@ void TeachPanel::setClassifier(std::shared_ptr<const BuildingClassifier> classif
   Q_EMIT classifierChanged(classifier_);
 }
 
+void TeachPanel::setModel(std::shared_ptr<const BuildingClassifier> classifier) {
+  unsaved_ = false;
+  setClassifier(std::move(classifier));
+}
+
 bool TeachPanel::saveModel(const QString& path) {
   if (!classifier_) return false;
   try {
     classifier_->save(path.toStdString());
+    unsaved_ = false;
     return true;
   } catch (const Error& error) {
     Q_EMIT messageRaised(QString::fromUtf8(error.what()));
@@ -243,7 +256,7 @@ bool TeachPanel::saveModel(const QString& path) {
 
 bool TeachPanel::loadModel(const QString& path) {
   try {
-    setClassifier(
+    setModel(
         std::make_shared<const BuildingClassifier>(BuildingClassifier::load(path.toStdString())));
     return true;
   } catch (const Error& error) {
@@ -260,6 +273,7 @@ void TeachPanel::updateState() {
   train_->setEnabled(isTraining() || enough);
   progress_->setVisible(isTraining());
   save_->setEnabled(classifier_ != nullptr);
+  save_with_map_->setEnabled(classifier_ != nullptr);
   QString text = tr("Painted: %1 windows of buildings, %2 of others.")
                      .arg(counts.buildings)
                      .arg(counts.others);

@@ -37,12 +37,19 @@ class TeachPanel : public QWidget {
   TeachView& view() { return *view_; }
   /// nullptr before there is one.
   std::shared_ptr<const BuildingClassifier> classifier() const { return classifier_; }
+  /// In place of what was taught; nullptr: nothing is taught any more.
+  void setModel(std::shared_ptr<const BuildingClassifier> classifier);
+  /// Trained, and in no file yet.
+  bool isUnsaved() const { return unsaved_; }
+  void setSaved() { unsaved_ = false; }
+  void setUnsaved() { unsaved_ = classifier_ != nullptr; }
 
   QSize sizeHint() const override { return {860, 620}; }
 
  Q_SIGNALS:
   void messageRaised(const QString& message);
-  /// Trained or loaded.
+  void saveWithMapRequested();
+  /// Trained, loaded or taken away (nullptr).
   void classifierChanged(const std::shared_ptr<const handmap::BuildingClassifier>& classifier);
 
  private:
@@ -66,12 +73,14 @@ class TeachPanel : public QWidget {
   QCheckBox* colour_;
   QPushButton* train_;
   QPushButton* save_;
+  QPushButton* save_with_map_;
   QProgressBar* progress_;
   QLabel* figures_;
   QHash<QString, std::vector<WindowLabel>> labels_;  ///< by path, of the images that were shown
   QString shown_;                                    ///< path of the image in the view
   cv::Mat image_;                                    ///< that image
   std::shared_ptr<const BuildingClassifier> classifier_;
+  bool unsaved_ = false;
   std::unique_ptr<TeachWorker> worker_;
 };
 

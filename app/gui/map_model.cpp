@@ -1,0 +1,65 @@
+#include "app/gui/map_model.h"
+
+#include "app/gui/file_actions.h"
+#include "app/gui/message_bar.h"
+#include "core/base/error.h"
+#include "core/map/map_model.h"
+#include "widgets/document/map_document.h"
+#include "widgets/teach/teach_panel.h"
+
+namespace handmap {
+
+namespace {
+
+std::filesystem::path nativePath(const QString& path) {
+  return std::filesystem::path(path.toStdU16String());
+}
+
+}  // namespace
+
+MapModel::MapModel(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+  parts_.files.setBeforeSave([this](const QString& path) { writeBeside(path); });
+  connect(&parts_.files, &FileActions::drawingReplaced, this, &MapModel::loadOfDrawing);
+  connect(&parts_.teach, &TeachPanel::saveWithMapRequested, this, &MapModel::saveWithMap);
+}
+
+void MapModel::writeBeside(const QString& map_path) {
+  if (!parts_.teach.isUnsaved()) return;
+  const std::filesystem::path model = modelBeside(nativePath(map_path));
+  parts_.teach.classifier()->save(model);
+  parts_.teach.setSaved();
+  parts_.document.setModel(QString::fromStdU16String(model.u16string()), map_path);
+  of_drawing_ = true;
+}
+
+void MapModel::loadOfDrawing() {
+  try {
+    const auto path = modelOf(parts_.document.map(), nativePath(parts_.document.filePath()));
+    if (path) {
+      parts_.teach.setModel(
+          std::make_shared<const BuildingClassifier>(BuildingClassifier::load(*path)));
+      of_drawing_ = true;
+      return;
+    }
+  } catch (const Error& error) {
+    parts_.messages.show(
+        MessageBar::Kind::Warning,
+        tr("The model of this drawing cannot be used: %1").arg(QString::fromUtf8(error.what())),
+        tr("Runs take the program's own until you load or teach another."));
+  }
+  // What belonged to the drawing before goes with it; what is taught and not yet saved stays.
+  if (of_drawing_ && !parts_.teach.isUnsaved()) parts_.teach.setModel(nullptr);
+  of_drawing_ = false;
+}
+
+void MapModel::saveWithMap() {
+  if (!parts_.teach.classifier()) return;
+  parts_.teach
+      .setUnsaved();  // also one that was loaded or saved elsewhere is to lie beside the map
+  if (!parts_.files.save()) return;
+  parts_.messages.show(MessageBar::Kind::Info,
+                       tr("The model is saved with “%1”.").arg(parts_.document.displayName()),
+                       tr("Whoever opens the drawing gets it too; keep both files together."));
+}
+
+}  // namespace handmap
