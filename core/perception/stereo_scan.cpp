@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include <opencv2/core.hpp>
+
 namespace handmap {
 
 namespace {
@@ -22,11 +24,14 @@ std::vector<Vec2> lookedThrough(const cv::Mat1f& disparity, const StereoCamera& 
   const double depth_disparity = camera.fx * camera.baseline;
   std::vector<Vec2> ends;
   std::vector<std::pair<double, double>> seen;  // level, forward
+  cv::Mat1f by_columns;                         // so that a column lies in one piece of memory
+  cv::transpose(disparity, by_columns);
   for (int column = 0; column < disparity.cols; ++column) {
     seen.clear();
+    const float* disparities = by_columns[column];
     for (int row = 0; row < disparity.rows; ++row) {
       const double forward = rays.forward[static_cast<std::size_t>(row)];
-      const double d = static_cast<double>(disparity(row, column));
+      const double d = static_cast<double>(disparities[row]);
       if (d > 0.0 && forward > 0.0) seen.emplace_back(d / forward, forward);
     }
     if (seen.size() < kSupport) continue;

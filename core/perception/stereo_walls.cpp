@@ -90,6 +90,18 @@ int disparitiesFor(const StereoCamera& reduced) {
   return 16 * static_cast<int>(std::clamp(std::ceil(nearest / 16.0), 1.0, 16.0));
 }
 
+/// Farther down the ground is nearer than what `disparities` reach to: nothing can be matched
+/// there.
+int rowsToMatch(const StereoCamera& reduced, const CameraRays& rays, int disparities) {
+  const double nearest_m = reduced.fx * reduced.baseline / disparities;
+  int rows = static_cast<int>(rays.up.size());
+  while (rows > kMinSide_px &&
+         nearest_m * -rays.up[static_cast<std::size_t>(rows - 1)] > reduced.mount.z) {
+    --rows;
+  }
+  return rows;
+}
+
 }  // namespace
 
 struct StereoWalls::Matcher {
@@ -103,7 +115,7 @@ struct StereoWalls::Matcher {
 
   void prepare(const cv::Mat& image, cv::Size size, int padding, cv::Mat& prepared) const;
   cv::Mat1f match(const cv::Mat& left_image, const cv::Mat& right_image, cv::Size size,
-                  int disparities);
+                  int disparities, int rows);
   std::vector<WallPoint> inRobotFrame(const std::vector<WallColumn>& columns,
                                       const StereoCamera& reduced, double pan_rad,
                                       double range_limit_m) const;
@@ -120,14 +132,15 @@ void StereoWalls::Matcher::prepare(const cv::Mat& image, cv::Size size, int padd
 }
 
 cv::Mat1f StereoWalls::Matcher::match(const cv::Mat& left_image, const cv::Mat& right_image,
-                                      cv::Size size, int disparities) {
+                                      cv::Size size, int disparities, int rows) {
   prepare(left_image, size, disparities, left);
   prepare(right_image, size, disparities, right);
+  const cv::Mat upper = left.rowRange(0, rows);
   sgbm->setNumDisparities(disparities);
-  sgbm->compute(left, right, sixteenths);
-  const cv::Mat1f texture = textureOf(left);
-  cv::Mat1f disparity(size);
-  for (int row = 0; row < size.height; ++row) {
+  sgbm->compute(upper, right.rowRange(0, rows), sixteenths);
+  const cv::Mat1f texture = textureOf(upper);
+  cv::Mat1f disparity(size, kUnknown);
+  for (int row = 0; row < rows; ++row) {
     const short* in = sixteenths[row] + disparities;
     const float* contrast = texture[row] + disparities;
     float* out = disparity[row];
@@ -212,14 +225,15 @@ StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, 
                     static_cast<double>(left.rows) / size.height);
 
   StereoResult result;
+  const int disparities =
+      options.num_disparities > 0 ? options.num_disparities : disparitiesFor(reduced);
+  const CameraRays rays(reduced, size);
   const Stopwatch matching;
-  result.disparity = matcher_->match(
-      left, right, size,
-      options.num_disparities > 0 ? options.num_disparities : disparitiesFor(reduced));
+  result.disparity =
+      matcher_->match(left, right, size, disparities, rowsToMatch(reduced, rays, disparities));
   result.stereo_ms = matching.ms();
 
   const Stopwatch rest;
-  const CameraRays rays(reduced, size);
   const GroundPlane ground = fitGround(result.disparity, reduced, rays);
   std::vector<WallColumn> columns =
       wallColumns(result.disparity, reduced, rays, ground, options.filter, range_limit_m);

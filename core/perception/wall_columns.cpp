@@ -74,6 +74,15 @@ Levels levelsOf(const cv::Mat1f& disparity, double depth_disparity, const Camera
           std::min(std::max(0.0, largest) / shortest, depth_disparity / min_range_m)};
 }
 
+/// No pixel of a row can be that high: along a ray the height above the ground is linear in x.
+bool staysBelow(double min_height_m, double rise, double forward, double max_x_m,
+                const StereoCamera& camera, const CameraRays& rays, const GroundPlane& ground) {
+  const double aside = std::max(std::abs(rays.left.front()), std::abs(rays.left.back())) / forward;
+  const double at_camera = camera.mount.z - ground.height;
+  const double along_x = rise - ground.slope_x + std::abs(ground.slope_y) * aside;
+  return at_camera + std::max(0.0, along_x * max_x_m) < min_height_m;
+}
+
 void fill(Histogram& histogram, const cv::Mat1f& disparity, const StereoCamera& camera,
           const CameraRays& rays, const GroundPlane& ground, const WallFilter& filter,
           const Levels& levels) {
@@ -85,6 +94,10 @@ void fill(Histogram& histogram, const cv::Mat1f& disparity, const StereoCamera& 
     if (forward <= 0.0 || next_forward <= 0.0) continue;
     const double rise = rays.up[r] / forward;
     const double pixel_rise = rise - rays.up[r + 1] / next_forward;
+    if (staysBelow(filter.min_height_m, rise, forward, depth_disparity / levels.least, camera, rays,
+                   ground)) {
+      continue;
+    }
     const float* line = disparity[row];
     for (int column = 0; column < disparity.cols; ++column) {
       const double level = static_cast<double>(line[column]) / forward;
