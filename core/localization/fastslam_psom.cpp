@@ -262,6 +262,16 @@ Estimate FastSlamPsom::estimateOf(std::size_t building, const Swarm& best) const
           std::sqrt(squares[Swarm::kWidth] / weight), best.observations};
 }
 
+std::vector<Rectangle> FastSlamPsom::swarmOf(std::size_t building) const {
+  std::vector<Rectangle> members;
+  const Swarm* swarm = best().map.find(building);
+  if (swarm == nullptr || swarm->observations == 0) return members;
+  for (std::size_t i = 0; i < swarm->members(); ++i) {
+    members.push_back(models_[building].box(stateOf(building, swarm->member(i))));
+  }
+  return members;
+}
+
 Map FastSlamPsom::refinedMap() const {
   Map map = drawing_;
   for (std::size_t b = 0; b < models_.size(); ++b) {

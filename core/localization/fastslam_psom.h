@@ -45,6 +45,8 @@ class FastSlamPsom {
   const std::vector<Particle>& particles() const { return particles_; }
   const Particle& best() const { return particles_[best_]; }
   const StepResult& lastStep() const { return last_step_; }
+  /// The swarm of a building in the best particle's map; empty where it was never seen.
+  std::vector<Rectangle> swarmOf(std::size_t building) const;
   /// The drawing with the best particle's buildings and their estimates.
   Map refinedMap() const;
 

@@ -27,10 +27,18 @@ std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
   return {std::sqrt(variance.x()), std::sqrt(variance.y()), std::sqrt(variance.z())};
 }
 
+SwarmView viewOf(const Map& drawing, std::size_t building, const std::vector<Rectangle>& members) {
+  SwarmView view{building, {}};
+  for (const Rectangle& box : members) {
+    view.members.push_back(drawing.buildings[building].fitted(box).footprint());
+  }
+  return view;
+}
+
 class PaperMethod : public EstimationMethod {
  public:
   PaperMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
+      : drawing_(drawing), slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
@@ -50,11 +58,19 @@ class PaperMethod : public EstimationMethod {
     }
     return views;
   }
-  std::vector<SwarmView> swarms() const override { return {}; }
+  std::vector<SwarmView> swarms() const override {
+    std::vector<SwarmView> views;
+    for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) {
+      views.push_back(viewOf(drawing_, b, slam_.swarmOf(b)));
+      if (views.back().members.empty()) views.pop_back();
+    }
+    return views;
+  }
   std::vector<StampedPose> trajectory() const override { return slam_.best().path.poses(); }
   Map refinedMap() const override { return slam_.refinedMap(); }
 
  private:
+  Map drawing_;
   FastSlamPsom slam_;
 };
 
@@ -99,10 +115,7 @@ class HandmapMethod : public EstimationMethod {
   std::vector<SwarmView> swarms() const override {
     std::vector<SwarmView> views;
     for (const BuildingSwarm& swarm : estimator_.swarms(kSwarmMembers)) {
-      views.push_back({swarm.building, {}});
-      for (const Rectangle& box : swarm.members) {
-        views.back().members.push_back(drawing_.buildings[swarm.building].fitted(box).footprint());
-      }
+      views.push_back(viewOf(drawing_, swarm.building, swarm.members));
     }
     return views;
   }

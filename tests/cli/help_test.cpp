@@ -5,7 +5,7 @@ namespace {
 
 using Help = CliTest;
 
-TEST_F(Help, TellsTheVersion) { expectDone(run({"--version"}), "handmap-cli 0.1.0\n"); }
+TEST_F(Help, TellsTheVersion) { expectDone(run({"--version"}), "handmap-cli 0.2.0\n"); }
 
 TEST_F(Help, OfTheProgramAndOfEveryCommand) {
   const std::filesystem::path expected = HANDMAP_CLI_EXPECTED;
