@@ -54,8 +54,8 @@ void MapModel::loadOfDrawing() {
 
 void MapModel::saveWithMap() {
   if (!parts_.teach.classifier()) return;
-  parts_.teach
-      .setUnsaved();  // also one that was loaded or saved elsewhere is to lie beside the map
+  // Also one that was loaded or saved elsewhere is to lie beside the map.
+  parts_.teach.setUnsaved();
   if (!parts_.files.save()) return;
   parts_.messages.show(MessageBar::Kind::Info,
                        tr("The model is saved with “%1”.").arg(parts_.document.displayName()),
