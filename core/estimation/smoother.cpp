@@ -20,6 +20,7 @@ constexpr double kEndsAreWorse = 3.0;
 constexpr int kLeastSightings = 3;  // of a landmark that is to be trusted
 constexpr float kLeastCosine = 0.02F;
 constexpr double kLeastBias = 1e-9;  // 1/m, one σ
+constexpr double kScaleChange = 0.002;
 
 /// Walls that would pass one another stay.
 void move(Box& box, const Eigen::Matrix<double, kBoxSize, 1>& step) {
@@ -191,7 +192,8 @@ void Smoother::addCalibrationPrior(std::span<Frame* const> frames) {
   right_[bias_at_] -= bias_per_m_ / (sigma * sigma);
   // Cauchy's weight.
   const double weight = 1.0 / (odometry_.scale * odometry_.scale + scale_ * scale_);
-  triplets_.emplace_back(scale_at_, scale_at_, weight);
+  // It changes little from one window of frames to the next: what one tells is no more than a part.
+  triplets_.emplace_back(scale_at_, scale_at_, weight + 1.0 / (kScaleChange * kScaleChange));
   right_[scale_at_] -= scale_ * weight;
 }
 

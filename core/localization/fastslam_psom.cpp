@@ -152,9 +152,9 @@ double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, con
     return static_cast<double>(score(0.0F, 0.0F, static_cast<float>(model.drawn().width)));
   }
   const auto scores = [&](const Swarm& swarm, std::span<float> values) {
-    const auto x = swarm.positions(Swarm::kX);
-    const auto y = swarm.positions(Swarm::kY);
-    const auto width = swarm.positions(Swarm::kWidth);
+    const auto x = swarm.positions(Swarm::X);
+    const auto y = swarm.positions(Swarm::Y);
+    const auto width = swarm.positions(Swarm::Width);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = score(x[i], y[i], width[i]);
     }
@@ -169,8 +169,7 @@ double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, con
   refine(*swarm, scores, options_, random, stop);
   seen.state = stateOf(seen.building, swarm->best);
   seen.refined = true;
-  const auto moved =
-      static_cast<double>(std::hypot(swarm->mean[Swarm::kX], swarm->mean[Swarm::kY]));
+  const auto moved = static_cast<double>(std::hypot(swarm->mean[Swarm::X], swarm->mean[Swarm::Y]));
   for (double most = farthest_moved_; moved > most;) {
     if (farthest_moved_.compare_exchange_weak(most, moved)) break;
   }
@@ -181,9 +180,9 @@ double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, con
 
 BuildingState FastSlamPsom::stateOf(std::size_t building, const Swarm::Values& values) const {
   const BuildingState& drawn = models_[building].drawn();
-  return {drawn.x + static_cast<double>(values[Swarm::kX]),
-          drawn.y + static_cast<double>(values[Swarm::kY]),
-          static_cast<double>(values[Swarm::kWidth])};
+  return {drawn.x + static_cast<double>(values[Swarm::X]),
+          drawn.y + static_cast<double>(values[Swarm::Y]),
+          static_cast<double>(values[Swarm::Width])};
 }
 
 bool FastSlamPsom::isPlausible(const Pose2& robot, const std::vector<Visible>& visible) const {
@@ -247,7 +246,7 @@ void FastSlamPsom::resample() {
 Estimate FastSlamPsom::estimateOf(std::size_t building, const Swarm& best) const {
   // Spread of the swarms of all particles around the state that is shown.
   double weight = 0.0;
-  std::array<double, Swarm::kParameters> squares{};
+  std::array<double, Swarm::Count> squares{};
   for (const Particle& particle : particles_) {
     const Swarm* swarm = particle.map.find(building);
     if (swarm == nullptr) continue;
@@ -258,8 +257,8 @@ Estimate FastSlamPsom::estimateOf(std::size_t building, const Swarm& best) const
     weight += particle.weight;
   }
   if (weight <= 0.0) return {0.0, 0.0, 0.0, best.observations};
-  return {std::sqrt(squares[Swarm::kX] / weight), std::sqrt(squares[Swarm::kY] / weight),
-          std::sqrt(squares[Swarm::kWidth] / weight), best.observations};
+  return {std::sqrt(squares[Swarm::X] / weight), std::sqrt(squares[Swarm::Y] / weight),
+          std::sqrt(squares[Swarm::Width] / weight), best.observations};
 }
 
 std::vector<Rectangle> FastSlamPsom::swarmOf(std::size_t building) const {

@@ -12,6 +12,7 @@ namespace handmap {
 namespace {
 
 constexpr double kOne = 65536.0;  // fixed point, 16 bits of fraction
+constexpr float kHalf = 0.5F;     // rounds what is not negative
 
 std::int32_t fixed(double value) { return static_cast<std::int32_t>(std::lround(value * kOne)); }
 
@@ -63,7 +64,7 @@ void LineSums::takeBlocks(const cv::Mat1f& cells, int row) {
       const float* from = cells.ptr<float>(y);
       std::uint32_t* to = packed_.data() + static_cast<std::ptrdiff_t>(y) * stride_;
       for (int x = first_x; x < last_x; ++x) {
-        const auto units = static_cast<std::int32_t>(std::min(from[x], 1.0F) * scale + 0.5F);
+        const auto units = static_cast<std::int32_t>(std::min(from[x], 1.0F) * scale + kHalf);
         to[x] = static_cast<std::uint32_t>(units) + (from[x] > 0.0F ? one : 0U);
       }
     }

@@ -92,7 +92,8 @@ class LineSums {
  private:
   static std::vector<Vec2> unitVectors();
   static int indexOf(float along, float half) {
-    return static_cast<int>(std::min(half, std::max(-half, along)) + half + 0.5F);
+    constexpr float kHalf = 0.5F;  // nothing is negative here: this rounds
+    return static_cast<int>(std::min(half, std::max(-half, along)) + half + kHalf);
   }
   const std::uint32_t* rowOf(std::size_t direction, std::size_t row) const {
     const std::size_t slot = direction * rows_ + row;

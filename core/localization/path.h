@@ -32,6 +32,8 @@ class Path {
 
     Link(const StampedPose& with, std::shared_ptr<Link> after)
         : pose(with), before(std::move(after)) {}
+    Link(const Link&) = delete;
+    Link& operator=(const Link&) = delete;
     /// A chain that nobody else holds is taken down link by link: recursion would overflow the
     /// stack.
     ~Link() {

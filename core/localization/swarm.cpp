@@ -12,7 +12,7 @@ constexpr float kMet = 0.01F;
 
 bool haveMet(const Swarm& swarm) {
   int apart = 0;
-  for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
+  for (int parameter = 0; parameter < Swarm::Count; ++parameter) {
     const float best = swarm.best[static_cast<std::size_t>(parameter)];
     for (const float position : swarm.positions(parameter)) {
       apart |= static_cast<int>(std::abs(position - best) >= kMet);
@@ -25,8 +25,8 @@ bool haveMet(const Swarm& swarm) {
 class OwnBests {
  public:
   explicit OwnBests(const Swarm& swarm)
-      : count_(swarm.members()), values_((Swarm::kParameters + 2) * count_) {
-    for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
+      : count_(swarm.members()), values_((Swarm::Count + 2) * count_) {
+    for (int parameter = 0; parameter < Swarm::Count; ++parameter) {
       std::ranges::copy(swarm.positions(parameter), array(parameter).begin());
     }
   }
@@ -35,8 +35,8 @@ class OwnBests {
 
   /// Scores every member; a better position than any before becomes its best, and the swarm's.
   void update(Swarm& swarm, const SwarmScore& score) {
-    const std::span<float> best = array(Swarm::kParameters);
-    const std::span<float> scores = array(Swarm::kParameters + 1);
+    const std::span<float> best = array(Swarm::Count);
+    const std::span<float> scores = array(Swarm::Count + 1);
     score(swarm, scores);
     for (std::size_t i = 0; i < count_; ++i) {
       if (scores[i] <= best[i]) continue;
@@ -85,7 +85,7 @@ void keepWide(std::span<float> widths) {
 void Swarm::updateMoments() {
   if (members_ == 0) return;
   const auto count = static_cast<float>(members_);
-  for (int parameter = 0; parameter < kParameters; ++parameter) {
+  for (int parameter = 0; parameter < Count; ++parameter) {
     float sum = 0.0F;
     for (const float position : positions(parameter)) sum += position;
     const float middle = sum / count;
@@ -102,13 +102,13 @@ Swarm sampleSwarm(double drawn_width, const Uncertainty& uncertainty, int member
                   RandomStream& random) {
   Swarm swarm(static_cast<std::size_t>(members));
   for (std::size_t i = 0; i < swarm.members(); ++i) {
-    swarm.positions(Swarm::kX)[i] = static_cast<float>(random.normal(0.0, uncertainty.position));
-    swarm.positions(Swarm::kY)[i] = static_cast<float>(random.normal(0.0, uncertainty.position));
-    swarm.positions(Swarm::kWidth)[i] =
+    swarm.positions(Swarm::X)[i] = static_cast<float>(random.normal(0.0, uncertainty.position));
+    swarm.positions(Swarm::Y)[i] = static_cast<float>(random.normal(0.0, uncertainty.position));
+    swarm.positions(Swarm::Width)[i] =
         static_cast<float>(random.normal(drawn_width, uncertainty.size));
   }
-  keepWide(swarm.positions(Swarm::kWidth));
-  swarm.best[Swarm::kWidth] = static_cast<float>(drawn_width);
+  keepWide(swarm.positions(Swarm::Width));
+  swarm.best[Swarm::Width] = static_cast<float>(drawn_width);
   swarm.updateMoments();
   return swarm;
 }
@@ -123,13 +123,13 @@ void refine(Swarm& swarm, const SwarmScore& score, const SlamOptions& options, R
   std::vector<float> numbers;
   for (int iteration = 0; iteration < options.pso_iterations && !haveMet(swarm); ++iteration) {
     if (stop.stop_requested()) return;
-    numbers.resize(2 * Swarm::kParameters * swarm.members());
+    numbers.resize(2 * Swarm::Count * swarm.members());
     random.uniforms(numbers);
-    for (int parameter = 0; parameter < Swarm::kParameters; ++parameter) {
+    for (int parameter = 0; parameter < Swarm::Count; ++parameter) {
       move(swarm, parameter, own_bests.positions(parameter),
            numbers.data() + 2 * static_cast<std::size_t>(parameter) * swarm.members(), options);
     }
-    keepWide(swarm.positions(Swarm::kWidth));
+    keepWide(swarm.positions(Swarm::Width));
     own_bests.update(swarm, score);
   }
   ++swarm.observations;

@@ -21,21 +21,21 @@ inline constexpr double kMinWidth = 1.0;
 class Swarm {
  public:
   /// x and y of the centre are told from the drawn one, so that single precision is enough.
-  enum Parameter { kX, kY, kWidth, kParameters };
-  using Values = std::array<float, kParameters>;
+  enum Parameter { X, Y, Width, Count };
+  using Values = std::array<float, Count>;
 
   /// All members at rest at zero.
-  explicit Swarm(std::size_t members) : members_(members), values_(2 * kParameters * members) {}
+  explicit Swarm(std::size_t members) : members_(members), values_(2 * Count * members) {}
 
   std::size_t members() const { return members_; }
   /// One value a member, metres; of velocities metres an iteration.
   std::span<float> positions(int parameter) { return array(parameter); }
-  std::span<float> velocities(int parameter) { return array(kParameters + parameter); }
+  std::span<float> velocities(int parameter) { return array(Count + parameter); }
   std::span<const float> positions(int parameter) const {
     return {values_.data() + static_cast<std::size_t>(parameter) * members_, members_};
   }
   Values member(std::size_t index) const {
-    return {positions(kX)[index], positions(kY)[index], positions(kWidth)[index]};
+    return {positions(X)[index], positions(Y)[index], positions(Width)[index]};
   }
 
   Values best{};

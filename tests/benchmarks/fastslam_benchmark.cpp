@@ -6,6 +6,7 @@
 // cell by cell, one thread) takes for the same frames. The street needs ../shared/data.
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <limits>
@@ -63,7 +64,8 @@ Drive rowsAmong(int buildings) {
   for (int i = static_cast<int>(drive.drawing.buildings.size()); i < buildings; ++i) {
     Building building;
     building.id = "far" + std::to_string(i);
-    building.shape = Rectangle{{30.0 * (i % 100) - 1500.0, 300.0 + 20.0 * (i / 100)}, 20, 12, 0};
+    building.shape =
+        Rectangle{{30.0 * (i % 100) - 1500.0, 300.0 + 20.0 * std::floor(i / 100.0)}, 20, 12, 0};
     drive.drawing.buildings.push_back(building);
   }
   return drive;

@@ -62,9 +62,9 @@ class DirectFastSlam {
 
   BuildingState stateOf(std::size_t building, const Swarm::Values& values) const {
     const BuildingState& drawn = models_[building].drawn();
-    return {drawn.x + static_cast<double>(values[Swarm::kX]),
-            drawn.y + static_cast<double>(values[Swarm::kY]),
-            static_cast<double>(values[Swarm::kWidth])};
+    return {drawn.x + static_cast<double>(values[Swarm::X]),
+            drawn.y + static_cast<double>(values[Swarm::Y]),
+            static_cast<double>(values[Swarm::Width])};
   }
 
   void advance(Particle& particle, std::uint32_t index, const Pose2& motion,

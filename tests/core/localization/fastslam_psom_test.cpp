@@ -1,6 +1,7 @@
 #include "core/localization/fastslam_psom.h"
 
 #include <atomic>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -87,7 +88,7 @@ std::string bytesOf(const FastSlamPsom& slam) {
     for (std::size_t b = 0; b < 5; ++b) {
       const Swarm* swarm = particle.map.find(b);
       if (swarm == nullptr) continue;
-      for (const float width : swarm->positions(Swarm::kWidth)) append(static_cast<double>(width));
+      for (const float width : swarm->positions(Swarm::Width)) append(static_cast<double>(width));
     }
   }
   return bytes;
@@ -191,8 +192,8 @@ TEST(FastSlamPsom, DoesWhatThePlainFormOfTheAlgorithmDoes) {
 TEST(FastSlamPsom, BuildingsOutOfSightChangeNothing) {
   Map crowded = drawnWrong(street());
   for (int i = 0; i < 2000; ++i) {
-    crowded.buildings.push_back(
-        rectangle("F" + std::to_string(i), 200.0 + 30.0 * (i % 50), 30.0 * (i / 50), 20.0, 10.0));
+    crowded.buildings.push_back(rectangle("F" + std::to_string(i), 200.0 + 30.0 * (i % 50),
+                                          30.0 * std::floor(i / 50.0), 20.0, 10.0));
   }
   FastSlamPsom alone(drawnWrong(street()), {}, few(), 4);
   FastSlamPsom among(crowded, {}, few(), 4);

@@ -145,7 +145,7 @@ TEST(LineSums, OfNothingAndBesideTheMapAreNone) {
 
 TEST(LineSums, AreTheSameWhicheverThreadReadsFirst) {
   const LocalMap map = speckled(20.0, 3);
-  const auto readAll = [&](bool parallel) {
+  const auto read_all = [&](bool parallel) {
     LineSums sums;
     sums.reset(map);
     std::vector<float> found(3000);
@@ -159,7 +159,7 @@ TEST(LineSums, AreTheSameWhicheverThreadReadsFirst) {
     }
     return found;
   };
-  EXPECT_EQ(readAll(true), readAll(false));
+  EXPECT_EQ(read_all(true), read_all(false));
 }
 
 }  // namespace

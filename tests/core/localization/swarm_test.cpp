@@ -16,17 +16,17 @@ double distanceFrom(const Swarm::Values& target, const Swarm::Values& state) {
 TEST(Swarm, SamplesAroundTheDrawing) {
   RandomStream random(1);
   const Swarm swarm = sampleSwarm(30.0, {2.0, 5.0}, 5000, random);
-  EXPECT_NEAR(swarm.mean[Swarm::kX], 0.0, 0.15);
-  EXPECT_NEAR(swarm.mean[Swarm::kY], 0.0, 0.15);
-  EXPECT_NEAR(swarm.mean[Swarm::kWidth], 30.0, 0.3);
-  EXPECT_NEAR(std::sqrt(swarm.variance[Swarm::kX]), 2.0, 0.1);
-  EXPECT_NEAR(std::sqrt(swarm.variance[Swarm::kWidth]), 5.0, 0.2);
+  EXPECT_NEAR(swarm.mean[Swarm::X], 0.0, 0.15);
+  EXPECT_NEAR(swarm.mean[Swarm::Y], 0.0, 0.15);
+  EXPECT_NEAR(swarm.mean[Swarm::Width], 30.0, 0.3);
+  EXPECT_NEAR(std::sqrt(swarm.variance[Swarm::X]), 2.0, 0.1);
+  EXPECT_NEAR(std::sqrt(swarm.variance[Swarm::Width]), 5.0, 0.2);
 }
 
 TEST(Swarm, WidthsStayPositive) {
   RandomStream random(2);
   const Swarm swarm = sampleSwarm(2.0, {1.0, 50.0}, 500, random);
-  for (const float width : swarm.positions(Swarm::kWidth)) EXPECT_GE(width, kMinWidth);
+  for (const float width : swarm.positions(Swarm::Width)) EXPECT_GE(width, kMinWidth);
 }
 
 TEST(Swarm, FindsASmoothMaximumOverAFewFrames) {
@@ -48,7 +48,7 @@ TEST(Swarm, FindsASmoothMaximumOverAFewFrames) {
 TEST(Swarm, KnowsItsMomentsAfterItMoved) {
   const auto score = [](const Swarm& swarm, std::span<float> scores) {
     for (std::size_t i = 0; i < scores.size(); ++i) {
-      scores[i] = std::exp(-std::abs(swarm.positions(Swarm::kX)[i]));
+      scores[i] = std::exp(-std::abs(swarm.positions(Swarm::X)[i]));
     }
   };
   RandomStream random(4);
@@ -56,12 +56,12 @@ TEST(Swarm, KnowsItsMomentsAfterItMoved) {
   refine(swarm, score, {}, random);
   double sum = 0.0;
   double squares = 0.0;
-  for (const float x : swarm.positions(Swarm::kX)) {
+  for (const float x : swarm.positions(Swarm::X)) {
     sum += static_cast<double>(x) / 20.0;
     squares += static_cast<double>(x) * static_cast<double>(x) / 20.0;
   }
-  EXPECT_NEAR(swarm.mean[Swarm::kX], sum, 1e-5);
-  EXPECT_NEAR(swarm.variance[Swarm::kX], squares - sum * sum, 1e-5);
+  EXPECT_NEAR(swarm.mean[Swarm::X], sum, 1e-5);
+  EXPECT_NEAR(swarm.variance[Swarm::X], squares - sum * sum, 1e-5);
 }
 
 TEST(Swarm, WhereNothingIsHitTheDrawingStays) {
