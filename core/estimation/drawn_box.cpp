@@ -124,7 +124,8 @@ RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& unc
   const double v = variance(1, -1.0) / 4.0;
   const double c = std::pow(std::cos(frame.heading), 2);
   RefinedBuilding refined;
-  refined.box = box.rectangle();
+  refined.walls = box;
+  refined.covariance = covariance;
   refined.estimate = {std::sqrt(c * u + (1.0 - c) * v), std::sqrt((1.0 - c) * u + c * v),
                       std::sqrt(variance(0, 1.0)), observations};
   return refined;

@@ -43,7 +43,9 @@ struct SeenWalls {
 /// The building after the run: the drawn one as the motion predicts it, corrected by the found one
 /// where there is one.
 struct RefinedBuilding {
-  Rectangle box;
+  Box walls;
+  DrawnBox::Covariance covariance;  ///< of walls.reach
+  Rectangle box() const { return walls.rectangle(); }
   Estimate estimate;
 };
 RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& uncertainty,

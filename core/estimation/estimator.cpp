@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -303,10 +304,10 @@ void HandmapEstimator::State::correct(std::size_t b) {
   const RefinedBuilding refined =
       refinedBuilding(drawn, drawing.uncertaintyOf(drawn), labels.motion(), label.found);
   Building& building = best.buildings[b];
-  building = drawn.fitted(refined.box);
+  building = drawn.fitted(refined.box());
   building.estimate = refined.estimate;
   // Of what the robot has not come to yet nothing can be said.
-  if (label.doubt > kSlightDoubt && (label.found || hasReached(refined.box))) {
+  if (label.doubt > kSlightDoubt && (label.found || hasReached(refined.box()))) {
     building.unknown["doubtful"] = fmt::format("{:.2f}", label.doubt);
   }
 }
@@ -395,6 +396,21 @@ std::vector<std::size_t> sampledHypotheses(const std::vector<Hypothesis>& hypoth
   return sampled;
 }
 
+/// Its walls move together as they are known together.
+Rectangle sampled(const RefinedBuilding& refined, RandomStream& random) {
+  constexpr double kLeast = 1.0;  // metres
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(refined.covariance);
+  const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
+  const Eigen::Vector4d offset =
+      axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(unit);
+  Box box = refined.walls;
+  for (std::size_t k = 0; k < 4; ++k) box.reach[k] += offset[static_cast<Eigen::Index>(k)];
+  Rectangle rectangle = box.rectangle();
+  rectangle.width = std::max(rectangle.width, kLeast);
+  rectangle.depth = std::max(rectangle.depth, kLeast);
+  return rectangle;
+}
+
 }  // namespace
 
 std::vector<PoseParticle> HandmapEstimator::particles() const {
@@ -418,7 +434,7 @@ std::vector<PoseParticle> HandmapEstimator::particles() const {
 
 std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   const State& state = *state_;
-  const std::vector<std::size_t> sampled = sampledHypotheses(state.labels.hypotheses(), members);
+  const std::vector<std::size_t> held = sampledHypotheses(state.labels.hypotheses(), members);
   std::vector<BuildingSwarm> swarms;
   for (const std::size_t b : state.labels.nearby()) {
     const FoundBox* best = state.labels.of(b, state.found).found;
@@ -427,17 +443,12 @@ std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
     BuildingSwarm swarm{b, {}};
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
                         static_cast<std::uint32_t>(b), kBuilding);
-    for (const std::size_t h : sampled) {
+    for (const std::size_t h : held) {
       const Hypothesis& hypothesis = state.labels.hypotheses()[h];
       const RefinedBuilding refined =
           refinedBuilding(drawn, state.drawing.uncertaintyOf(drawn), hypothesis.motion,
                           state.labels.of(b, hypothesis, state.found).found);
-      Rectangle box = refined.box;
-      box.centre += Vec2(random.normal(0.0, refined.estimate.sigma_x),
-                         random.normal(0.0, refined.estimate.sigma_y));
-      box.width =
-          std::max(0.5 * box.width, box.width + random.normal(0.0, refined.estimate.sigma_width));
-      swarm.members.push_back(box);
+      swarm.members.push_back(sampled(refined, random));
     }
     swarms.push_back(std::move(swarm));
   }
