@@ -66,6 +66,7 @@ struct HandmapEstimator::State {
   std::vector<Frame*> framesFrom(std::size_t first);
   bool isInSight(const FoundBox& found) const;
   bool hasReached(const Rectangle& box) const;
+
   Map drawing;
   EstimatorOptions options;
   std::uint64_t seed;

@@ -1,0 +1,99 @@
+#include "core/estimation/labels.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace handmap {
+namespace {
+
+constexpr double kNear = 150.0;
+
+/// A street of buildings every 40 m, drawn 2 m too far along it.
+class LabelsTest : public testing::Test {
+ protected:
+  LabelsTest() {
+    drawing_.start = Pose2{};
+    drawing_.uncertainty = {3.0, 3.0};
+    for (int i = 0; i < 20; ++i) {
+      Building building;
+      building.id = std::to_string(i);
+      building.shape = Rectangle{{40.0 * i + 2.0, 15.0}, 20.0, 10.0, 0.0};
+      drawing_.buildings.push_back(building);
+    }
+  }
+
+  /// Drives to x and finds what stands within 40 m.
+  void driveTo(Labels& labels, double x) {
+    for (; at_ <= x; at_ += 10.0) {
+      way_.push_back({at_, 0.0, 0.0});
+      for (; known_ < 20 && 40.0 * known_ < at_ + 40.0; ++known_) {
+        found_.push_back({boxOf({{40.0 * known_, 15.0}, 20.0, 10.0, 0.0}), 100.0,
+                          0.01 * Eigen::Matrix4d::Identity(), 0.001, 9});
+      }
+      labels.update(found_, way_, kNear);
+    }
+  }
+  double foundAt(const Labels& labels, std::size_t building) const {
+    const FoundBox* found = labels.of(building, found_).found;
+    return found ? found->box.rectangle().centre.x() : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  Map drawing_;
+  std::vector<FoundBox> found_;
+  std::vector<Pose2> way_;
+  double at_ = 0.0;
+  int known_ = 0;
+};
+
+TEST_F(LabelsTest, FarBuildingsKeepTheirLabels) {
+  Labels labels(drawing_, {});
+  driveTo(labels, 500.0);
+  EXPECT_LE(found_.size(), 6u);
+  EXPECT_LE(labels.nearby().size(), 9u);
+  EXPECT_EQ(labels.settledCount() + found_.size(), static_cast<std::size_t>(known_));
+  for (std::size_t b = 0; b < static_cast<std::size_t>(known_); ++b) {
+    EXPECT_EQ(foundAt(labels, b), 40.0 * static_cast<double>(b)) << b;
+  }
+  EXPECT_EQ(labels.of(19, found_).found, nullptr);
+}
+
+TEST_F(LabelsTest, WhoComesBackFindsThemAgain) {
+  Labels labels(drawing_, {});
+  driveTo(labels, 500.0);
+  for (double x = 490.0; x >= 40.0; x -= 10.0) {
+    way_.push_back({x, 0.0, kPi});
+    labels.update(found_, way_, kNear);
+  }
+  EXPECT_EQ(labels.nearby().front(), 0u);
+  ASSERT_TRUE(labels.indexOf(1).has_value());
+  EXPECT_EQ(found_[*labels.indexOf(1)].box.rectangle().centre.x(), 40.0);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(known_); ++b) {
+    EXPECT_EQ(foundAt(labels, b), 40.0 * static_cast<double>(b)) << b;
+  }
+}
+
+TEST_F(LabelsTest, FarBuildingsStillTellHowTheDrawingLies) {
+  for (Building& building : drawing_.buildings) {
+    Rectangle box = building.box();
+    box.centre.x() *= 1.04;
+    building.shape = box;
+  }
+  Labels labels(drawing_, {});
+  driveTo(labels, 700.0);
+  EXPECT_NEAR(labels.motion().scale(), 1.0 / 1.04, 0.01);
+}
+
+TEST_F(LabelsTest, AMissedBuildingStaysDoubtful) {
+  Building phantom;
+  phantom.id = "phantom";
+  phantom.shape = Rectangle{{60.0, -15.0}, 20.0, 10.0, 0.0};
+  drawing_.buildings.push_back(phantom);
+  Labels labels(drawing_, {});
+  driveTo(labels, 500.0);
+  EXPECT_EQ(labels.of(20, found_).found, nullptr);
+  EXPECT_GT(labels.of(20, found_).doubt, 0.9);
+}
+
+}  // namespace
+}  // namespace handmap
