@@ -346,7 +346,8 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   }
   state.labels.setSettled({all.begin(), all.begin() + settled});
   state.found.assign(all.begin() + settled, all.end());
-  const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled;
+  const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled &&
+                   state.drawing.buildings.size() <= 2 * kMostLabelled;
   state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.options.near_m);
   state.correctAll();
   state.pose = state.frames.back().pose;
