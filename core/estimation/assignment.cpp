@@ -163,13 +163,6 @@ class Assigner {
 
 }  // namespace
 
-void DrawingMotion::correct(const Eigen::RowVector4d& slope, double value, double variance) {
-  const Eigen::Vector4d seen = covariance * slope.transpose();
-  const Eigen::Vector4d gain = seen / (slope.dot(seen) + variance);
-  mean += gain * (value - slope.dot(mean));
-  covariance -= gain * seen.transpose();
-}
-
 std::vector<Hypothesis> rootHypotheses(const Map& drawing, const AssignmentOptions& options) {
   const double shift = options.shift_share * drawing.uncertainty.position;
   const double scale = options.free_scale ? kFreeScale : options.scale_sigma;
