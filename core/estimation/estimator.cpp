@@ -61,6 +61,9 @@ struct HandmapEstimator::State {
   void correct(std::size_t building);
   void correctAll();
   void correctSome();
+  /// Buildings farther from the robot keep the labels that they have: no frame that is worked on
+  /// sees them.
+  double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
   std::size_t firstWorkedOn() const;
   std::size_t firstKept() const;
   std::vector<Frame*> framesFrom(std::size_t first);
@@ -135,8 +138,8 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.findBuildings();
   state.updateNoise();
   if (progress) progress(0.9);
-  state.labelBuildings(state.options.near_m);
-  if (state.fitOutlines()) state.labelBuildings(state.options.near_m);
+  state.labelBuildings(state.nearM());
+  if (state.fitOutlines()) state.labelBuildings(state.nearM());
   state.correctSome();
   state.pose = state.frames.back().pose;
   return true;
@@ -276,7 +279,7 @@ void HandmapEstimator::State::labelBuildings(double near_m) {
 bool HandmapEstimator::State::fitOutlines() {
   constexpr std::array<int, 4> kTries = {3, 6, 12, 24};  // frames that have seen the building
   const std::vector<Frame*> last = framesFrom(firstWorkedOn());
-  const std::vector<const Frame*> frames_seen(last.begin(), last.end());
+  const std::span<const Frame* const> frames_seen(last.begin(), last.end());
   bool changed = false;
   for (const std::size_t b : labels.nearby()) {
     const std::optional<std::size_t> at = labels.indexOf(b);
@@ -323,7 +326,7 @@ void HandmapEstimator::State::correctSome() {
   for (const std::size_t b : labels.nearby()) correct(b);
   for (std::size_t i = 0; i < std::min(kOthers, drawing.buildings.size()); ++i) {
     corrected = (corrected + 1) % drawing.buildings.size();
-    correct(corrected);
+    if (!labels.isNearby(corrected)) correct(corrected);
   }
 }
 
@@ -348,7 +351,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   state.found.assign(all.begin() + settled, all.end());
   const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled &&
                    state.drawing.buildings.size() <= 2 * kMostLabelled;
-  state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.options.near_m);
+  state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.nearM());
   state.correctAll();
   state.pose = state.frames.back().pose;
 }
@@ -398,20 +401,30 @@ std::vector<std::size_t> sampledHypotheses(const std::vector<Hypothesis>& hypoth
   return sampled;
 }
 
-/// Its walls move together as they are known together.
-Rectangle sampled(const RefinedBuilding& refined, RandomStream& random) {
-  constexpr double kLeast = 1.0;  // metres
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(refined.covariance);
-  const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
-  const Eigen::Vector4d offset =
-      axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(unit);
-  Box box = refined.walls;
-  for (std::size_t k = 0; k < 4; ++k) box.reach[k] += offset[static_cast<Eigen::Index>(k)];
-  Rectangle rectangle = box.rectangle();
-  rectangle.width = std::max(rectangle.width, kLeast);
-  rectangle.depth = std::max(rectangle.depth, kLeast);
-  return rectangle;
-}
+/// Samples of a building: its walls move together as they are known together.
+class BuildingSampler {
+ public:
+  explicit BuildingSampler(const RefinedBuilding& refined) : walls_(refined.walls) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(refined.covariance);
+    root_ = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  }
+
+  Rectangle operator()(RandomStream& random) const {
+    constexpr double kLeast = 1.0;  // metres
+    const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
+    const Eigen::Vector4d offset = root_ * unit;
+    Box box = walls_;
+    for (std::size_t k = 0; k < 4; ++k) box.reach[k] += offset[static_cast<Eigen::Index>(k)];
+    Rectangle rectangle = box.rectangle();
+    rectangle.width = std::max(rectangle.width, kLeast);
+    rectangle.depth = std::max(rectangle.depth, kLeast);
+    return rectangle;
+  }
+
+ private:
+  Box walls_;
+  Eigen::Matrix4d root_;
+};
 
 }  // namespace
 
@@ -420,7 +433,6 @@ std::vector<PoseParticle> HandmapEstimator::particles() const {
   const Eigen::LLT<Eigen::Matrix3d> root(state.covariance + 1e-9 * Eigen::Matrix3d::Identity());
   std::vector<PoseParticle> particles;
   const auto count = static_cast<std::size_t>(state.options.particles);
-  const std::vector<std::size_t> sampled = sampledHypotheses(state.labels.hypotheses(), count);
   for (std::size_t i = 0; i < count; ++i) {
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
                         static_cast<std::uint32_t>(i), kPose);
@@ -428,8 +440,7 @@ std::vector<PoseParticle> HandmapEstimator::particles() const {
     const Eigen::Vector3d offset = root.matrixL() * unit;
     particles.push_back({{state.pose.x + offset.x(), state.pose.y + offset.y(),
                           normalizedAngle(state.pose.heading + offset.z())},
-                         1.0 / static_cast<double>(count),
-                         sampled[i]});
+                         1.0 / static_cast<double>(count)});
   }
   return particles;
 }
@@ -439,18 +450,19 @@ std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   const std::vector<std::size_t> held = sampledHypotheses(state.labels.hypotheses(), members);
   std::vector<BuildingSwarm> swarms;
   for (const std::size_t b : state.labels.nearby()) {
-    const FoundBox* best = state.labels.of(b, state.found).found;
+    const FoundBox* best = state.labels.foundFor(b, state.labels.hypotheses().front(), state.found);
     if (!best || !best->in_sight) continue;
     const Building& drawn = state.drawing.buildings[b];
     BuildingSwarm swarm{b, {}};
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
                         static_cast<std::uint32_t>(b), kBuilding);
-    for (const std::size_t h : held) {
+    for (std::size_t i = 0; i < members;) {
+      const std::size_t h = held[i];
       const Hypothesis& hypothesis = state.labels.hypotheses()[h];
-      const RefinedBuilding refined =
+      const BuildingSampler sample(
           refinedBuilding(drawn, state.drawing.uncertaintyOf(drawn), hypothesis.motion,
-                          state.labels.of(b, hypothesis, state.found).found);
-      swarm.members.push_back(sampled(refined, random));
+                          state.labels.foundFor(b, hypothesis, state.found)));
+      for (; i < members && held[i] == h; ++i) swarm.members.push_back(sample(random));
     }
     swarms.push_back(std::move(swarm));
   }

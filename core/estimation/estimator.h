@@ -31,19 +31,16 @@ struct EstimatorOptions {
   int window = 12;          ///< poses that an observation may correct
   int most_active = 40;     ///< frames worked on at most
   int most_kept = 1500;     ///< frames that the end of the run may still correct
-  double near_m = 150.0;    ///< buildings farther from the robot keep the labels that they have
 };
 
-/// A sample of where the robot is, and which of the hypotheses of the buildings it holds: as many
-/// particles hold one as its weight says.
+/// A sample of where the robot is.
 struct PoseParticle {
   Pose2 pose;
   double weight = 0.0;
-  std::size_t hypothesis = 0;
 };
 
-/// Samples of what a drawn building is, one for each of some particles: where their hypotheses
-/// differ, so do these.
+/// Samples of what a drawn building is: as many hold a hypothesis of the buildings as its weight
+/// says.
 struct BuildingSwarm {
   std::size_t building;  ///< of the drawing
   std::vector<Rectangle> members;

@@ -4,6 +4,14 @@
 
 namespace handmap {
 
+namespace {
+
+bool isWithin(double distance_m, const FoundBox& found, const Vec2& here) {
+  return (found.box.rectangle().centre - here).norm() < distance_m;
+}
+
+}  // namespace
+
 Labels::Labels(const Map& drawing, const AssignmentOptions& options)
     : drawing_(drawing),
       options_(options),
@@ -29,7 +37,7 @@ void Labels::settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, doubl
   std::vector<FoundBox> kept;
   std::vector<int> place_of;
   for (std::size_t f = 0; f < found.size(); ++f) {
-    const bool is_near = (found[f].box.rectangle().centre - here).norm() < near_m;
+    const bool is_near = found[f].in_sight || isWithin(near_m, found[f], here);
     place_of.push_back(is_near ? static_cast<int>(kept.size()) : Hypothesis::kNone);
     if (is_near) {
       kept.push_back(found[f]);
@@ -55,7 +63,7 @@ void Labels::settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, doubl
 void Labels::bringNearOnesBack(std::vector<FoundBox>& found, const Vec2& here, double near_m) {
   std::vector<Settled> kept;
   for (const Settled& settled : settled_) {
-    if ((settled.found.box.rectangle().centre - here).norm() < near_m) {
+    if (isWithin(near_m, settled.found, here)) {
       found.push_back(settled.found);
     } else {
       kept.push_back(settled);
@@ -130,17 +138,22 @@ std::optional<std::size_t> Labels::indexOf(std::size_t building) const {
   return static_cast<std::size_t>(index);
 }
 
-Labels::Label Labels::of(std::size_t building, const Hypothesis& hypothesis,
-                         std::span<const FoundBox> found) const {
-  if (settled_at_[building] != kNowhere) {
-    const Settled& settled = settled_[settled_at_[building]];
-    return {&settled.found, settled.doubt};
-  }
+const FoundBox* Labels::foundFor(std::size_t building, const Hypothesis& hypothesis,
+                                 std::span<const FoundBox> found) const {
+  if (settled_at_[building] != kNowhere) return &settled_[settled_at_[building]].found;
   const std::size_t place = nearby_at_[building];
-  if (place == kNowhere) return {nullptr, missed_[building]};
-  const int index = hypothesis.found_of[place];
-  return {index == Hypothesis::kNone ? nullptr : &found[static_cast<std::size_t>(index)],
-          doubtOf(place)};
+  if (place == kNowhere || hypothesis.found_of[place] == Hypothesis::kNone) return nullptr;
+  return &found[static_cast<std::size_t>(hypothesis.found_of[place])];
+}
+
+Labels::Label Labels::of(std::size_t building, std::span<const FoundBox> found) const {
+  Label label{foundFor(building, hypotheses_.front(), found), missed_[building]};
+  if (settled_at_[building] != kNowhere) {
+    label.doubt = settled_[settled_at_[building]].doubt;
+  } else if (isNearby(building)) {
+    label.doubt = doubtOf(nearby_at_[building]);
+  }
+  return label;
 }
 
 }  // namespace handmap

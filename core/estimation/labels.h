@@ -16,8 +16,9 @@ class Labels {
   /// Keeps a reference to the drawing.
   Labels(const Map& drawing, const AssignmentOptions& options);
 
-  /// Takes the buildings that are farther from the robot than `near_m` out of `found`, brings back
-  /// those that no longer are, and labels what is in it. `way`: the robot's last poses.
+  /// Takes the buildings that are out of sight and farther from the robot than `near_m` out of
+  /// `found`, brings back those that no longer are, and labels what is in it. `way`: the robot's
+  /// last poses.
   void update(std::vector<FoundBox>& found, std::span<const Pose2> way, double near_m);
 
   /// The buildings far away: the last `most` that have become so.
@@ -32,6 +33,8 @@ class Labels {
   /// Indices of the drawn buildings near the robot.
   const std::vector<std::size_t>& nearby() const { return nearby_; }
 
+  bool isNearby(std::size_t building) const { return nearby_at_[building] != kNowhere; }
+
   /// What a drawn building is, see refinedBuilding().
   struct Label {
     const FoundBox* found = nullptr;  ///< nullptr: none; of `found` of the last update()
@@ -39,11 +42,10 @@ class Labels {
   };
   /// Which of `found` of the last update() a drawn building near the robot is.
   std::optional<std::size_t> indexOf(std::size_t building) const;
-  Label of(std::size_t building, std::span<const FoundBox> found) const {
-    return of(building, hypotheses_.front(), found);
-  }
-  Label of(std::size_t building, const Hypothesis& hypothesis,
-           std::span<const FoundBox> found) const;
+  Label of(std::size_t building, std::span<const FoundBox> found) const;
+  /// The same by any of the hypotheses, without the doubt.
+  const FoundBox* foundFor(std::size_t building, const Hypothesis& hypothesis,
+                           std::span<const FoundBox> found) const;
 
  private:
   struct Settled {

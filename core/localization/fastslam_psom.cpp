@@ -45,14 +45,14 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
                         const std::stop_token& stop, const std::function<void(double)>& progress) {
   const Pose2 motion = between(odometry_, odometry);
   samplePoses(time_s, motion);
-  const std::vector<std::size_t> near = buildingsNear(local_map.range());
+  near_ = buildingsNear(local_map.range());
   sums_.reset(local_map);
   const std::vector<std::size_t> order = byHeading();
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t place) {
     if (stop.stop_requested()) return;
     const std::size_t i = order[place];
-    updateMap(next_[i], static_cast<std::uint32_t>(i), near, local_map.range(), stop);
+    updateMap(next_[i], static_cast<std::uint32_t>(i), local_map.range(), stop);
     const std::size_t before = done++;
     const auto percent = [&](std::size_t count) { return 100 * count / next_.size(); };
     if (!progress || percent(before) == percent(before + 1)) return;
@@ -117,14 +117,13 @@ std::vector<std::size_t> FastSlamPsom::buildingsNear(double range_m) const {
   return near;
 }
 
-void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index,
-                             const std::vector<std::size_t>& near, double range_m,
+void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index, double range_m,
                              const std::stop_token& stop) {
   const Vec2 ahead = unitVector(particle.pose.heading);
   std::vector<Visible> visible;
-  visible.reserve(near.size());
+  visible.reserve(near_.size());
   double likelihood = 0.0;
-  for (const std::size_t building : near) {
+  for (const std::size_t building : near_) {
     const Swarm* swarm = particle.map.find(building);
     const BuildingState mean = swarm ? stateOf(building, swarm->mean) : models_[building].drawn();
     const Vec2 way(mean.x - particle.pose.x, mean.y - particle.pose.y);
@@ -261,11 +260,12 @@ Estimate FastSlamPsom::estimateOf(std::size_t building, const Swarm& best) const
           std::sqrt(squares[Swarm::Width] / weight), best.observations};
 }
 
-std::vector<Rectangle> FastSlamPsom::swarmOf(std::size_t building) const {
+std::vector<Rectangle> FastSlamPsom::swarmOf(std::size_t building, std::size_t most) const {
   std::vector<Rectangle> members;
   const Swarm* swarm = best().map.find(building);
   if (swarm == nullptr || swarm->observations == 0) return members;
-  for (std::size_t i = 0; i < swarm->members(); ++i) {
+  const std::size_t stride = (swarm->members() + most - 1) / most;
+  for (std::size_t i = 0; i < swarm->members(); i += stride) {
     members.push_back(models_[building].box(stateOf(building, swarm->member(i))));
   }
   return members;

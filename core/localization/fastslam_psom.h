@@ -45,8 +45,11 @@ class FastSlamPsom {
   const std::vector<Particle>& particles() const { return particles_; }
   const Particle& best() const { return particles_[best_]; }
   const StepResult& lastStep() const { return last_step_; }
-  /// The swarm of a building in the best particle's map; empty where it was never seen.
-  std::vector<Rectangle> swarmOf(std::size_t building) const;
+  /// Buildings that any particle may have seen in the last step; ascending.
+  const std::vector<std::size_t>& near() const { return near_; }
+  /// At most `most` members of the swarm of a building in the best particle's map, evenly; empty
+  /// where it was never seen.
+  std::vector<Rectangle> swarmOf(std::size_t building, std::size_t most) const;
   /// The drawing with the best particle's buildings and their estimates.
   Map refinedMap() const;
 
@@ -61,8 +64,8 @@ class FastSlamPsom {
   void samplePoses(double time_s, const Pose2& motion);
   std::vector<std::size_t> byHeading() const;
   std::vector<std::size_t> buildingsNear(double range_m) const;
-  void updateMap(Particle& particle, std::uint32_t index, const std::vector<std::size_t>& near,
-                 double range_m, const std::stop_token& stop);
+  void updateMap(Particle& particle, std::uint32_t index, double range_m,
+                 const std::stop_token& stop);
   double refineBuilding(Particle& particle, std::uint32_t index, const Vec2& ahead, Visible& seen,
                         const std::stop_token& stop);
   BuildingState stateOf(std::size_t building, const Swarm::Values& values) const;
@@ -75,6 +78,7 @@ class FastSlamPsom {
   std::uint64_t seed_;
   std::vector<BuildingModel> models_;
   std::vector<std::size_t> by_x_;  ///< buildings, sorted by their drawn centres
+  std::vector<std::size_t> near_;  ///< see near()
   LineSums sums_;                  ///< of the local map of this step
   std::vector<Particle> particles_;
   std::vector<Particle> next_;  ///< what a step works on; its memory is kept

@@ -27,18 +27,10 @@ std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
   return {std::sqrt(variance.x()), std::sqrt(variance.y()), std::sqrt(variance.z())};
 }
 
-SwarmView viewOf(const Map& drawing, std::size_t building, const std::vector<Rectangle>& members) {
-  SwarmView view{building, {}};
-  for (const Rectangle& box : members) {
-    view.members.push_back(drawing.buildings[building].fitted(box).footprint());
-  }
-  return view;
-}
-
 class PaperMethod : public EstimationMethod {
  public:
   PaperMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : drawing_(drawing), slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
+      : slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
@@ -58,19 +50,18 @@ class PaperMethod : public EstimationMethod {
     }
     return views;
   }
-  std::vector<SwarmView> swarms() const override {
-    std::vector<SwarmView> views;
-    for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) {
-      views.push_back(viewOf(drawing_, b, slam_.swarmOf(b)));
-      if (views.back().members.empty()) views.pop_back();
+  std::vector<BuildingSwarm> swarms() const override {
+    std::vector<BuildingSwarm> swarms;
+    for (const std::size_t building : slam_.near()) {
+      BuildingSwarm swarm{building, slam_.swarmOf(building, kSwarmMembers)};
+      if (!swarm.members.empty()) swarms.push_back(std::move(swarm));
     }
-    return views;
+    return swarms;
   }
   std::vector<StampedPose> trajectory() const override { return slam_.best().path.poses(); }
   Map refinedMap() const override { return slam_.refinedMap(); }
 
  private:
-  Map drawing_;
   FastSlamPsom slam_;
 };
 
@@ -86,7 +77,7 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
 class HandmapMethod : public EstimationMethod {
  public:
   HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : drawing_(drawing), estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
+      : estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
     estimator_.startFrom(source.start_odometry);
   }
 
@@ -112,18 +103,11 @@ class HandmapMethod : public EstimationMethod {
     }
     return views;
   }
-  std::vector<SwarmView> swarms() const override {
-    std::vector<SwarmView> views;
-    for (const BuildingSwarm& swarm : estimator_.swarms(kSwarmMembers)) {
-      views.push_back(viewOf(drawing_, swarm.building, swarm.members));
-    }
-    return views;
-  }
+  std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
   std::vector<StampedPose> trajectory() const override { return estimator_.trajectory(); }
   Map refinedMap() const override { return estimator_.refinedMap(); }
 
  private:
-  Map drawing_;
   HandmapEstimator estimator_;
 };
 

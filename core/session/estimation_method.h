@@ -5,6 +5,7 @@
 #include <memory>
 #include <stop_token>
 
+#include "core/estimation/estimator.h"
 #include "core/perception/perception.h"
 #include "core/session/run_session.h"
 #include "core/session/snapshot.h"
@@ -25,7 +26,7 @@ class EstimationMethod {
   /// Fills in what the method knows of the last observation.
   virtual void describe(FrameReport& report) const = 0;
   virtual std::vector<ParticleView> particles() const = 0;
-  virtual std::vector<SwarmView> swarms() const = 0;
+  virtual std::vector<BuildingSwarm> swarms() const = 0;
   virtual std::vector<StampedPose> trajectory() const = 0;
   virtual Map refinedMap() const = 0;
 };

@@ -166,7 +166,14 @@ std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(const std::stop_
 void RunSession::State::fill(Snapshot& snapshot) const {
   snapshot.report = frames.back();
   snapshot.particles = method->particles();
-  snapshot.swarms = method->swarms();
+  snapshot.swarms.clear();
+  for (const BuildingSwarm& swarm : method->swarms()) {
+    SwarmView view{swarm.building, {}};
+    for (const Rectangle& box : swarm.members) {
+      view.members.push_back(drawing.buildings[swarm.building].fitted(box).footprint());
+    }
+    snapshot.swarms.push_back(std::move(view));
+  }
   snapshot.map = method->refinedMap();
   snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(method->trajectory());
 }

@@ -17,7 +17,7 @@ struct ParticleView {
   double weight = 0.0;  ///< normalized: the sum over the particles is 1
 };
 
-/// What a building in sight may be: a sample for each of some particles.
+/// Samples of what a building near the robot may be.
 struct SwarmView {
   std::size_t building;  ///< of the drawing
   std::vector<Polygon> members;

@@ -29,18 +29,13 @@ void replaceIn(const fs::path& path, const std::string& from, const std::string&
 }
 
 CliTest::CliTest() : before_(fs::current_path()) {
-  std::string name = (fs::temp_directory_path() / "handmap-cli-XXXXXX").string();
-  folder_ = mkdtemp(name.data());
   for (const auto& entry : fs::directory_iterator(HANDMAP_TEST_DATA)) {
-    if (entry.path().extension() == ".handmap") fs::copy(entry.path(), folder_);
+    if (entry.path().extension() == ".handmap") fs::copy(entry.path(), folder_.path());
   }
-  fs::current_path(folder_);
+  fs::current_path(folder_.path());
 }
 
-CliTest::~CliTest() {
-  fs::current_path(before_);
-  fs::remove_all(folder_);
-}
+CliTest::~CliTest() { fs::current_path(before_); }
 
 pid_t CliTest::start(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = arguments;

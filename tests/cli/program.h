@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <sys/types.h>
 
+#include "tests/core/base/temporary_folder.h"
+
 namespace handmap {
 
 struct Outcome {
@@ -27,8 +29,6 @@ class CliTest : public testing::Test {
  protected:
   CliTest();
   ~CliTest() override;
-  CliTest(const CliTest&) = delete;
-  CliTest& operator=(const CliTest&) = delete;
 
   /// Not waited for; its outputs go to the files "stdout" and "stderr".
   static pid_t start(const std::vector<std::string>& arguments);
@@ -37,7 +37,7 @@ class CliTest : public testing::Test {
 
  private:
   std::filesystem::path before_;
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 /// Done, with this on stdout and nothing on stderr.

@@ -26,13 +26,19 @@ class LabelsTest : public testing::Test {
   /// Drives to x and finds what stands within 40 m.
   void driveTo(Labels& labels, double x) {
     for (; at_ <= x; at_ += 10.0) {
-      way_.push_back({at_, 0.0, 0.0});
       for (; known_ < 20 && 40.0 * known_ < at_ + 40.0; ++known_) {
         found_.push_back({boxOf({{40.0 * known_, 15.0}, 20.0, 10.0, 0.0}), 100.0,
                           0.01 * Eigen::Matrix4d::Identity(), 0.001, 9});
       }
-      labels.update(found_, way_, kNear);
+      update(labels, {at_, 0.0, 0.0});
     }
+  }
+  void update(Labels& labels, const Pose2& pose) {
+    way_.push_back(pose);
+    for (FoundBox& found : found_) {
+      found.in_sight = (found.box.rectangle().centre - pose.position()).norm() < 60.0;
+    }
+    labels.update(found_, way_, kNear);
   }
   double foundAt(const Labels& labels, std::size_t building) const {
     const FoundBox* found = labels.of(building, found_).found;
@@ -62,8 +68,7 @@ TEST_F(LabelsTest, WhoComesBackFindsThemAgain) {
   Labels labels(drawing_, {});
   driveTo(labels, 500.0);
   for (double x = 490.0; x >= 40.0; x -= 10.0) {
-    way_.push_back({x, 0.0, kPi});
-    labels.update(found_, way_, kNear);
+    update(labels, {x, 0.0, kPi});
   }
   EXPECT_EQ(labels.nearby().front(), 0u);
   ASSERT_TRUE(labels.indexOf(1).has_value());
