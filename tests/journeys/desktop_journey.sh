@@ -18,6 +18,7 @@ mkdir -p "$out/home" "$out/runtime"
 chmod 700 "$out/runtime"
 export HOME=$out/home XDG_CONFIG_HOME=$out/home XDG_DATA_HOME=$out/home XDG_RUNTIME_DIR=$out/runtime
 unset QT_QPA_PLATFORM WAYLAND_DISPLAY XDG_CURRENT_DESKTOP
+export LC_ALL=C.UTF-8  # xdotool reads titles by it
 
 fail() {
   echo "FAILED: $*" >&2
