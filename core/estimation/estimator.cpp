@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/estimation/active_directions.h"
+#include "core/estimation/clutter_estimate.h"
 #include "core/estimation/drawn_box.h"
 #include "core/estimation/labels.h"
 #include "core/estimation/landmarks.h"
@@ -84,6 +85,7 @@ struct HandmapEstimator::State {
   std::vector<FoundBox> found;
   Landmarks landmarks;
   NoiseEstimate noise;
+  ClutterEstimate clutter;
   Labels labels;
   std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
   Map best;                                              ///< the drawing corrected
@@ -247,11 +249,16 @@ void HandmapEstimator::State::updateDirections() {
 
 void HandmapEstimator::State::updateNoise() {
   noise.add(frames.back(), found, sensor);
+  clutter.add(frames.back(), found, sensor);
   smoother.setSystematic(noise.systematic());
   SensorOptions changed = sensor.options();
   changed.noise = noise.fitted(changed.noise);
   changed.noise.bias_per_m = smoother.biasPerMetre();
-  if (!differMuch(changed.noise, sensor.options().noise)) return;
+  changed.clutter = clutter.measured();
+  if (!differMuch(changed.noise, sensor.options().noise) &&
+      !differMuch(changed.clutter, sensor.options().clutter)) {
+    return;
+  }
   for (const ActiveFrame& a : active) evidence.remove(*a.frame, a.held_at, sensor);
   sensor = SensorModel(changed, options.range_limit_m);
   for (const ActiveFrame& a : active) evidence.add(*a.frame, a.held_at, sensor);

@@ -21,8 +21,18 @@ struct RangeNoise {
   }
 };
 
+/// Returns from things in front of walls.
+struct Clutter {
+  double wall_like_per_m = 0.0;  ///< density along a ray that comes so far
+  double others_per_m = 0.0;
+  /// How much more often a ray ends early that goes to a wall than one that passes beside it: 1
+  /// where things simply stand there, more where what is seen of walls is often false.
+  double at_walls = 1.0;
+};
+
 struct SensorOptions {
   RangeNoise noise;
+  Clutter clutter;                ///< as measured
   double hit = 0.9;               ///< a wall returns the ray; else it is looked through
   double silent = 0.1;            ///< a wall gives no return at all (with `hit`: of those that do)
   double recognised = 0.85;       ///< share of the returns from walls that look like walls
@@ -48,6 +58,7 @@ class SensorModel {
   SensorModel(const SensorOptions& options, double range_limit_m);
 
   static int labelOf(double wall);
+  static double shareOf(int label) { return static_cast<double>(label) / (kLabels - 1); }
 
   /// `slack_m`: how far, along the ray, the wall may be off for other reasons than range noise.
   float operator()(const Sight& sight, float distance, float slack_m) const {
@@ -63,12 +74,24 @@ class SensorModel {
   /// Responsibility of the wall for a return `error` metres off, 0 … 1: the weight of the return in
   /// a robust fit.
   double responsibility(int label, double error, double sigma) const;
+  /// What returns around a wall are off in the mean, weighed by their responsibilities: less than
+  /// 0, for things stand in front of walls and not behind.
+  double clutterError(int label, double sigma) const {
+    const std::size_t level = levelOf(static_cast<float>(sigma * sigma));
+    return static_cast<double>(mean_errors_[level * kLabels + static_cast<std::size_t>(label)]);
+  }
 
+  /// Whether it is a return from something clearly in front of a wall at this distance.
+  bool isBefore(const Sight& sight, float distance, float slack_m) const {
+    return sight.label != kSilent && sight.range < distance - reach(distance) - kReach * slack_m;
+  }
+  /// log p(return from in front | wall) − log p(the same | no wall).
+  float blocked() const { return blocked_; }
   float passed() const { return passed_; }
   float silent() const { return silent_; }
   double rangeLimit() const { return range_limit_m_; }
   const SensorOptions& options() const { return options_; }
-  /// How far behind a return its table reaches, metres.
+  /// How far around a return its table reaches, metres.
   float reach(float range) const;
 
  private:
@@ -93,15 +116,22 @@ class SensorModel {
     const int level = static_cast<int>(std::bit_cast<std::uint32_t>(variance) >> 21) - kLeastLevel;
     return static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(kLevels) - 1));
   }
+  static double zOf(std::size_t step) {
+    return (static_cast<double>(step) + 0.5) / kStepsPerSigma - kReach;
+  }
+  double meanError(int label, double sigma) const;
+  double recognised(int label) const;
   double wallDensity(int label, double error, double sigma) const;
   static double otherDensity(const SensorOptions& options, int label);
 
   SensorOptions options_;
   double range_limit_m_;
+  float blocked_;
   float passed_;
   float silent_;
   std::vector<Return> returns_;  ///< by distance
   std::array<float, kLevels> per_sigma_{};
+  std::array<float, kLevels * kLabels> mean_errors_{};
   std::vector<float> table_;
 };
 

@@ -79,7 +79,8 @@ bool Smoother::addReturns(const Frame& frame, const FoundBox& found, double slac
     for (std::size_t k = 0; k < 4; ++k) jacobian[kPoseSize + static_cast<int>(k)] = -slopes[k];
     jacobian[kPoseSize + 4] = perpendicular(n).dot(from_pivot);
     jacobian[kBias] = -squared * n.dot(direction);
-    walls[wall].add(jacobian, range_error * n.dot(direction), weight);
+    const double clutter_error = sensor_.clutterError(ray.sight.label, noise);
+    walls[wall].add(jacobian, (range_error - clutter_error) * n.dot(direction), weight);
     information[wall] += weight;
   });
   bool seen = false;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
+
 namespace handmap {
 namespace {
 
@@ -50,6 +52,33 @@ TEST(SensorModel, ResponsibilityFallsWithTheError) {
   const SensorModel model(SensorOptions{}, 40.0);
   EXPECT_GT(model.responsibility(kWall, 0.0, 0.2), 0.9);
   EXPECT_LT(model.responsibility(kWall, 1.2, 0.2), 0.01);
+}
+
+/// A robust mean of returns from a wall and from things in front of it is off by what it says.
+TEST(SensorModel, KnowsWhatClutterPulls) {
+  SensorOptions options;
+  EXPECT_NEAR(SensorModel(options, 40.0).clutterError(kWall, 0.5), 0.0, 1e-6);
+  options.clutter.wall_like_per_m = 0.1;
+  const SensorModel model(options, 40.0);
+  constexpr double kSigma = 0.5;
+  RandomStream random(1, 0, 0, 0);
+  double weights = 0.0;
+  double errors = 0.0;
+  const auto add = [&](double error) {
+    if (std::abs(error) > 4.0 * kSigma) return;
+    const double weight = model.responsibility(kWall, error, kSigma);
+    weights += weight;
+    errors += weight * error;
+  };
+  for (int i = 0; i < 200000; ++i) {
+    // For each ray that reaches the wall and comes back recognised, what stopped in front of it.
+    if (random.uniform() < options.hit * options.recognised) add(random.normal(0.0, kSigma));
+    const double before = random.uniform(-2.0, 2.0);
+    const bool passes = random.uniform() < options.hit && before + random.normal(0.0, kSigma) > 0.0;
+    if (random.uniform() < 4.0 * options.clutter.wall_like_per_m && !passes) add(before);
+  }
+  EXPECT_NEAR(model.clutterError(kWall, kSigma), errors / weights, 0.02);
+  EXPECT_LT(model.clutterError(kWall, kSigma), -0.05);
 }
 
 }  // namespace
