@@ -15,13 +15,14 @@ namespace handmap {
 
 namespace {
 
-enum class Scenery { TwoRows, Campus, Street };
+enum class Scenery { TwoRows, Campus, Loop, Street };
 
 struct SimulateArguments {
   std::string world;
   Scenery scene = Scenery::TwoRows;
   std::uint64_t seed = 1;
   double sigma_m = 5.0;
+  double view_deg = 360.0;
   bool clutter = false;
   bool images = false;
   bool moving = false;
@@ -43,6 +44,8 @@ World worldOf(const SimulateArguments& arguments) {
   switch (arguments.scene) {
     case Scenery::Campus:
       return campusWorld(arguments.seed);
+    case Scenery::Loop:
+      return loopWorld(arguments.seed);
     case Scenery::Street:
       return streetWorld(arguments.seed);
     case Scenery::TwoRows:
@@ -53,7 +56,11 @@ World worldOf(const SimulateArguments& arguments) {
 
 std::unique_ptr<ObservationSource> sourceOf(const SimulateArguments& arguments,
                                             const World& world) {
-  if (!arguments.images) return simulate(world, {}, arguments.seed);
+  if (!arguments.images) {
+    SimulationOptions options;
+    options.view_rad = toRadians(arguments.view_deg);
+    return simulate(world, options, arguments.seed);
+  }
   TruthListener listener;
   if (arguments.labels) {
     listener = [folder = arguments.out](const Observation& observation,
@@ -133,15 +140,20 @@ void addSimulateCommand(CLI::App& app, ChosenCommand& chosen) {
       [&chosen, arguments] { chosen = [arguments] { return simulateCommand(*arguments); }; });
   CLI::Option* world = command->add_option("--world", a.world, "A map with a route or a start");
   world->option_text("W.handmap");
-  addChoice(
-      *command, "--scene", a.scene,
-      {{"two-rows", Scenery::TwoRows}, {"campus", Scenery::Campus}, {"street", Scenery::Street}},
-      "A made-up world, in place of --world")
+  addChoice(*command, "--scene", a.scene,
+            {{"two-rows", Scenery::TwoRows},
+             {"campus", Scenery::Campus},
+             {"loop", Scenery::Loop},
+             {"street", Scenery::Street}},
+            "A made-up world, in place of --world")
       ->excludes(world);
   addSeed(*command, a.seed, "Of the world, its noise and the sketch");
   addNumber(*command, "--sigma", a.sigma_m, 0.01, 1000, "Error of the sketch, metres");
   command->add_flag("--clutter", a.clutter, "Parked cars and hedges; the street has them anyway");
+  CLI::Option* view = addNumber(*command, "--view", a.view_deg, 10, 360,
+                                "Of the range sensor, around straight ahead, degrees");
   addImageOptions(*command, a);
+  view->excludes("--images");
   command->add_option("--out", a.out, "A new folder (required)")->required()->option_text("DIR");
 }
 

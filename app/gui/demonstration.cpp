@@ -49,6 +49,10 @@ Demonstration campusSimulation(std::uint64_t seed) {
   return simulationOf(QObject::tr("a campus"), campusWorld(seed), seed);
 }
 
+Demonstration loopSimulation(std::uint64_t seed) {
+  return simulationOf(QObject::tr("around a campus"), loopWorld(seed), seed);
+}
+
 Robot simulationOfDrawing(const Map& drawing, std::uint64_t seed) {
   const double sigma = drawing.uncertainty.position;
   // Once as it is: only a drawing that one can drive through can be made a world of.

@@ -58,6 +58,7 @@ void RunActions::addSimulatorMenu() {
   auto* menu = new QMenu(&parts_.window);
   menu->addAction(tr("&Two rows of buildings"), this, &RunActions::openTwoRows);
   menu->addAction(tr("A &campus"), this, [this] { openSimulation(campusSimulation(seed())); });
+  menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
   menu->addAction(tr("&This drawing"), this, &RunActions::simulateDrawing);
   menu->addSeparator();
   menu->addAction(tr("The &demonstration"), this, &RunActions::openDemonstration);

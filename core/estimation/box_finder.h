@@ -1,6 +1,7 @@
 // Buildings from walls and rays, without the drawing.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct FoundBox {
   double heading_sigma = 0.0;
   int observations = 0;  ///< frames that saw it
   bool in_sight = true;  ///< of the last frame; others stay as they are
+  /// Numbers of the frames that may have seen it.
+  std::size_t first_frame = 0;
+  std::size_t last_frame = std::numeric_limits<std::size_t>::max();
+  /// Out of sight for long: the way may have drifted since.
+  bool asleep = false;
 
   double reachSigma(std::size_t wall) const {
     const auto k = static_cast<Eigen::Index>(wall);

@@ -1,7 +1,8 @@
 // A drawn building as a Gaussian over its four walls, given where the drawing lies.
 #pragma once
 
-#include <optional>
+#include <algorithm>
+#include <array>
 
 #include <Eigen/Core>
 
@@ -38,6 +39,9 @@ struct SeenWalls {
   std::array<int, 4> index{};
   int count = 0;
   int widths = 0;  ///< axes with both walls
+  bool has(Eigen::Index wall) const {
+    return std::find(index.begin(), index.begin() + count, wall) != index.begin() + count;
+  }
 };
 
 /// The building after the run: the drawn one as the motion predicts it, corrected by the found one

@@ -17,6 +17,7 @@
 #include "core/estimation/labels.h"
 #include "core/estimation/landmarks.h"
 #include "core/estimation/noise_estimate.h"
+#include "core/estimation/odometry_estimate.h"
 #include "core/estimation/outline_fit.h"
 
 namespace handmap {
@@ -27,8 +28,11 @@ constexpr double kMoved = 0.08;           // metres: a frame that moved so far i
 constexpr double kTurned = 0.005;         // radians
 constexpr int kMostMoved = 3;             // frames put in anew with each observation
 constexpr double kSlacks[] = {0.3, 0.1};  // across walls, metres: wide to catch, narrow to settle
-constexpr double kFinalSlack = 0.03;
+constexpr double kFinalSlacks[] = {0.2, 0.1, 0.03};
+constexpr int kMostIterations = 10;  // of the whole run
+constexpr double kSettled = 0.02;    // metres: no pose moves any more
 constexpr double kSlightDoubt = 0.1;
+constexpr std::size_t kMostSmoothed = 300;  // of the buildings far away
 
 bool hasMoved(const ActiveFrame& active) {
   const Pose2 motion = between(active.held_at, active.frame->pose);
@@ -46,6 +50,7 @@ struct HandmapEstimator::State {
         evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m)),
         finder(with.finder),
         smoother(with.odometry, sensor),
+        odometry_estimate(with.odometry.heading_variance_per_m),
         labels(drawing, with.assignment),
         best(map) {
     for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
@@ -53,10 +58,17 @@ struct HandmapEstimator::State {
 
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
+  void updateOdometryNoise();
   void updateEvidence();
   void updateDirections();
+  double headingScatter() const;
   void updateNoise();
   void findBuildings();
+  void followBuildings();
+  bool closeLoop();
+  std::vector<FoundBox> smoothAll(std::span<const double> slacks,
+                                  std::span<const SameBuilding> same, const std::stop_token& stop);
+  void putEvidenceAnew();
   void labelBuildings(double near_m);
   bool fitOutlines();
   void correct(std::size_t building);
@@ -68,6 +80,7 @@ struct HandmapEstimator::State {
   std::size_t firstWorkedOn() const;
   std::size_t firstKept() const;
   std::vector<Frame*> framesFrom(std::size_t first);
+  bool isInReach(const FoundBox& found) const;
   bool isInSight(const FoundBox& found) const;
   bool hasReached(const Rectangle& box) const;
 
@@ -86,6 +99,7 @@ struct HandmapEstimator::State {
   Landmarks landmarks;
   NoiseEstimate noise;
   ClutterEstimate clutter;
+  OdometryEstimate odometry_estimate;
   Labels labels;
   std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
   Map best;                                              ///< the drawing corrected
@@ -134,13 +148,16 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.addFrame(time_s, odometry, state.pose, scan);
   state.observations.push_back({time_s, state.frames.size() - 1, Pose2{}});
   state.smoothWindow();
+  state.updateOdometryNoise();
   if (progress) progress(0.4);
   state.updateEvidence();
   state.updateDirections();
   state.findBuildings();
+  state.followBuildings();
   state.updateNoise();
   if (progress) progress(0.9);
   state.labelBuildings(state.nearM());
+  if (state.closeLoop()) state.labelBuildings(state.nearM());
   if (state.fitOutlines()) state.labelBuildings(state.nearM());
   state.correctSome();
   state.pose = state.frames.back().pose;
@@ -150,8 +167,14 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
 void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
                                        const Scan& scan) {
   frames.push_back(makeFrame(time_s, odometry, at, scan));
+  if (frames.size() > 1) {
+    const Frame& before = frames[frames.size() - 2];
+    frames.back().number = before.number + 1;
+    frames.back().way_m = before.way_m + between(before.odometry, odometry).position().norm();
+  }
   frames.back().sightings = compactThings(frames.back().rays, sensor);
-  landmarks.associate(frames.back(), sensor.options().noise);
+  landmarks.associate(frames.back(), sensor.options().noise,
+                      static_cast<std::size_t>(options.most_active));
   if (const std::size_t kept = firstKept(); kept > 0) {
     frames[kept - 1].rays = {};
     frames[kept - 1].sightings = {};
@@ -176,8 +199,11 @@ std::vector<Frame*> HandmapEstimator::State::framesFrom(std::size_t first) {
 }
 
 bool HandmapEstimator::State::isInSight(const FoundBox& box) const {
-  const BoxView view(box.box, frames.back().pose);
-  return view.inReach(options.range_limit_m);
+  return !box.asleep && isInReach(box);
+}
+
+bool HandmapEstimator::State::isInReach(const FoundBox& box) const {
+  return BoxView(box.box, frames.back().pose).inReach(options.range_limit_m);
 }
 
 bool HandmapEstimator::State::hasReached(const Rectangle& box) const {
@@ -198,10 +224,21 @@ void HandmapEstimator::State::smoothWindow() {
   std::vector<Frame*> window = framesFrom(firstWorkedOn());
   const auto count = static_cast<std::size_t>(options.window);
   const std::size_t fixed = window.size() > count ? window.size() - count : 1;
-  for (const double slack : kSlacks)
-    smoother.iterate(window, fixed, boxes, landmarks.positions(), slack);
+  const SmoothingGraph graph{window, fixed, boxes, landmarks.positions()};
+  for (const double slack : kSlacks) smoother.iterate(graph, slack);
   covariance = smoother.covariances(boxes);
   for (std::size_t i = 0; i < which.size(); ++i) found[which[i]] = boxes[i];
+}
+
+/// The last stretch that is smoothed well tells how good the odometry is.
+void HandmapEstimator::State::updateOdometryNoise() {
+  constexpr std::size_t kStretch = 8;  // frames
+  constexpr std::size_t kUnsettled = 3;
+  if (frames.size() <= kStretch + kUnsettled) return;
+  const Frame& to = frames[frames.size() - 1 - kUnsettled];
+  const Frame& from = frames[to.number - kStretch];
+  odometry_estimate.add(from, to, to.way_m - from.way_m);
+  smoother.setHeadingVariance(odometry_estimate.headingVariance());
 }
 
 void HandmapEstimator::State::updateEvidence() {
@@ -244,7 +281,24 @@ void HandmapEstimator::State::updateDirections() {
     if ((motion(box.centre) - here).norm() < reach) drawn.push_back(box.heading + turn);
   }
   directions.update(drawn, active, sensor, evidence);
-  smoother.expectHeadings(directions.drawn(), options.assignment.heading_sigma);
+  smoother.expectHeadings(directions.drawn(), headingScatter());
+}
+
+/// How far buildings are turned against the drawing, one σ, as far as they are known.
+double HandmapEstimator::State::headingScatter() const {
+  constexpr double kAssumed = 2.0;  // buildings
+  double count = kAssumed;
+  double squares = count * options.assignment.heading_sigma * options.assignment.heading_sigma;
+  for (const std::size_t b : labels.nearby()) {
+    const FoundBox* box = labels.of(b, found).found;
+    if (!box || box->observations < 3) continue;
+    const double error = std::remainder(
+        box->box.heading - drawing.buildings[b].box().heading - labels.motion().turn(), kPi / 2.0);
+    if (std::abs(error) > 4.0 * options.assignment.heading_sigma) continue;
+    squares += error * error;
+    count += 1.0;
+  }
+  return std::sqrt(squares / count);
 }
 
 void HandmapEstimator::State::updateNoise() {
@@ -269,7 +323,121 @@ void HandmapEstimator::State::findBuildings() {
                                                    options.range_limit_m, options.detection);
   const std::vector<Frame*> last = framesFrom(firstWorkedOn());
   for (FoundBox& box : found) box.in_sight = isInSight(box);
+  const auto asleep = std::stable_partition(found.begin(), found.end(),
+                                            [](const FoundBox& box) { return !box.asleep; });
+  const std::vector<FoundBox> aside(asleep, found.end());
+  found.erase(asleep, found.end());
   finder.update(found, walls, {last.begin(), last.end()}, sensor);
+  found.insert(found.end(), aside.begin(), aside.end());
+}
+
+/// What has been out of sight for long falls asleep: the way may have drifted since. It wakes where
+/// something is in sight that was there before it fell asleep.
+void HandmapEstimator::State::followBuildings() {
+  const std::size_t now = frames.back().number;
+  std::size_t oldest = now;
+  for (FoundBox& box : found) {
+    if (box.last_frame > now) {  // a new one
+      box.first_frame = frames[firstWorkedOn()].number;
+      box.last_frame = now;
+    }
+    if (isInSight(box)) {
+      box.last_frame = now;
+      oldest = std::min(oldest, box.first_frame);
+    } else if (box.last_frame + static_cast<std::size_t>(options.most_active) < now) {
+      box.asleep = true;
+    }
+  }
+  for (FoundBox& box : found) {
+    if (!box.asleep || box.last_frame < oldest || !isInReach(box)) continue;
+    box.asleep = false;
+    box.last_frame = now;
+  }
+}
+
+/// Where the way has come back to what is asleep: finds out how far it has drifted. Returns whether
+/// it did; the labels are then to be found anew.
+bool HandmapEstimator::State::closeLoop() {
+  constexpr double kShift = 0.01;  // of the way since; one σ
+  constexpr double kLeastShift = 1.0;
+  constexpr double kTurn = 0.0001;  // radians a metre
+  constexpr double kLeastTurn = 0.03;
+  constexpr double kSlacks[] = {0.5, 0.1};
+  const Frame& here = frames.back();
+  DriftPrior drift{here.pose.position(), 0.0, 0.0};
+  std::vector<FoundBox> again;
+  std::vector<std::size_t> again_at;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (isInSight(found[i])) {
+      again.push_back(found[i]);
+      again_at.push_back(i);
+    } else if (found[i].asleep) {
+      const double way = here.way_m - frames[found[i].last_frame].way_m;
+      const double shift = kLeastShift + kShift * way;
+      const double distance = (found[i].box.rectangle().centre - drift.here).norm();
+      if (distance > options.range_limit_m + 2.0 * shift) continue;
+      drift.shift_m = std::max(drift.shift_m, shift);
+      drift.turn = std::max(drift.turn, kLeastTurn + kTurn * way);
+    }
+  }
+  if (drift.shift_m == 0.0 || again.size() < 2) return false;
+  const auto drawn_of = labels.recognise(again, drift.here, drift.shift_m);
+  std::vector<SameBuilding> candidates;
+  for (std::size_t old = 0; old < found.size(); ++old) {
+    const auto drawn = labels.drawnOf(old);
+    if (!found[old].asleep || !drawn) continue;
+    for (std::size_t i = 0; i < again.size(); ++i) {
+      if (drawn_of[i] == drawn) candidates.push_back({old, again_at[i]});
+    }
+  }
+  const auto pairs = handmap::closeLoop(found, candidates, drift);
+  if (!pairs) return false;
+  const std::size_t settled = std::min(kMostSmoothed, labels.settledCount());
+  std::vector<SameBuilding> same;
+  for (const auto& [old, new_one] : *pairs) same.push_back({settled + old, settled + new_one});
+  smoothAll(kSlacks, same, {});
+  std::vector<FoundBox> kept;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto is_old = [&](const SameBuilding& pair) { return pair.old == i; };
+    const auto is_new = [&](const SameBuilding& pair) { return pair.again == i; };
+    const auto pair = std::find_if(pairs->begin(), pairs->end(), is_old);
+    if (pair != pairs->end()) {
+      kept.push_back(merged(found[i], found[pair->again]));
+    } else if (std::none_of(pairs->begin(), pairs->end(), is_new)) {
+      kept.push_back(found[i]);
+    }
+  }
+  found = std::move(kept);
+  putEvidenceAnew();
+  return true;
+}
+
+void HandmapEstimator::State::putEvidenceAnew() {
+  for (ActiveFrame& a : active) {
+    evidence.remove(*a.frame, a.held_at, sensor);
+    a.held_at = a.frame->pose;
+    evidence.add(*a.frame, a.held_at, sensor);
+  }
+}
+
+/// All poses and boxes together. Returns the boxes: those settled far away, then those of `found`.
+std::vector<FoundBox> HandmapEstimator::State::smoothAll(std::span<const double> slacks,
+                                                         std::span<const SameBuilding> same,
+                                                         const std::stop_token& stop) {
+  std::vector<FoundBox> all = labels.settled(kMostSmoothed);
+  const auto settled = static_cast<std::ptrdiff_t>(all.size());
+  all.insert(all.end(), found.begin(), found.end());
+  const std::vector<Frame*> kept = framesFrom(firstKept());
+  DrawingPrior prior = labels.prior(kMostSmoothed, found.size());
+  const SmoothingGraph graph{kept, 1, all, landmarks.positions(), same, &prior};
+  for (const double slack : slacks) {
+    for (int i = 0; i < kMostIterations; ++i) {
+      if (stop.stop_requested() || smoother.iterate(graph, slack) < kSettled) break;
+    }
+  }
+  labels.setSettled({all.begin(), all.begin() + settled});
+  found.assign(all.begin() + settled, all.end());
+  return all;
 }
 
 void HandmapEstimator::State::labelBuildings(double near_m) {
@@ -338,24 +506,19 @@ void HandmapEstimator::State::correctSome() {
 }
 
 void HandmapEstimator::finish(const std::stop_token& stop) {
-  constexpr std::size_t kMostSmoothed = 300;  // of the buildings far away
-  constexpr std::size_t kMostLabelled = 60;   // buildings that are labelled all together
+  constexpr std::size_t kMostLabelled = 60;  // buildings that are labelled all together
   State& state = *state_;
   if (state.frames.empty()) return;
-  std::vector<FoundBox> all = state.labels.settled(kMostSmoothed);
-  const auto settled = static_cast<std::ptrdiff_t>(all.size());
-  all.insert(all.end(), state.found.begin(), state.found.end());
-  std::vector<Frame*> frames = state.framesFrom(state.firstKept());
-  for (const double slack : {0.2, 0.1, kFinalSlack, kFinalSlack, kFinalSlack}) {
-    if (stop.stop_requested()) return;
-    state.smoother.iterate(frames, 1, all, state.landmarks.positions(), slack);
-  }
+  std::vector<FoundBox> all = state.smoothAll(kFinalSlacks, {}, stop);
+  if (stop.stop_requested()) return;
   state.covariance = state.smoother.covariances(all);
+  const std::vector<Frame*> frames = state.framesFrom(state.firstKept());
   for (FoundBox& found : all) {
     state.finder.locateUnseen(found, {frames.begin(), frames.end()}, state.sensor);
   }
-  state.labels.setSettled({all.begin(), all.begin() + settled});
-  state.found.assign(all.begin() + settled, all.end());
+  const auto settled = all.end() - static_cast<std::ptrdiff_t>(state.found.size());
+  state.labels.setSettled({all.begin(), settled});
+  state.found.assign(settled, all.end());
   const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled &&
                    state.drawing.buildings.size() <= 2 * kMostLabelled;
   state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.nearM());

@@ -3,7 +3,11 @@
 namespace handmap {
 
 Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const Scan& scan) {
-  Frame frame{time_s, odometry, pose, {}, {}, scan.bias_sigma_per_m};
+  Frame frame;
+  frame.time_s = time_s;
+  frame.odometry = odometry;
+  frame.pose = pose;
+  frame.bias_sigma_per_m = scan.bias_sigma_per_m;
   frame.rays.reserve(scan.rays.size());
   for (const Ray& ray : scan.rays) {
     // Noise takes some of the returns near the limit beyond it: there silence says nothing.

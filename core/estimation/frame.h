@@ -28,6 +28,8 @@ struct Sighting {
 };
 
 struct Frame {
+  std::size_t number = 0;  ///< of the frames kept, in order of time
+  double way_m = 0.0;      ///< driven since the first, by the odometry
   double time_s = 0.0;
   Pose2 odometry;              ///< odometry frame
   Pose2 pose;                  ///< map frame, best so far

@@ -43,7 +43,7 @@ void Labels::settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, doubl
       kept.push_back(found[f]);
       continue;
     }
-    const std::size_t drawn = drawnOf(f);
+    const std::size_t drawn = drawnOf(f).value_or(kNowhere);
     if (drawn != kNowhere) {
       const Building& building = drawing_.buildings[drawn];
       settle(roots_, building, drawing_.uncertaintyOf(building), found[f], options_);
@@ -117,10 +117,62 @@ void Labels::setSettled(std::span<const FoundBox> boxes) {
   for (std::size_t i = 0; i < boxes.size(); ++i) settled_[first + i].found = boxes[i];
 }
 
-std::size_t Labels::drawnOf(std::size_t found) const {
+DrawingPrior Labels::prior(std::size_t most, std::size_t found) const {
+  DrawingPrior prior;
+  prior.expected = rootHypotheses(drawing_, options_).front().motion;
+  prior.motion = motion();
+  if (options_.free_scale || options_.free_turn) prior.expected.mean = prior.motion.mean;
+  prior.turn = options_.free_turn ? motion().turn() : 0.0;
+  const auto add = [&](std::size_t box, std::size_t drawn, double doubt) {
+    if (drawn == kNowhere || doubt > 0.5) return;
+    const Building& building = drawing_.buildings[drawn];
+    prior.anchors.push_back({box, &building, drawing_.uncertaintyOf(building)});
+  };
+  const std::size_t count = std::min(most, settled_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Settled& settled = settled_[settled_.size() - count + i];
+    add(i, settled.drawn, settled.doubt);
+  }
+  for (std::size_t f = 0; f < found; ++f) {
+    const std::size_t drawn = drawnOf(f).value_or(kNowhere);
+    add(count + f, drawn, drawn == kNowhere ? 1.0 : doubtOf(nearby_at_[drawn]));
+  }
+  return prior;
+}
+
+std::optional<std::size_t> Labels::drawnOf(std::size_t found) const {
   const std::vector<int>& found_of = hypotheses_.front().found_of;
   const auto at = std::find(found_of.begin(), found_of.end(), static_cast<int>(found));
-  return at == found_of.end() ? kNowhere : nearby_[static_cast<std::size_t>(at - found_of.begin())];
+  if (at == found_of.end()) return std::nullopt;
+  return nearby_[static_cast<std::size_t>(at - found_of.begin())];
+}
+
+std::vector<std::optional<std::size_t>> Labels::recognise(std::span<const FoundBox> boxes,
+                                                          const Vec2& here, double shift_m) const {
+  constexpr double kReach = 100.0;  // metres
+  constexpr double kSure = 0.9;
+  Map around;
+  around.start = drawing_.start;
+  around.uncertainty = drawing_.uncertainty;
+  std::vector<std::size_t> which;
+  for (std::size_t b = 0; b < centres_.size(); ++b) {
+    if ((motion()(centres_[b]) - here).norm() > kReach + 3.0 * shift_m) continue;
+    which.push_back(b);
+    around.buildings.push_back(drawing_.buildings[b]);
+  }
+  Hypothesis root{{}, motion(), 0.0, 1.0};
+  root.motion.covariance(2, 2) += shift_m * shift_m;
+  root.motion.covariance(3, 3) += shift_m * shift_m;
+  const std::vector<Hypothesis> hypotheses = assign(around, boxes, {}, {root}, options_);
+  std::vector<std::optional<std::size_t>> labels(boxes.size());
+  for (std::size_t b = 0; b < which.size(); ++b) {
+    const int best = hypotheses.front().found_of[b];
+    if (best == Hypothesis::kNone) continue;
+    double agreed = 0.0;
+    for (const Hypothesis& h : hypotheses) agreed += h.found_of[b] == best ? h.weight : 0.0;
+    if (agreed > kSure) labels[static_cast<std::size_t>(best)] = which[b];
+  }
+  return labels;
 }
 
 double Labels::doubtOf(std::size_t place) const {

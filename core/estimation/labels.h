@@ -8,6 +8,7 @@
 
 #include "core/estimation/assignment.h"
 #include "core/estimation/drawn_box.h"
+#include "core/estimation/smoother.h"
 
 namespace handmap {
 
@@ -40,6 +41,14 @@ class Labels {
     const FoundBox* found = nullptr;  ///< nullptr: none; of `found` of the last update()
     double doubt = 0.0;               ///< that it is another one, or is there after all
   };
+  /// What the drawing says of the boxes of settled(most), followed by `found` of the last update().
+  DrawingPrior prior(std::size_t most, std::size_t found) const;
+  /// Which drawn building one of `found` of the last update() is.
+  std::optional<std::size_t> drawnOf(std::size_t found) const;
+  /// Which drawn buildings some boxes are, whatever else is taken for these, as far as that is
+  /// sure; near `here` the way may have drifted by `shift_m`, one σ.
+  std::vector<std::optional<std::size_t>> recognise(std::span<const FoundBox> boxes,
+                                                    const Vec2& here, double shift_m) const;
   /// Which of `found` of the last update() a drawn building near the robot is.
   std::optional<std::size_t> indexOf(std::size_t building) const;
   Label of(std::size_t building, std::span<const FoundBox> found) const;
@@ -58,7 +67,6 @@ class Labels {
   void settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, double near_m);
   void bringNearOnesBack(std::vector<FoundBox>& found, const Vec2& here, double near_m);
   void findNearby(const Vec2& here, double near_m);
-  std::size_t drawnOf(std::size_t found) const;
   double doubtOf(std::size_t place) const;
 
   const Map& drawing_;

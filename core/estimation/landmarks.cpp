@@ -98,13 +98,14 @@ std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const Sen
   return sightings;
 }
 
-void Landmarks::associate(Frame& frame, const RangeNoise& noise) {
+void Landmarks::associate(Frame& frame, const RangeNoise& noise, std::size_t most_frames) {
   std::vector<bool> taken(positions_.size());
   for (Sighting& sighting : frame.sightings) {
     const double range = sighting.range - noise.bias(sighting.range);
     const Vec2 place = frame.pose.toOuter(range * unitVector(sighting.bearing));
     double nearest = kGate;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
+      if (last_seen_[i] + most_frames < frame.number) continue;
       const double distance = (positions_[i] - place).norm();
       if (i < taken.size() && !taken[i] && distance < nearest) {
         nearest = distance;
@@ -114,8 +115,11 @@ void Landmarks::associate(Frame& frame, const RangeNoise& noise) {
     if (sighting.landmark < 0) {
       sighting.landmark = static_cast<int>(positions_.size());
       positions_.push_back(place);
+      last_seen_.push_back(frame.number);
     } else {
-      taken[static_cast<std::size_t>(sighting.landmark)] = true;
+      const auto landmark = static_cast<std::size_t>(sighting.landmark);
+      taken[landmark] = true;
+      last_seen_[landmark] = frame.number;
     }
   }
 }

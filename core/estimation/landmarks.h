@@ -14,13 +14,15 @@ std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const Sen
 /// Where the compact things are, map frame. A sighting names its landmark by index.
 class Landmarks {
  public:
-  /// Finds the landmarks of a frame's sightings; what is seen for the first time becomes one.
-  void associate(Frame& frame, const RangeNoise& noise);
+  /// Finds the landmarks of a frame's sightings; what was not seen in the last `most_frames`
+  /// becomes one.
+  void associate(Frame& frame, const RangeNoise& noise, std::size_t most_frames);
 
   std::vector<Vec2>& positions() { return positions_; }
 
  private:
   std::vector<Vec2> positions_;
+  std::vector<std::size_t> last_seen_;  ///< number of the frame
 };
 
 }  // namespace handmap

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "core/estimation/silhouette.h"
 
 namespace handmap {
@@ -12,7 +14,8 @@ namespace {
 constexpr int kPoseSize = 3;
 constexpr int kBoxSize = 5;
 constexpr int kBias = kPoseSize + kBoxSize;
-constexpr double kReachPrior = 4.0;  // metres, one σ: what nobody saw stays where it is
+constexpr double kSizePrior = 4.0;    // metres, one σ
+constexpr double kPlacePrior = 40.0;  // metres, one σ
 constexpr double kHeadingPrior = 0.2;
 constexpr double kLeastSize = 2.0;  // metres
 constexpr double kMostTurn = 0.05;  // radians an iteration
@@ -21,6 +24,9 @@ constexpr int kLeastSightings = 3;  // of a landmark that is to be trusted
 constexpr float kLeastCosine = 0.02F;
 constexpr double kLeastBias = 1e-9;  // 1/m, one σ
 constexpr double kScaleChange = 0.002;
+constexpr double kSameWall = 0.1;  // metres, one σ
+constexpr double kSameHeading = 0.01;
+constexpr double kNowhere = 1e6;  // m²
 
 /// Walls that would pass one another stay.
 void move(Box& box, const Eigen::Matrix<double, kBoxSize, 1>& step) {
@@ -139,7 +145,7 @@ void Smoother::addOdometry(const Frame& from, const Frame& to, int from_index, i
   const Pose2 measured = scaled(counted);
   const Pose2 step = between(from.pose, to.pose);
   const double length = std::hypot(measured.x, measured.y);
-  const double heading = odometry_.heading_per_m * length +
+  const double heading = std::sqrt(odometry_.heading_variance_per_m * length) +
                          odometry_.heading_per_rad * std::abs(measured.heading) +
                          odometry_.least_heading;
   const Eigen::Vector3d sigma(odometry_.length_per_m * length + odometry_.least_length_m,
@@ -168,22 +174,80 @@ void Smoother::addOdometry(const Frame& from, const Frame& to, int from_index, i
   right_.segment<3>(from_index * kPoseSize) += right.head<3>();
 }
 
-void Smoother::addPrior(const Box& box, int at) {
+/// A building of which nobody saw both sides keeps its size, and stays where nobody saw any.
+void Smoother::addReachPrior(int box_at) {
+  constexpr double kSize = 1.0 / (kSizePrior * kSizePrior);
+  constexpr double kPlace = 0.25 / (kPlacePrior * kPlacePrior);
+  for (int k = 0; k < 2; ++k) {
+    triplets_.emplace_back(box_at + k, box_at + k, kSize + kPlace);
+    triplets_.emplace_back(box_at + k + 2, box_at + k + 2, kSize + kPlace);
+    triplets_.emplace_back(box_at + k + 2, box_at + k, kSize - kPlace);
+  }
+}
+
+/// One of the main directions of the drawing, or any.
+void Smoother::addHeadingPrior(const Box& box, const std::vector<double>& headings, int box_at) {
   double turned = 0.0;
   double sigma = kHeadingPrior;
-  for (const double heading : headings_) {
+  for (const double heading : headings) {
     const double against = std::remainder(box.heading - heading, kPi / 2.0);
     if (sigma == heading_sigma_ && std::abs(against) > std::abs(turned)) continue;
     turned = against;
     sigma = heading_sigma_;
   }
-  Eigen::Matrix<double, kBoxSize, 1> weight;
-  weight.fill(1.0 / (kReachPrior * kReachPrior));
-  weight[kBoxSize - 1] = 1.0 / (sigma * sigma);
-  addBlock(at, at, weight.asDiagonal().toDenseMatrix());
+  const double weight = 1.0 / (sigma * sigma);
+  const int at = box_at + kBoxSize - 1;
+  triplets_.emplace_back(at, at, weight);
   // Robust: a building may stand as it likes.
   const double most = 2.0 * sigma;
-  right_[at + kBoxSize - 1] -= weight[kBoxSize - 1] * std::clamp(turned, -most, most);
+  right_[at] -= weight * std::clamp(turned, -most, most);
+}
+
+void Smoother::addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at) {
+  for (const Agreement& agreement : compare(old, again)) {
+    const bool is_wall = agreement.old_parameter < 4;
+    const double sigma = is_wall ? kSameWall : kSameHeading;
+    const double weight = 1.0 / (sigma * sigma);
+    addBlock(old_at, old_at, weight * agreement.old_slope * agreement.old_slope.transpose());
+    addBlock(again_at, again_at,
+             weight * agreement.again_slope * agreement.again_slope.transpose());
+    if (again_at > old_at) {
+      addBlock(again_at, old_at, weight * agreement.again_slope * agreement.old_slope.transpose());
+    } else {
+      addBlock(old_at, again_at, weight * agreement.old_slope * agreement.again_slope.transpose());
+    }
+    right_.segment<kBoxSize>(old_at) -= weight * agreement.error * agreement.old_slope;
+    right_.segment<kBoxSize>(again_at) -= weight * agreement.error * agreement.again_slope;
+  }
+}
+
+void Smoother::addDrawing(const DrawingPrior& drawing, std::span<const FoundBox> boxes) {
+  const Eigen::Matrix4d prior = drawing.expected.covariance.inverse();
+  addBlock(motion_at_, motion_at_, prior);
+  right_.segment<4>(motion_at_) -= prior * (drawing.motion.mean - drawing.expected.mean);
+  for (const DrawingPrior::Anchor& anchor : drawing.anchors) {
+    const FoundBox& found = boxes[anchor.box];
+    const SeenWalls seen(found);
+    if (seen.count == 0) continue;
+    const DrawnBox drawn(*anchor.drawn, anchor.uncertainty, drawing.motion, found.box);
+    // Walls that were not seen may be anywhere.
+    Eigen::Matrix4d covariance = drawn.covariance();
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      if (!seen.has(k)) covariance(k, k) += kNowhere;
+    }
+    Eigen::Matrix4d weight = covariance.inverse();
+    const Eigen::Vector4d residual =
+        Eigen::Map<const Eigen::Vector4d>(found.box.reach.data()) - drawn.mean();
+    // Cauchy's weight: some labels are wrong.
+    weight /= 1.0 + residual.dot(weight * residual) / (4.0 * seen.count);
+    const int box_at = poses_ * kPoseSize + static_cast<int>(anchor.box) * kBoxSize;
+    const Eigen::Matrix4d across = drawn.slope().transpose() * weight;
+    addBlock(box_at, box_at, weight);
+    addBlock(motion_at_, box_at, -across);
+    addBlock(motion_at_, motion_at_, across * drawn.slope());
+    right_.segment<4>(box_at) -= weight * residual;
+    right_.segment<4>(motion_at_) += across * residual;
+  }
 }
 
 void Smoother::addCalibrationPrior(std::span<Frame* const> frames) {
@@ -231,8 +295,8 @@ void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const V
   right_.segment<3>(pose * kPoseSize) += right.head<3>();
 }
 
-void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::span<FoundBox> boxes,
-                       std::vector<Vec2>& landmarks, double slack_m) {
+double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
+  const auto& [frames, fixed, boxes, landmarks, same, drawing] = graph;
   poses_ = static_cast<int>(frames.size() - fixed);
   int size = poses_ * kPoseSize + static_cast<int>(boxes.size()) * kBoxSize;
   std::vector<int> sightings(landmarks.size());
@@ -247,25 +311,47 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
   }
   bias_at_ = size++;
   scale_at_ = size++;
+  motion_at_ = size;
+  if (drawing) size += 4;
   triplets_.clear();
   right_ = Eigen::VectorXd::Zero(size);
   const auto index_of = [&](std::size_t frame) {
     return frame < fixed ? -1 : static_cast<int>(frame - fixed);
   };
+  const auto at_box = [&](std::size_t b) {
+    return poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
+  };
   for (std::size_t i = std::max<std::size_t>(fixed, 1); i < frames.size(); ++i) {
     addOdometry(*frames[i - 1], *frames[i], index_of(i - 1), index_of(i));
   }
+  // Of a labelled box its own.
+  const auto drawn_headings = [&](std::size_t b) {
+    if (!drawing) return headings_;
+    const auto anchor =
+        std::find_if(drawing->anchors.begin(), drawing->anchors.end(),
+                     [&](const DrawingPrior::Anchor& other) { return other.box == b; });
+    if (anchor == drawing->anchors.end()) return headings_;
+    return std::vector<double>{anchor->drawn->box().heading + drawing->turn};
+  };
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     boxes[b].observations = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (frames[i]->number < boxes[b].first_frame || frames[i]->number > boxes[b].last_frame) {
+        continue;
+      }
       Normal normal;
       if (!addReturns(*frames[i], boxes[b], slack_m, normal)) continue;
       addSilhouette(*frames[i], boxes[b], normal);
       scatter(normal, index_of(i), static_cast<int>(b));
       ++boxes[b].observations;
     }
-    addPrior(boxes[b].box, poses_ * kPoseSize + static_cast<int>(b) * kBoxSize);
+    addHeadingPrior(boxes[b].box, drawn_headings(b), at_box(b));
+    addReachPrior(at_box(b));
   }
+  for (const auto& [old, again] : same) {
+    addSame(boxes[old], boxes[again], at_box(old), at_box(again));
+  }
+  if (drawing) addDrawing(*drawing, boxes);
   addCalibrationPrior(frames);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     for (const Sighting& sighting : frames[i]->sightings) {
@@ -278,22 +364,25 @@ void Smoother::iterate(std::span<Frame* const> frames, std::size_t fixed, std::s
   matrix.setFromTriplets(triplets_.begin(), triplets_.end());
   solver_.compute(matrix);
   const Eigen::VectorXd step = solver_.solve(right_);
-  if (!step.allFinite()) return;
+  if (!step.allFinite()) return 0.0;
+  double moved = 0.0;
   for (int i = 0; i < poses_; ++i) {
     Pose2& pose = frames[fixed + static_cast<std::size_t>(i)]->pose;
+    moved = std::max(moved, step.segment<2>(i * kPoseSize).norm());
     pose.x += step[i * kPoseSize];
     pose.y += step[i * kPoseSize + 1];
     pose.heading = normalizedAngle(pose.heading + step[i * kPoseSize + 2]);
   }
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    const int at = poses_ * kPoseSize + static_cast<int>(b) * kBoxSize;
-    move(boxes[b].box, step.segment<kBoxSize>(at));
+    move(boxes[b].box, step.segment<kBoxSize>(at_box(b)));
   }
   bias_per_m_ += step[bias_at_];
   scale_ += step[scale_at_];
+  if (drawing) drawing->motion.mean += step.segment<4>(motion_at_);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     if (landmark_at[i] >= 0) landmarks[i] += step.segment<2>(landmark_at[i]);
   }
+  return moved;
 }
 
 Eigen::Matrix3d Smoother::covariances(std::span<FoundBox> boxes) {

@@ -6,7 +6,8 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "core/estimation/box_finder.h"
+#include "core/estimation/drawn_box.h"
+#include "core/estimation/loop_closure.h"
 
 namespace handmap {
 
@@ -14,11 +15,35 @@ namespace handmap {
 struct OdometryNoise {
   double length_per_m = 0.03;
   double side_per_m = 0.01;
-  double heading_per_m = 0.0025;  ///< radians
+  double heading_variance_per_m = 2e-5;  ///< radians²
   double heading_per_rad = 0.02;
   double least_length_m = 0.01;
   double least_heading = 0.001;
   double scale = 0.003;  ///< of all lengths; Cauchy's, for some wheels are worn
+};
+
+/// What a drawing says of the found boxes that are labelled: where their walls are, but for how it
+/// lies as a whole, and how they stand.
+struct DrawingPrior {
+  struct Anchor {
+    std::size_t box;
+    const Building* drawn;
+    Uncertainty uncertainty;
+  };
+  std::vector<Anchor> anchors;
+  DrawingMotion expected;  ///< before anything was found
+  DrawingMotion motion;
+  double turn = 0.0;  ///< of the drawing, where it is not as drawn
+};
+
+/// What is smoothed together.
+struct SmoothingGraph {
+  std::span<Frame* const> frames;  ///< in order of time; consecutive ones are bound by odometry
+  std::size_t fixed = 1;           ///< poses before this one stay
+  std::span<FoundBox> boxes;
+  std::vector<Vec2>& landmarks;
+  std::span<const SameBuilding> same = {};  ///< of the boxes
+  DrawingPrior* drawing = nullptr;          ///< its motion follows
 };
 
 /// Gauss-Newton with weights that follow the sensor model. What a frame says of a wall is each
@@ -33,6 +58,8 @@ class Smoother {
   /// quite straight and poses of moving robots not quite those of the scan. Its ends are off by
   /// more.
   void setSystematic(double sigma_m) { systematic_m_ = sigma_m; }
+  /// Variance of the odometry's heading after a metre, radians².
+  void setHeadingVariance(double per_m) { odometry_.heading_variance_per_m = per_m; }
   /// The main directions of the drawing (modulo π/2), and how far a building may be turned against
   /// the nearest, one σ.
   void expectHeadings(std::vector<double> headings, double sigma) {
@@ -45,12 +72,10 @@ class Smoother {
   Pose2 scaled(const Pose2& motion) const {
     return {(1.0 + scale_) * motion.x, (1.0 + scale_) * motion.y, motion.heading};
   }
-  /// Moves the poses of `frames` from index `fixed` on, the boxes and the landmarks that the frames
-  /// saw. The frames are in the order
-  /// of time; consecutive ones are bound by odometry. `slack_m` (across a wall, one
-  /// σ) is what poses and boxes may be off before: wide to catch, narrow to settle.
-  void iterate(std::span<Frame* const> frames, std::size_t fixed, std::span<FoundBox> boxes,
-               std::vector<Vec2>& landmarks, double slack_m);
+  /// Moves the poses, the boxes and the landmarks that the frames saw. `slack_m` (across a wall,
+  /// one σ) is what poses and boxes may be off before: wide to catch, narrow to settle.
+  /// Returns how far the pose that moved most did, metres.
+  double iterate(const SmoothingGraph& graph, double slack_m);
   /// Writes the σ of the boxes and returns the covariance of the last pose, after iterate().
   Eigen::Matrix3d covariances(std::span<FoundBox> boxes);
 
@@ -69,7 +94,10 @@ class Smoother {
   void addOdometry(const Frame& from, const Frame& to, int from_index, int to_index);
   void addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark, int pose,
                    int landmark_at);
-  void addPrior(const Box& box, int at);
+  void addReachPrior(int box_at);
+  void addHeadingPrior(const Box& box, const std::vector<double>& headings, int box_at);
+  void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at);
+  void addDrawing(const DrawingPrior& drawing, std::span<const FoundBox> boxes);
   void addCalibrationPrior(std::span<Frame* const> frames);
   void addBlock(int row, int column, const Eigen::MatrixXd& block);
 
@@ -86,6 +114,7 @@ class Smoother {
   int poses_ = 0;  ///< free ones
   int bias_at_ = 0;
   int scale_at_ = 0;
+  int motion_at_ = 0;
 };
 
 }  // namespace handmap

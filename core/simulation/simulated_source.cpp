@@ -67,6 +67,7 @@ class SimulatedSource : public ObservationSource {
     std::vector<RangePoint> points;
     for (int ray = 0; ray < options_.rays; ++ray) {
       const double bearing = 2.0 * kPi * ray / options_.rays;
+      if (std::abs(normalizedAngle(bearing)) > options_.view_rad / 2.0) continue;
       const Hit hit = measured(
           cast(pose.position(), unitVector(pose.heading + bearing), walls, sides, obstacles),
           random);

@@ -12,7 +12,8 @@ namespace handmap {
 struct SimulationOptions {
   double step_m = 5.0;  ///< between observations
   double speed_m_s = 1.0;
-  int rays = 720;  ///< around the robot
+  int rays = 720;               ///< around the robot
+  double view_rad = 2.0 * kPi;  ///< of these, those around straight ahead are measured
   double range_limit_m = 40.0;
   double sigma_offset_m = 0.05;     ///< σ(d) = offset + quadratic · d²
   double sigma_quadratic = 0.0021;  ///< 1/m

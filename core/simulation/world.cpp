@@ -1,6 +1,8 @@
 #include "core/simulation/world.h"
 
 #include <algorithm>
+#include <array>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,7 @@ namespace {
 constexpr std::uint32_t kTwoRows = 1;
 constexpr std::uint32_t kCampus = 2;
 constexpr std::uint32_t kFromMap = 3;
+constexpr std::uint32_t kLoop = 7;
 
 constexpr double kRobotRadius = 0.3;
 constexpr double kMaxLength = 20e3;  // of a route from a file
@@ -44,6 +47,28 @@ Polygon lShape(const Rectangle& box, double width_share, double depth_share, boo
   }
   for (Vec2& corner : shape) corner = frame.toOuter(corner);
   return shape;
+}
+
+/// The rectangle without its middle, open to the far side: a courtyard. `wing` in metres.
+Polygon uShape(const Rectangle& box, double wing) {
+  const Pose2 frame{box.centre.x(), box.centre.y(), box.heading};
+  const double x = box.width / 2.0;
+  const double y = box.depth / 2.0;
+  Polygon shape{
+      {-x, -y},      {x, -y}, {x, y}, {x - wing, y}, {x - wing, wing - y}, {wing - x, wing - y},
+      {wing - x, y}, {-x, y}};
+  for (Vec2& corner : shape) corner = frame.toOuter(corner);
+  return shape;
+}
+
+/// Of a building that looks at the way: a box, or one of its kinds with less in it.
+std::variant<Rectangle, Polygon> anyShape(const Rectangle& box, RandomStream& random) {
+  const double kind = random.uniform();
+  const double width_share = random.uniform(0.35, 0.65);
+  const double depth_share = random.uniform(0.35, 0.65);
+  if (kind < 0.25) return lShape(box, width_share, depth_share, random.uniform() < 0.5);
+  if (kind < 0.4) return uShape(box, 0.3 * std::min(box.width, box.depth));
+  return box;
 }
 
 /// Legs that turn by turns to the left and to the right, so that the way never crosses itself.
@@ -128,6 +153,44 @@ World campusWorld(std::uint64_t seed) {
                                 random.uniform() < 0.5);
       }
       map.buildings.push_back(building);
+    }
+  }
+  return worldOf(std::move(map), seed, random);
+}
+
+World loopWorld(std::uint64_t seed) {
+  constexpr double kInset = 45.0;  // metres of a corner inside the loop that stay free
+  RandomStream random(seed, 0, 0, kLoop);
+  Map map;
+  map.name = fmt::format("Around a campus, {}", seed);
+  map.start = Pose2{};
+  const double length = random.uniform(280.0, 320.0);
+  const double width = random.uniform(180.0, 220.0);
+  const std::array<Vec2, 5> corners{Vec2(0.0, 0.0), Vec2(length, 0.0), Vec2(length, width),
+                                    Vec2(0.0, width), Vec2(0.0, 0.0)};
+  map.route.assign(corners.begin(), corners.end());
+  map.route.emplace_back(length / 3.0, 0.0);
+  for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg) {
+    const Vec2 way = corners[leg + 1] - corners[leg];
+    const Pose2 frame{corners[leg].x(), corners[leg].y(), std::atan2(way.y(), way.x())};
+    for (const double side : {1.0, -1.0}) {  // the left is inside
+      const double end = way.norm() - (side > 0.0 ? kInset : 0.0);
+      double at = side > 0.0 ? kInset : 0.0;
+      while (true) {
+        Rectangle box;
+        box.width = random.uniform(18.0, 45.0);
+        box.depth = random.uniform(12.0, 24.0);
+        if (at + box.width > end) break;
+        const double away = random.uniform(8.0, 14.0) + box.depth / 2.0;
+        box.centre = frame.toOuter({at + box.width / 2.0, side * away});
+        box.heading = normalizedAngle(frame.heading + (side > 0.0 ? 0.0 : kPi) +
+                                      random.normal(0.0, toRadians(2.0)));
+        at += box.width + random.uniform(6.0, 16.0);
+        Building building;
+        building.id = fmt::format("B{}", map.buildings.size() + 1);
+        building.shape = anyShape(box, random);
+        map.buildings.push_back(building);
+      }
     }
   }
   return worldOf(std::move(map), seed, random);

@@ -38,6 +38,9 @@ struct World {
 World twoRowWorld(std::uint64_t seed);
 /// Buildings of any heading, some L-shaped, on both sides of a route with turns.
 World campusWorld(std::uint64_t seed);
+/// A closed way of a kilometre around blocks of a campus, begun a second time: buildings with
+/// courtyards, L-shaped ones and boxes on both sides, none quite in line.
+World loopWorld(std::uint64_t seed);
 /// A residential street, straight or slightly bent: 12–18 detached houses 8–20 m wide, L1 … on the
 /// left and R1 … on the right, gaps of 2–8 m, set back 4–8 m from the kerb; furnished.
 World streetWorld(std::uint64_t seed);

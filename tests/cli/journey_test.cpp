@@ -104,8 +104,11 @@ TEST_F(Journey, SimulatesAMapOfOnesOwn) {
              "row: 17 observations, truth.handmap and sketch.handmap of 3 buildings\n");
   expectDone(run({"simulate", "--scene", "campus", "--seed", "4", "--out", "campus"}),
              "campus: 54 observations, truth.handmap and sketch.handmap of 15 buildings\n");
-  EXPECT_EQ(run({"validate", "row", "campus", "row/sketch.handmap", "campus/sketch.handmap"}).err,
-            "");
+  expectDone(run({"simulate", "--scene", "loop", "--view", "180", "--out", "loop"}),
+             "loop: 218 observations, truth.handmap and sketch.handmap of 39 buildings\n");
+  EXPECT_EQ(
+      run({"validate", "row", "campus", "row/sketch.handmap", "campus/sketch.handmap", "loop"}).err,
+      "");
   writeText("blocked.handmap",
             R"({"format": "handmap", "version": 1, "route": [[0, 0], [80, 0]], "buildings": [
                 {"id": "A", "shape": "rectangle", "x": 50, "y": 0, "width": 20, "depth": 10,

@@ -18,8 +18,9 @@ struct Outcome {
   double odometry_error = 0.0;
 };
 
-Outcome runThrough(const World& world, const Map& drawing, int observations) {
-  const auto source = simulate(world, SimulationOptions{}, 5);
+Outcome runThrough(const World& world, const Map& drawing, int observations,
+                   const SimulationOptions& options = {}) {
+  const auto source = simulate(world, options, 5);
   HandmapEstimator estimator(drawing, EstimatorOptions{}, 1);
   Perception perception(source->info(), {});
   Outcome run;
@@ -52,6 +53,19 @@ TEST(HandmapEstimator, FindsEveryBuildingOfTwoRows) {
     EXPECT_GT(building.estimate->observations, 3) << building.id;
     EXPECT_LT(building.estimate->sigma_width, 2.0) << building.id;
   }
+}
+
+TEST(HandmapEstimator, ClosesALoop) {
+  const World world = loopWorld(4);
+  SimulationOptions half;
+  half.view_rad = kPi;
+  const Outcome run = runThrough(world, perturbed(world.map, 4.0, 5), 1000, half);
+  EXPECT_GT(run.odometry_error, 5.0);
+  EXPECT_LT(run.pose_error, 1.0);
+  double iou = 0.0;
+  const auto errors = compareMaps(run.refined, world.map, false).buildings;
+  for (const BuildingError& error : errors) iou += error.iou;
+  EXPECT_GT(iou / static_cast<double>(errors.size()), 0.7);
 }
 
 TEST(HandmapEstimator, IsTheSameEveryTime) {

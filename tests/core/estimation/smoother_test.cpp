@@ -40,9 +40,10 @@ double smoothDrive(double scale) {
   OdometryNoise noise;
   noise.length_per_m = 0.01;
   Smoother smoother(noise, sensor);
+  const SmoothingGraph graph{seen, 1, found, landmarks};
   // As many as in a run: the scale follows slowly.
-  for (int i = 0; i < 30; ++i) smoother.iterate(seen, 1, found, landmarks, i < 20 ? 0.5 : 0.1);
-  for (int i = 0; i < 5; ++i) smoother.iterate(seen, 1, found, landmarks, 0.03);
+  for (int i = 0; i < 30; ++i) smoother.iterate(graph, i < 20 ? 0.5 : 0.1);
+  for (int i = 0; i < 5; ++i) smoother.iterate(graph, 0.03);
   smoother.covariances(found);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_LT((frames[i].pose.position() - truth[i].position()).norm(), 0.3) << i;
@@ -83,7 +84,7 @@ TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
     Frame frame = makeFrame(0.0, pose, pose, scan);
     frame.sightings = compactThings(frame.rays, sensor);
     ASSERT_EQ(frame.sightings.size(), 1u);
-    landmarks.associate(frame, sensor.options().noise);
+    landmarks.associate(frame, sensor.options().noise, 40);
     const Sighting& s = frame.sightings.front();
     EXPECT_LT((pose.toOuter(s.range * unitVector(s.bearing)) - tree).norm(), 0.25);
   }

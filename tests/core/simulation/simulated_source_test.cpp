@@ -40,6 +40,16 @@ TEST(SimulatedSource, StepsAlongTheRouteFromTheStart) {
   }
 }
 
+TEST(SimulatedSource, LooksNoFartherAroundThanItsView) {
+  SimulationOptions options;
+  options.view_rad = kPi;
+  const auto source = simulate(twoRowWorld(1), options, 1);
+  for (const Observation& observation : all(*source)) {
+    ASSERT_FALSE(observation.views.front().points->empty());
+    for (const RangePoint& point : *observation.views.front().points) EXPECT_GE(point.x, -1e-4F);
+  }
+}
+
 TEST(SimulatedSource, WithoutNoiseEveryPointLiesOnATrueSurface) {
   const World world = campusWorld(2);
   const auto source = simulate(world, exact(), 1);

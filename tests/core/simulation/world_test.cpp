@@ -85,6 +85,22 @@ TEST(World, CampusesAreVariedAndPossible) {
   EXPECT_GT(turned, 100);
 }
 
+TEST(World, LoopsComeBackBetweenBuildingsOfEveryKind) {
+  std::size_t courtyards = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const World world = loopWorld(seed);
+    expectPossible(world, 4.0);
+    const std::optional<Route> route = routeOf(world.map);
+    EXPECT_GT(route->length(), 900.0);
+    EXPECT_LT((route->poseAt(0.0).position() - world.map.route[4]).norm(), 1e-9);
+    EXPECT_GE(world.map.buildings.size(), 30U);
+    for (const Building& building : world.map.buildings) {
+      courtyards += building.footprint().size() == 8 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(courtyards, 20U);
+}
+
 /// Cars, hedges and the rest clear of buildings, trees, each other and the robot's way.
 void expectClearThings(const World& world) {
   const std::optional<Route> route = routeOf(world.map);

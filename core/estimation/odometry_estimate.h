@@ -1,0 +1,26 @@
+// How much the odometry turns by itself, estimated from how the smoothed way turns.
+#pragma once
+
+#include "core/estimation/frame.h"
+
+namespace handmap {
+
+/// Random turns of the odometry, collected over stretches of the way that the walls along it tell
+/// better; a little is forgotten with each. (Of its lengths the way knows too little.)
+class OdometryEstimate {
+ public:
+  /// `assumed`: variance of the heading after a metre, radians².
+  explicit OdometryEstimate(double assumed) : turned_(kAssumed_m * assumed) {}
+
+  /// A stretch between two frames whose poses are smoothed.
+  void add(const Frame& from, const Frame& to, double way_m);
+  double headingVariance() const { return turned_ / way_m_; }
+
+ private:
+  static constexpr double kAssumed_m = 100.0;
+
+  double turned_;  ///< sum of squares
+  double way_m_ = kAssumed_m;
+};
+
+}  // namespace handmap
