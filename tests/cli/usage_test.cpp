@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
              ""},
         Case{"ViewOfACamera",
              {"simulate", "--images", "--view", "180", "--out", "rec"},
-             "--images excludes --view",
+             "--view excludes --images",
              "handmap-cli simulate --help"},
         Case{"TrajectoryAlone",
              {"compare", "row-drawn.handmap", "row-truth.handmap", "--trajectory", "t.tum"},
