@@ -66,7 +66,8 @@ struct HandmapEstimator::State {
   void findBuildings();
   void followBuildings();
   bool closeLoop();
-  std::vector<FoundBox> smoothAll(std::span<const double> slacks,
+  bool smoothNowAndThen();
+  std::vector<FoundBox> smoothAll(std::span<const double> slacks, int iterations,
                                   std::span<const SameBuilding> same, const std::stop_token& stop);
   void putEvidenceAnew();
   void labelBuildings(double near_m);
@@ -103,8 +104,9 @@ struct HandmapEstimator::State {
   Labels labels;
   std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
   Map best;                                              ///< the drawing corrected
-  std::size_t corrected = 0;  ///< where its far buildings are next looked at
-  struct Passing {            ///< an observation: its pose relative to a key frame
+  std::size_t corrected = 0;    ///< where its far buildings are next looked at
+  std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
+  struct Passing {              ///< an observation: its pose relative to a key frame
     double time_s;
     std::size_t frame;
     Pose2 offset;
@@ -157,7 +159,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.updateNoise();
   if (progress) progress(0.9);
   state.labelBuildings(state.nearM());
-  if (state.closeLoop()) state.labelBuildings(state.nearM());
+  if (state.closeLoop() || state.smoothNowAndThen()) state.labelBuildings(state.nearM());
   if (state.fitOutlines()) state.labelBuildings(state.nearM());
   state.correctSome();
   state.pose = state.frames.back().pose;
@@ -395,7 +397,7 @@ bool HandmapEstimator::State::closeLoop() {
   const std::size_t settled = std::min(kMostSmoothed, labels.settledCount());
   std::vector<SameBuilding> same;
   for (const auto& [old, new_one] : *pairs) same.push_back({settled + old, settled + new_one});
-  smoothAll(kSlacks, same, {});
+  smoothAll(kSlacks, kMostIterations, same, {});
   std::vector<FoundBox> kept;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto is_old = [&](const SameBuilding& pair) { return pair.old == i; };
@@ -412,6 +414,18 @@ bool HandmapEstimator::State::closeLoop() {
   return true;
 }
 
+/// The window alone drifts. The longer the run the more seldom, so that a frame costs the same.
+bool HandmapEstimator::State::smoothNowAndThen() {
+  constexpr std::size_t kLeast = 25;  // frames
+  constexpr std::size_t kShare = 8;   // of the run so far
+  constexpr double kSlack[] = {0.1};
+  constexpr int kIterations = 3;
+  if (frames.size() < smoothed_at + std::max(kLeast, smoothed_at / kShare)) return false;
+  smoothAll(kSlack, kIterations, {}, {});
+  putEvidenceAnew();
+  return true;
+}
+
 void HandmapEstimator::State::putEvidenceAnew() {
   for (ActiveFrame& a : active) {
     evidence.remove(*a.frame, a.held_at, sensor);
@@ -420,8 +434,10 @@ void HandmapEstimator::State::putEvidenceAnew() {
   }
 }
 
-/// All poses and boxes together. Returns the boxes: those settled far away, then those of `found`.
+/// All poses and boxes together, with each slack until nothing moves any more or so many times.
+/// Returns the boxes: those settled far away, then those of `found`.
 std::vector<FoundBox> HandmapEstimator::State::smoothAll(std::span<const double> slacks,
+                                                         int iterations,
                                                          std::span<const SameBuilding> same,
                                                          const std::stop_token& stop) {
   std::vector<FoundBox> all = labels.settled(kMostSmoothed);
@@ -431,12 +447,13 @@ std::vector<FoundBox> HandmapEstimator::State::smoothAll(std::span<const double>
   DrawingPrior prior = labels.prior(kMostSmoothed, found.size());
   const SmoothingGraph graph{kept, 1, all, landmarks.positions(), same, &prior};
   for (const double slack : slacks) {
-    for (int i = 0; i < kMostIterations; ++i) {
+    for (int i = 0; i < iterations; ++i) {
       if (stop.stop_requested() || smoother.iterate(graph, slack) < kSettled) break;
     }
   }
   labels.setSettled({all.begin(), all.begin() + settled});
   found.assign(all.begin() + settled, all.end());
+  smoothed_at = frames.size();
   return all;
 }
 
@@ -509,7 +526,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   constexpr std::size_t kMostLabelled = 60;  // buildings that are labelled all together
   State& state = *state_;
   if (state.frames.empty()) return;
-  std::vector<FoundBox> all = state.smoothAll(kFinalSlacks, {}, stop);
+  std::vector<FoundBox> all = state.smoothAll(kFinalSlacks, kMostIterations, {}, stop);
   if (stop.stop_requested()) return;
   state.covariance = state.smoother.covariances(all);
   const std::vector<Frame*> frames = state.framesFrom(state.firstKept());
