@@ -85,6 +85,10 @@ void FoundBox::setReachSigma(std::size_t wall, double sigma) {
   covariance(k, k) = sigma * sigma;
 }
 
+bool FoundBox::predates(std::span<const Frame* const> frames) const {
+  return first_frame + frames.size() < frames.front()->number;
+}
+
 FoundBox FoundBox::nearestTo(double heading_rad) const {
   const std::size_t quarters = box.quartersTo(heading_rad);
   FoundBox result = *this;
@@ -175,7 +179,7 @@ bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Fr
   if (stretch) {
     const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed &&
                         std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed;
-    if (agrees || !found.in_sight) return true;
+    if (agrees || !found.in_sight || found.predates(frames)) return true;
     BoxScorer scorer(found.box, frames, sensor);
     const Box before = found.box;
     for (int ends = 1; ends <= 3; ++ends) {
@@ -233,7 +237,10 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
     return !BoxView(rival.box, frames.back()->pose).inReach(sensor.rangeLimit());
   });
   tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t b) {
-    if (boxes[b].in_sight) refine(boxes[b], 0.1, frames, sensor);
+    if (!boxes[b].in_sight) return;
+    FoundBox refined = boxes[b];
+    refine(refined, 0.1, frames, sensor);
+    if (!boxes[b].predates(frames) || refined.score > boxes[b].score) boxes[b] = refined;
   });
   int seeds = 0;
   for (const FoundWall& wall : walls) {
@@ -246,7 +253,7 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
   }
   std::vector<FoundBox> pieces;
   for (const FoundBox& found : boxes) {
-    if (!found.in_sight || found.box.outline) {
+    if (!found.in_sight || found.box.outline || found.predates(frames)) {
       pieces.push_back(found);
       continue;
     }

@@ -25,6 +25,9 @@ struct FoundBox {
   /// Out of sight for long: the way may have drifted since.
   bool asleep = false;
 
+  /// Whether it was found before any of the frames: there is more to know of it than they tell.
+  bool predates(std::span<const Frame* const> frames) const;
+
   double reachSigma(std::size_t wall) const {
     const auto k = static_cast<Eigen::Index>(wall);
     return std::sqrt(covariance(k, k));

@@ -364,7 +364,7 @@ bool HandmapEstimator::State::closeLoop() {
   constexpr double kLeastShift = 1.0;
   constexpr double kTurn = 0.0001;  // radians a metre
   constexpr double kLeastTurn = 0.03;
-  constexpr double kSlacks[] = {0.5, 0.1};
+  constexpr double kWide[] = {0.5, 0.1};
   const Frame& here = frames.back();
   DriftPrior drift{here.pose.position(), 0.0, 0.0};
   std::vector<FoundBox> again;
@@ -397,7 +397,7 @@ bool HandmapEstimator::State::closeLoop() {
   const std::size_t settled = std::min(kMostSmoothed, labels.settledCount());
   std::vector<SameBuilding> same;
   for (const auto& [old, new_one] : *pairs) same.push_back({settled + old, settled + new_one});
-  smoothAll(kSlacks, kMostIterations, same, {});
+  smoothAll(kWide, kMostIterations, same, {});
   std::vector<FoundBox> kept;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const auto is_old = [&](const SameBuilding& pair) { return pair.old == i; };

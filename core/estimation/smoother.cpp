@@ -17,8 +17,9 @@ constexpr int kBias = kPoseSize + kBoxSize;
 constexpr double kSizePrior = 4.0;    // metres, one σ
 constexpr double kPlacePrior = 40.0;  // metres, one σ
 constexpr double kHeadingPrior = 0.2;
-constexpr double kLeastSize = 2.0;  // metres
-constexpr double kMostTurn = 0.05;  // radians an iteration
+constexpr double kLeastKnown = 0.3;  // metres, one σ
+constexpr double kLeastSize = 2.0;   // metres
+constexpr double kMostTurn = 0.05;   // radians an iteration
 constexpr double kEndsAreWorse = 3.0;
 constexpr int kLeastSightings = 3;  // of a landmark that is to be trusted
 constexpr float kLeastCosine = 0.02F;
@@ -185,6 +186,14 @@ void Smoother::addReachPrior(int box_at) {
   }
 }
 
+/// What was found on an earlier visit, of which there are no frames here.
+void Smoother::addKnownWalls(const FoundBox& found, int box_at) {
+  for (int k = 0; k < 4; ++k) {
+    const double sigma = std::max(found.reachSigma(static_cast<std::size_t>(k)), kLeastKnown);
+    triplets_.emplace_back(box_at + k, box_at + k, 1.0 / (sigma * sigma));
+  }
+}
+
 /// One of the main directions of the drawing, or any.
 void Smoother::addHeadingPrior(const Box& box, const std::vector<double>& headings, int box_at) {
   double turned = 0.0;
@@ -296,7 +305,11 @@ void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const V
 }
 
 double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
-  const auto& [frames, fixed, boxes, landmarks, same, drawing] = graph;
+  const std::span<Frame* const> frames = graph.frames;
+  const std::span<FoundBox> boxes = graph.boxes;
+  const std::size_t fixed = graph.fixed;
+  std::vector<Vec2>& landmarks = graph.landmarks;
+  DrawingPrior* const drawing = graph.drawing;
   poses_ = static_cast<int>(frames.size() - fixed);
   int size = poses_ * kPoseSize + static_cast<int>(boxes.size()) * kBoxSize;
   std::vector<int> sightings(landmarks.size());
@@ -333,6 +346,7 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
     if (anchor == drawing->anchors.end()) return headings_;
     return std::vector<double>{anchor->drawn->box().heading + drawing->turn};
   };
+  const std::vector<const Frame*> seen(frames.begin(), frames.end());
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     boxes[b].observations = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -347,8 +361,9 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
     }
     addHeadingPrior(boxes[b].box, drawn_headings(b), at_box(b));
     addReachPrior(at_box(b));
+    if (boxes[b].predates(seen)) addKnownWalls(boxes[b], at_box(b));
   }
-  for (const auto& [old, again] : same) {
+  for (const auto& [old, again] : graph.same) {
     addSame(boxes[old], boxes[again], at_box(old), at_box(again));
   }
   if (drawing) addDrawing(*drawing, boxes);

@@ -95,6 +95,7 @@ class Smoother {
   void addSighting(const Frame& frame, const Sighting& sighting, const Vec2& landmark, int pose,
                    int landmark_at);
   void addReachPrior(int box_at);
+  void addKnownWalls(const FoundBox& found, int box_at);
   void addHeadingPrior(const Box& box, const std::vector<double>& headings, int box_at);
   void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at);
   void addDrawing(const DrawingPrior& drawing, std::span<const FoundBox> boxes);
