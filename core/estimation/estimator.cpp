@@ -220,6 +220,7 @@ void HandmapEstimator::State::smoothWindow() {
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!isInSight(found[i])) continue;
+    found[i].last_frame = frames.back().number;
     boxes.push_back(found[i]);
     which.push_back(i);
   }
