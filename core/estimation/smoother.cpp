@@ -27,7 +27,8 @@ constexpr double kLeastBias = 1e-9;  // 1/m, one σ
 constexpr double kScaleChange = 0.002;
 constexpr double kSameWall = 0.1;  // metres, one σ
 constexpr double kSameHeading = 0.01;
-constexpr double kNowhere = 1e6;  // m²
+constexpr double kTogether = 2.0;  // times σ: what stands together is drawn wrong together
+constexpr double kNowhere = 1e6;   // m²
 
 /// Walls that would pass one another stay.
 void move(Box& box, const Eigen::Matrix<double, kBoxSize, 1>& step) {
@@ -240,7 +241,7 @@ void Smoother::addDrawing(const DrawingPrior& drawing, std::span<const FoundBox>
     if (seen.count == 0) continue;
     const DrawnBox drawn(*anchor.drawn, anchor.uncertainty, drawing.motion, found.box);
     // Walls that were not seen may be anywhere.
-    Eigen::Matrix4d covariance = drawn.covariance();
+    Eigen::Matrix4d covariance = kTogether * kTogether * drawn.covariance();
     for (Eigen::Index k = 0; k < 4; ++k) {
       if (!seen.has(k)) covariance(k, k) += kNowhere;
     }
