@@ -5,39 +5,30 @@
 #include <deque>
 #include <limits>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/estimation/active_directions.h"
 #include "core/estimation/clutter_estimate.h"
-#include "core/estimation/drawn_box.h"
+#include "core/estimation/evidence_window.h"
 #include "core/estimation/labels.h"
 #include "core/estimation/landmarks.h"
 #include "core/estimation/noise_estimate.h"
 #include "core/estimation/odometry_estimate.h"
 #include "core/estimation/outline_fit.h"
+#include "core/estimation/samples.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr double kMoved = 0.08;           // metres: a frame that moved so far is put in anew
-constexpr double kTurned = 0.005;         // radians
-constexpr int kMostMoved = 3;             // frames put in anew with each observation
 constexpr double kSlacks[] = {0.3, 0.1};  // across walls, metres: wide to catch, narrow to settle
 constexpr double kFinalSlacks[] = {0.2, 0.1, 0.03};
 constexpr int kMostIterations = 10;  // of the whole run
 constexpr double kSettled = 0.02;    // metres: no pose moves any more
 constexpr double kSlightDoubt = 0.1;
-constexpr std::size_t kMostSmoothed = 300;  // of the buildings far away
-
-bool hasMoved(const ActiveFrame& active) {
-  const Pose2 motion = between(active.held_at, active.frame->pose);
-  return std::hypot(motion.x, motion.y) > kMoved || std::abs(motion.heading) > kTurned;
-}
+constexpr std::size_t kMostSmoothed = 300;  // of the buildings settled far away
 
 }  // namespace
 
@@ -47,7 +38,8 @@ struct HandmapEstimator::State {
         options(with),
         seed(random_seed),
         sensor(with.sensor, with.range_limit_m),
-        evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m)),
+        evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m), with.active_m,
+                 static_cast<std::size_t>(with.most_active)),
         finder(with.finder),
         smoother(with.odometry, sensor),
         odometry_estimate(with.odometry.heading_variance_per_m),
@@ -59,17 +51,16 @@ struct HandmapEstimator::State {
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
   void updateOdometryNoise();
-  void updateEvidence();
   void updateDirections();
-  double headingScatter() const;
   void updateNoise();
   void findBuildings();
   void followBuildings();
   bool closeLoop();
   bool smoothNowAndThen();
-  std::vector<FoundBox> smoothAll(std::span<const double> slacks, int iterations,
-                                  std::span<const SameBuilding> same, const std::stop_token& stop);
-  void putEvidenceAnew();
+  void smoothAll(std::span<const double> slacks, int iterations, std::span<const SameBuilding> same,
+                 const std::stop_token& stop);
+  std::vector<FoundBox> allFound() const;
+  void setAllFound(const std::vector<FoundBox>& all);
   void labelBuildings(double near_m);
   bool fitOutlines();
   void correct(std::size_t building);
@@ -89,13 +80,12 @@ struct HandmapEstimator::State {
   EstimatorOptions options;
   std::uint64_t seed;
   SensorModel sensor;
-  WallEvidence evidence;
+  EvidenceWindow evidence;
   ActiveDirections directions;
   BoxFinder finder;
   Smoother smoother;
 
   std::deque<Frame> frames;  ///< key frames, in order of time
-  std::vector<ActiveFrame> active;
   std::vector<FoundBox> found;
   Landmarks landmarks;
   NoiseEstimate noise;
@@ -152,7 +142,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.smoothWindow();
   state.updateOdometryNoise();
   if (progress) progress(0.4);
-  state.updateEvidence();
+  state.evidence.add(state.frames.back(), state.sensor);
   state.updateDirections();
   state.findBuildings();
   state.followBuildings();
@@ -244,64 +234,20 @@ void HandmapEstimator::State::updateOdometryNoise() {
   smoother.setHeadingVariance(odometry_estimate.headingVariance());
 }
 
-void HandmapEstimator::State::updateEvidence() {
-  std::vector<ActiveFrame> kept;
-  const Vec2 here = frames.back().pose.position();
-  const std::size_t most = static_cast<std::size_t>(options.most_active);
-  for (std::size_t i = 0; i < active.size(); ++i) {
-    const ActiveFrame& old = active[i];
-    const bool far = (old.frame->pose.position() - here).norm() > options.active_m;
-    if (far || active.size() - i >= most) {
-      evidence.remove(*old.frame, old.held_at, sensor);
-    } else {
-      kept.push_back(old);
-    }
-  }
-  active = std::move(kept);
-  int moved = 0;
-  for (auto it = active.rbegin(); it != active.rend() && moved < kMostMoved; ++it) {
-    if (!hasMoved(*it)) continue;
-    evidence.remove(*it->frame, it->held_at, sensor);
-    it->held_at = it->frame->pose;
-    evidence.add(*it->frame, it->held_at, sensor);
-    ++moved;
-  }
-  active.push_back({&frames.back(), frames.back().pose});
-  evidence.add(frames.back(), frames.back().pose, sensor);
-}
-
 void HandmapEstimator::State::updateDirections() {
   const Vec2 here = frames.back().pose.position();
   const DrawingMotion& motion = labels.motion();
-  // A turn of the drawing that is made up from the way must not make up the way.
-  const double turn = options.assignment.free_turn ? motion.turn() : 0.0;
   std::vector<double> drawn;
   for (const std::size_t b : labels.nearby()) {
     const Building& building = drawing.buildings[b];
     const Rectangle box = building.box();
     const double reach = options.range_limit_m + 0.5 * std::hypot(box.width, box.depth) +
                          drawing.uncertaintyOf(building).position;
-    if ((motion(box.centre) - here).norm() < reach) drawn.push_back(box.heading + turn);
+    if ((motion(box.centre) - here).norm() < reach)
+      drawn.push_back(box.heading + labels.freeTurn());
   }
-  directions.update(drawn, active, sensor, evidence);
-  smoother.expectHeadings(directions.drawn(), headingScatter());
-}
-
-/// How far buildings are turned against the drawing, one σ, as far as they are known.
-double HandmapEstimator::State::headingScatter() const {
-  constexpr double kAssumed = 2.0;  // buildings
-  double count = kAssumed;
-  double squares = count * options.assignment.heading_sigma * options.assignment.heading_sigma;
-  for (const std::size_t b : labels.nearby()) {
-    const FoundBox* box = labels.of(b, found).found;
-    if (!box || box->observations < 3) continue;
-    const double error = std::remainder(
-        box->box.heading - drawing.buildings[b].box().heading - labels.motion().turn(), kPi / 2.0);
-    if (std::abs(error) > 4.0 * options.assignment.heading_sigma) continue;
-    squares += error * error;
-    count += 1.0;
-  }
-  return std::sqrt(squares / count);
+  directions.update(drawn, evidence.frames(), sensor, evidence.evidence());
+  smoother.expectHeadings(directions.drawn(), labels.headingScatter(found));
 }
 
 void HandmapEstimator::State::updateNoise() {
@@ -312,18 +258,15 @@ void HandmapEstimator::State::updateNoise() {
   changed.noise = noise.fitted(changed.noise);
   changed.noise.bias_per_m = smoother.biasPerMetre();
   changed.clutter = clutter.measured();
-  if (!differMuch(changed.noise, sensor.options().noise) &&
-      !differMuch(changed.clutter, sensor.options().clutter)) {
-    return;
+  if (differMuch(changed.noise, sensor.options().noise) ||
+      differMuch(changed.clutter, sensor.options().clutter)) {
+    evidence.changeSensor(sensor, changed);
   }
-  for (const ActiveFrame& a : active) evidence.remove(*a.frame, a.held_at, sensor);
-  sensor = SensorModel(changed, options.range_limit_m);
-  for (const ActiveFrame& a : active) evidence.add(*a.frame, a.held_at, sensor);
 }
 
 void HandmapEstimator::State::findBuildings() {
-  const std::vector<FoundWall> walls = detectWalls(evidence, frames.back().pose.position(),
-                                                   options.range_limit_m, options.detection);
+  const std::vector<FoundWall> walls = detectWalls(
+      evidence.evidence(), frames.back().pose.position(), options.range_limit_m, options.detection);
   const std::vector<Frame*> last = framesFrom(firstWorkedOn());
   for (FoundBox& box : found) box.in_sight = isInSight(box);
   const auto asleep = std::stable_partition(found.begin(), found.end(),
@@ -395,23 +338,9 @@ bool HandmapEstimator::State::closeLoop() {
   }
   const auto pairs = handmap::closeLoop(found, candidates, drift);
   if (!pairs) return false;
-  const std::size_t settled = std::min(kMostSmoothed, labels.settledCount());
-  std::vector<SameBuilding> same;
-  for (const auto& [old, new_one] : *pairs) same.push_back({settled + old, settled + new_one});
-  smoothAll(kWide, kMostIterations, same, {});
-  std::vector<FoundBox> kept;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto is_old = [&](const SameBuilding& pair) { return pair.old == i; };
-    const auto is_new = [&](const SameBuilding& pair) { return pair.again == i; };
-    const auto pair = std::find_if(pairs->begin(), pairs->end(), is_old);
-    if (pair != pairs->end()) {
-      kept.push_back(merged(found[i], found[pair->again]));
-    } else if (std::none_of(pairs->begin(), pairs->end(), is_new)) {
-      kept.push_back(found[i]);
-    }
-  }
-  found = std::move(kept);
-  putEvidenceAnew();
+  smoothAll(kWide, kMostIterations, *pairs, {});
+  found = merged(found, *pairs);
+  evidence.putAnew(sensor);
   return true;
 }
 
@@ -423,39 +352,44 @@ bool HandmapEstimator::State::smoothNowAndThen() {
   constexpr int kIterations = 3;
   if (frames.size() < smoothed_at + std::max(kLeast, smoothed_at / kShare)) return false;
   smoothAll(kSlack, kIterations, {}, {});
-  putEvidenceAnew();
+  evidence.putAnew(sensor);
   return true;
 }
 
-void HandmapEstimator::State::putEvidenceAnew() {
-  for (ActiveFrame& a : active) {
-    evidence.remove(*a.frame, a.held_at, sensor);
-    a.held_at = a.frame->pose;
-    evidence.add(*a.frame, a.held_at, sensor);
-  }
-}
-
 /// All poses and boxes together, with each slack until nothing moves any more or so many times.
-/// Returns the boxes: those settled far away, then those of `found`.
-std::vector<FoundBox> HandmapEstimator::State::smoothAll(std::span<const double> slacks,
-                                                         int iterations,
-                                                         std::span<const SameBuilding> same,
-                                                         const std::stop_token& stop) {
-  std::vector<FoundBox> all = labels.settled(kMostSmoothed);
-  const auto settled = static_cast<std::ptrdiff_t>(all.size());
-  all.insert(all.end(), found.begin(), found.end());
+/// `same`: of `found`.
+void HandmapEstimator::State::smoothAll(std::span<const double> slacks, int iterations,
+                                        std::span<const SameBuilding> same,
+                                        const std::stop_token& stop) {
+  std::vector<FoundBox> all = allFound();
+  const std::size_t settled = all.size() - found.size();
   const std::vector<Frame*> kept = framesFrom(firstKept());
+  std::vector<SameBuilding> same_of_all;
+  for (const SameBuilding& pair : same) {
+    same_of_all.push_back({pair.old + settled, pair.again + settled});
+  }
   DrawingPrior prior = labels.prior(kMostSmoothed, found.size());
-  const SmoothingGraph graph{kept, 1, all, landmarks.positions(), same, &prior};
+  const SmoothingGraph graph{kept, 1, all, landmarks.positions(), same_of_all, &prior};
   for (const double slack : slacks) {
     for (int i = 0; i < iterations; ++i) {
       if (stop.stop_requested() || smoother.iterate(graph, slack) < kSettled) break;
     }
   }
-  labels.setSettled({all.begin(), all.begin() + settled});
-  found.assign(all.begin() + settled, all.end());
   smoothed_at = frames.size();
+  setAllFound(all);
+}
+
+/// What is settled far away, then what is found.
+std::vector<FoundBox> HandmapEstimator::State::allFound() const {
+  std::vector<FoundBox> all = labels.settled(kMostSmoothed);
+  all.insert(all.end(), found.begin(), found.end());
   return all;
+}
+
+void HandmapEstimator::State::setAllFound(const std::vector<FoundBox>& all) {
+  const auto first = all.end() - static_cast<std::ptrdiff_t>(found.size());
+  labels.setSettled({all.begin(), first});
+  found.assign(first, all.end());
 }
 
 void HandmapEstimator::State::labelBuildings(double near_m) {
@@ -527,16 +461,15 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   constexpr std::size_t kMostLabelled = 60;  // buildings that are labelled all together
   State& state = *state_;
   if (state.frames.empty()) return;
-  std::vector<FoundBox> all = state.smoothAll(kFinalSlacks, kMostIterations, {}, stop);
+  state.smoothAll(kFinalSlacks, kMostIterations, {}, stop);
   if (stop.stop_requested()) return;
+  std::vector<FoundBox> all = state.allFound();
   state.covariance = state.smoother.covariances(all);
   const std::vector<Frame*> frames = state.framesFrom(state.firstKept());
   for (FoundBox& found : all) {
     state.finder.locateUnseen(found, {frames.begin(), frames.end()}, state.sensor);
   }
-  const auto settled = all.end() - static_cast<std::ptrdiff_t>(state.found.size());
-  state.labels.setSettled({all.begin(), settled});
-  state.found.assign(settled, all.end());
+  state.setAllFound(all);
   const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled &&
                    state.drawing.buildings.size() <= 2 * kMostLabelled;
   state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.nearM());
@@ -576,59 +509,17 @@ namespace {
 constexpr std::uint32_t kPose = 0;
 constexpr std::uint32_t kBuilding = 1;
 
-/// `count` hypotheses, each as often as its weight says (low-variance sampling).
-std::vector<std::size_t> sampledHypotheses(const std::vector<Hypothesis>& hypotheses,
-                                           std::size_t count) {
-  std::vector<std::size_t> sampled;
-  double sum = hypotheses.front().weight;
-  for (std::size_t i = 0, h = 0; i < count; ++i) {
-    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    while (sum < at && h + 1 < hypotheses.size()) sum += hypotheses[++h].weight;
-    sampled.push_back(h);
-  }
-  return sampled;
-}
-
-/// Samples of a building: its walls move together as they are known together.
-class BuildingSampler {
- public:
-  explicit BuildingSampler(const RefinedBuilding& refined) : walls_(refined.walls) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(refined.covariance);
-    root_ = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-  }
-
-  Rectangle operator()(RandomStream& random) const {
-    constexpr double kLeast = 1.0;  // metres
-    const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
-    const Eigen::Vector4d offset = root_ * unit;
-    Box box = walls_;
-    for (std::size_t k = 0; k < 4; ++k) box.reach[k] += offset[static_cast<Eigen::Index>(k)];
-    Rectangle rectangle = box.rectangle();
-    rectangle.width = std::max(rectangle.width, kLeast);
-    rectangle.depth = std::max(rectangle.depth, kLeast);
-    return rectangle;
-  }
-
- private:
-  Box walls_;
-  Eigen::Matrix4d root_;
-};
-
 }  // namespace
 
 std::vector<PoseParticle> HandmapEstimator::particles() const {
   const State& state = *state_;
-  const Eigen::LLT<Eigen::Matrix3d> root(state.covariance + 1e-9 * Eigen::Matrix3d::Identity());
+  const PoseSampler sample(state.pose, state.covariance);
   std::vector<PoseParticle> particles;
   const auto count = static_cast<std::size_t>(state.options.particles);
   for (std::size_t i = 0; i < count; ++i) {
     RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
                         static_cast<std::uint32_t>(i), kPose);
-    const Eigen::Vector3d unit(random.normal(), random.normal(), random.normal());
-    const Eigen::Vector3d offset = root.matrixL() * unit;
-    particles.push_back({{state.pose.x + offset.x(), state.pose.y + offset.y(),
-                          normalizedAngle(state.pose.heading + offset.z())},
-                         1.0 / static_cast<double>(count)});
+    particles.push_back({sample(random), 1.0 / static_cast<double>(count)});
   }
   return particles;
 }

@@ -1,6 +1,7 @@
 #include "core/estimation/labels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handmap {
 
@@ -8,6 +9,14 @@ namespace {
 
 bool isWithin(double distance_m, const FoundBox& found, const Vec2& here) {
   return (found.box.rectangle().centre - here).norm() < distance_m;
+}
+
+/// How probable it is that a building is what the best hypothesis says.
+double agreement(const std::vector<Hypothesis>& hypotheses, std::size_t place) {
+  const int best = hypotheses.front().found_of[place];
+  double agreed = 0.0;
+  for (const Hypothesis& h : hypotheses) agreed += h.found_of[place] == best ? h.weight : 0.0;
+  return agreed;
 }
 
 }  // namespace
@@ -122,7 +131,7 @@ DrawingPrior Labels::prior(std::size_t most, std::size_t found) const {
   prior.expected = rootHypotheses(drawing_, options_).front().motion;
   prior.motion = motion();
   if (options_.free_scale || options_.free_turn) prior.expected.mean = prior.motion.mean;
-  prior.turn = options_.free_turn ? motion().turn() : 0.0;
+  prior.turn = freeTurn();
   const auto add = [&](std::size_t box, std::size_t drawn, double doubt) {
     if (drawn == kNowhere || doubt > 0.5) return;
     const Building& building = drawing_.buildings[drawn];
@@ -168,18 +177,32 @@ std::vector<std::optional<std::size_t>> Labels::recognise(std::span<const FoundB
   for (std::size_t b = 0; b < which.size(); ++b) {
     const int best = hypotheses.front().found_of[b];
     if (best == Hypothesis::kNone) continue;
-    double agreed = 0.0;
-    for (const Hypothesis& h : hypotheses) agreed += h.found_of[b] == best ? h.weight : 0.0;
-    if (agreed > kSure) labels[static_cast<std::size_t>(best)] = which[b];
+    if (agreement(hypotheses, b) > kSure) labels[static_cast<std::size_t>(best)] = which[b];
   }
   return labels;
 }
 
+double Labels::headingScatter(std::span<const FoundBox> found) const {
+  constexpr double kAssumed = 2.0;  // buildings
+  constexpr int kLeastSeen = 3;     // frames
+  constexpr double kOutlier = 4.0;  // σ
+  double count = kAssumed;
+  double squares = count * options_.heading_sigma * options_.heading_sigma;
+  for (const std::size_t b : nearby_) {
+    const FoundBox* box = foundFor(b, hypotheses_.front(), found);
+    if (!box || box->observations < kLeastSeen) continue;
+    const double error = std::remainder(
+        box->box.heading - drawing_.buildings[b].box().heading - motion().turn(), kPi / 2.0);
+    if (std::abs(error) > kOutlier * options_.heading_sigma) continue;
+    squares += error * error;
+    count += 1.0;
+  }
+  return std::sqrt(squares / count);
+}
+
 double Labels::doubtOf(std::size_t place) const {
-  const int best = hypotheses_.front().found_of[place];
-  double agreed = 0.0;
-  for (const Hypothesis& h : hypotheses_) agreed += h.found_of[place] == best ? h.weight : 0.0;
-  return best == Hypothesis::kNone ? agreed : 1.0 - agreed;
+  const double agreed = agreement(hypotheses_, place);
+  return hypotheses_.front().found_of[place] == Hypothesis::kNone ? agreed : 1.0 - agreed;
 }
 
 std::optional<std::size_t> Labels::indexOf(std::size_t building) const {

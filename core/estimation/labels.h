@@ -31,6 +31,11 @@ class Labels {
   /// About the drawn buildings near the robot; the best first.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   const DrawingMotion& motion() const { return hypotheses_.front().motion; }
+  /// How the drawing is turned, where that is free. Otherwise 0: a turn that is made up from the
+  /// way must not make up the way.
+  double freeTurn() const { return options_.free_turn ? motion().turn() : 0.0; }
+  /// How far buildings are turned against the drawing, one σ, as far as they are known.
+  double headingScatter(std::span<const FoundBox> found) const;
   /// Indices of the drawn buildings near the robot.
   const std::vector<std::size_t>& nearby() const { return nearby_; }
 

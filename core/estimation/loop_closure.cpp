@@ -159,6 +159,21 @@ FoundBox merged(const FoundBox& old, const FoundBox& again) {
   return result;
 }
 
+std::vector<FoundBox> merged(std::span<const FoundBox> boxes, std::span<const SameBuilding> pairs) {
+  std::vector<FoundBox> kept;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto pair = std::find_if(pairs.begin(), pairs.end(), [&](const SameBuilding& p) {
+      return p.old == i || p.again == i;
+    });
+    if (pair == pairs.end()) {
+      kept.push_back(boxes[i]);
+    } else if (pair->old == i) {
+      kept.push_back(merged(boxes[i], boxes[pair->again]));
+    }
+  }
+  return kept;
+}
+
 std::optional<std::vector<SameBuilding>> closeLoop(std::span<const FoundBox> boxes,
                                                    std::span<const SameBuilding> candidates,
                                                    const DriftPrior& prior) {

@@ -34,6 +34,9 @@ struct SameBuilding {
   std::size_t again;
 };
 
+/// The boxes, each pair one, in the place of the old.
+std::vector<FoundBox> merged(std::span<const FoundBox> boxes, std::span<const SameBuilding> pairs);
+
 /// How far the way may have drifted since the old boxes were seen, about `here`; one σ.
 struct DriftPrior {
   Vec2 here = Vec2::Zero();  ///< map frame

@@ -196,7 +196,7 @@ void Smoother::addKnownWalls(const FoundBox& found, int box_at) {
 }
 
 /// One of the main directions of the drawing, or any.
-void Smoother::addHeadingPrior(const Box& box, const std::vector<double>& headings, int box_at) {
+void Smoother::addHeadingPrior(const Box& box, std::span<const double> headings, int box_at) {
   double turned = 0.0;
   double sigma = kHeadingPrior;
   for (const double heading : headings) {
@@ -221,11 +221,9 @@ void Smoother::addSame(const FoundBox& old, const FoundBox& again, int old_at, i
     addBlock(old_at, old_at, weight * agreement.old_slope * agreement.old_slope.transpose());
     addBlock(again_at, again_at,
              weight * agreement.again_slope * agreement.again_slope.transpose());
-    if (again_at > old_at) {
-      addBlock(again_at, old_at, weight * agreement.again_slope * agreement.old_slope.transpose());
-    } else {
-      addBlock(old_at, again_at, weight * agreement.old_slope * agreement.again_slope.transpose());
-    }
+    // Of these two one lies below the diagonal.
+    addBlock(again_at, old_at, weight * agreement.again_slope * agreement.old_slope.transpose());
+    addBlock(old_at, again_at, weight * agreement.old_slope * agreement.again_slope.transpose());
     right_.segment<kBoxSize>(old_at) -= weight * agreement.error * agreement.old_slope;
     right_.segment<kBoxSize>(again_at) -= weight * agreement.error * agreement.again_slope;
   }
@@ -338,16 +336,10 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
   for (std::size_t i = std::max<std::size_t>(fixed, 1); i < frames.size(); ++i) {
     addOdometry(*frames[i - 1], *frames[i], index_of(i - 1), index_of(i));
   }
-  // Of a labelled box its own.
-  const auto drawn_headings = [&](std::size_t b) {
-    if (!drawing) return headings_;
-    const auto anchor =
-        std::find_if(drawing->anchors.begin(), drawing->anchors.end(),
-                     [&](const DrawingPrior::Anchor& other) { return other.box == b; });
-    if (anchor == drawing->anchors.end()) return headings_;
-    return std::vector<double>{anchor->drawn->box().heading + drawing->turn};
-  };
-  const std::vector<const Frame*> seen(frames.begin(), frames.end());
+  std::vector<const Building*> drawn(boxes.size());
+  if (drawing) {
+    for (const DrawingPrior::Anchor& anchor : drawing->anchors) drawn[anchor.box] = anchor.drawn;
+  }
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     boxes[b].observations = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -360,9 +352,14 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
       scatter(normal, index_of(i), static_cast<int>(b));
       ++boxes[b].observations;
     }
-    addHeadingPrior(boxes[b].box, drawn_headings(b), at_box(b));
+    if (drawn[b]) {
+      const double own = drawn[b]->box().heading + drawing->turn;
+      addHeadingPrior(boxes[b].box, {&own, 1}, at_box(b));
+    } else {
+      addHeadingPrior(boxes[b].box, headings_, at_box(b));
+    }
     addReachPrior(at_box(b));
-    if (boxes[b].predates(seen)) addKnownWalls(boxes[b], at_box(b));
+    if (boxes[b].predates(frames)) addKnownWalls(boxes[b], at_box(b));
   }
   for (const auto& [old, again] : graph.same) {
     addSame(boxes[old], boxes[again], at_box(old), at_box(again));

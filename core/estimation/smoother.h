@@ -96,7 +96,7 @@ class Smoother {
                    int landmark_at);
   void addReachPrior(int box_at);
   void addKnownWalls(const FoundBox& found, int box_at);
-  void addHeadingPrior(const Box& box, const std::vector<double>& headings, int box_at);
+  void addHeadingPrior(const Box& box, std::span<const double> headings, int box_at);
   void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at);
   void addDrawing(const DrawingPrior& drawing, std::span<const FoundBox> boxes);
   void addCalibrationPrior(std::span<Frame* const> frames);

@@ -1,0 +1,58 @@
+#include "core/estimation/evidence_window.h"
+
+#include <cmath>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kMoved = 0.08;    // metres: a frame that moved so far is put in anew
+constexpr double kTurned = 0.005;  // radians
+constexpr int kMostMoved = 3;      // frames put in anew with each that is added
+
+bool hasMoved(const ActiveFrame& active) {
+  const Pose2 motion = between(active.held_at, active.frame->pose);
+  return std::hypot(motion.x, motion.y) > kMoved || std::abs(motion.heading) > kTurned;
+}
+
+}  // namespace
+
+void EvidenceWindow::add(Frame& frame, const SensorModel& sensor) {
+  std::vector<ActiveFrame> kept;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    const ActiveFrame& old = frames_[i];
+    const bool far = (old.frame->pose.position() - frame.pose.position()).norm() > reach_m_;
+    if (far || frames_.size() - i >= most_) {
+      evidence_.remove(*old.frame, old.held_at, sensor);
+    } else {
+      kept.push_back(old);
+    }
+  }
+  frames_ = std::move(kept);
+  int moved = 0;
+  for (auto it = frames_.rbegin(); it != frames_.rend() && moved < kMostMoved; ++it) {
+    if (!hasMoved(*it)) continue;
+    putAnew(*it, sensor);
+    ++moved;
+  }
+  frames_.push_back({&frame, frame.pose});
+  evidence_.add(frame, frame.pose, sensor);
+}
+
+void EvidenceWindow::putAnew(ActiveFrame& active, const SensorModel& sensor) {
+  evidence_.remove(*active.frame, active.held_at, sensor);
+  active.held_at = active.frame->pose;
+  evidence_.add(*active.frame, active.held_at, sensor);
+}
+
+void EvidenceWindow::putAnew(const SensorModel& sensor) {
+  for (ActiveFrame& active : frames_) putAnew(active, sensor);
+}
+
+void EvidenceWindow::changeSensor(SensorModel& sensor, const SensorOptions& options) {
+  for (const ActiveFrame& a : frames_) evidence_.remove(*a.frame, a.held_at, sensor);
+  sensor = SensorModel(options, sensor.rangeLimit());
+  for (const ActiveFrame& a : frames_) evidence_.add(*a.frame, a.held_at, sensor);
+}
+
+}  // namespace handmap
