@@ -5,8 +5,6 @@
 #include <deque>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/estimation/active_directions.h"
@@ -14,6 +12,7 @@
 #include "core/estimation/evidence_window.h"
 #include "core/estimation/labels.h"
 #include "core/estimation/landmarks.h"
+#include "core/estimation/map_correction.h"
 #include "core/estimation/noise_estimate.h"
 #include "core/estimation/odometry_estimate.h"
 #include "core/estimation/outline_fit.h"
@@ -25,9 +24,8 @@ namespace {
 
 constexpr double kSlacks[] = {0.3, 0.1};  // across walls, metres: wide to catch, narrow to settle
 constexpr double kFinalSlacks[] = {0.2, 0.1, 0.03};
-constexpr int kMostIterations = 10;  // of the whole run
-constexpr double kSettled = 0.02;    // metres: no pose moves any more
-constexpr double kSlightDoubt = 0.1;
+constexpr int kMostIterations = 10;         // of the whole run
+constexpr double kSettled = 0.02;           // metres: no pose moves any more
 constexpr std::size_t kMostSmoothed = 300;  // of the buildings settled far away
 
 }  // namespace
@@ -44,13 +42,12 @@ struct HandmapEstimator::State {
         smoother(with.odometry, sensor),
         odometry_estimate(with.odometry.heading_variance_per_m),
         labels(drawing, with.assignment),
-        best(map) {
+        correction(drawing, labels) {
     for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
   }
 
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
-  void updateOdometryNoise();
   void updateDirections();
   void updateNoise();
   void findBuildings();
@@ -63,9 +60,6 @@ struct HandmapEstimator::State {
   void setAllFound(const std::vector<FoundBox>& all);
   void labelBuildings(double near_m);
   bool fitOutlines();
-  void correct(std::size_t building);
-  void correctAll();
-  void correctSome();
   /// Buildings farther from the robot keep the labels that they have: no frame that is worked on
   /// sees them.
   double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
@@ -74,7 +68,7 @@ struct HandmapEstimator::State {
   std::vector<Frame*> framesFrom(std::size_t first);
   bool isInReach(const FoundBox& found) const;
   bool isInSight(const FoundBox& found) const;
-  bool hasReached(const Rectangle& box) const;
+  MapCorrection::HasReached hasReached() const;
 
   Map drawing;
   EstimatorOptions options;
@@ -93,8 +87,7 @@ struct HandmapEstimator::State {
   OdometryEstimate odometry_estimate;
   Labels labels;
   std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
-  Map best;                                              ///< the drawing corrected
-  std::size_t corrected = 0;    ///< where its far buildings are next looked at
+  MapCorrection correction;
   std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
   struct Passing {              ///< an observation: its pose relative to a key frame
     double time_s;
@@ -111,7 +104,7 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
   requireReadyToRun(drawing);
   state_ = std::make_unique<State>(drawing, options, seed);
   state_->pose = *drawing.start;
-  state_->correctAll();
+  state_->correction.correctAll({}, state_->hasReached());
 }
 
 HandmapEstimator::~HandmapEstimator() = default;
@@ -140,7 +133,8 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.addFrame(time_s, odometry, state.pose, scan);
   state.observations.push_back({time_s, state.frames.size() - 1, Pose2{}});
   state.smoothWindow();
-  state.updateOdometryNoise();
+  state.odometry_estimate.add(state.frames);
+  state.smoother.setHeadingVariance(state.odometry_estimate.headingVariance());
   if (progress) progress(0.4);
   state.evidence.add(state.frames.back(), state.sensor);
   state.updateDirections();
@@ -151,7 +145,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.labelBuildings(state.nearM());
   if (state.closeLoop() || state.smoothNowAndThen()) state.labelBuildings(state.nearM());
   if (state.fitOutlines()) state.labelBuildings(state.nearM());
-  state.correctSome();
+  state.correction.correctSome(state.found, state.hasReached());
   state.pose = state.frames.back().pose;
   return true;
 }
@@ -198,11 +192,13 @@ bool HandmapEstimator::State::isInReach(const FoundBox& box) const {
   return BoxView(box.box, frames.back().pose).inReach(options.range_limit_m);
 }
 
-bool HandmapEstimator::State::hasReached(const Rectangle& box) const {
-  const Polygon corners = box.corners();
-  return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
-    return distanceTo(corners, frame.pose.position()) < options.range_limit_m;
-  });
+MapCorrection::HasReached HandmapEstimator::State::hasReached() const {
+  return [this](const Rectangle& box) {
+    const Polygon corners = box.corners();
+    return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+      return distanceTo(corners, frame.pose.position()) < options.range_limit_m;
+    });
+  };
 }
 
 void HandmapEstimator::State::smoothWindow() {
@@ -221,17 +217,6 @@ void HandmapEstimator::State::smoothWindow() {
   for (const double slack : kSlacks) smoother.iterate(graph, slack);
   covariance = smoother.covariances(boxes);
   for (std::size_t i = 0; i < which.size(); ++i) found[which[i]] = boxes[i];
-}
-
-/// The last stretch that is smoothed well tells how good the odometry is.
-void HandmapEstimator::State::updateOdometryNoise() {
-  constexpr std::size_t kStretch = 8;  // frames
-  constexpr std::size_t kUnsettled = 3;
-  if (frames.size() <= kStretch + kUnsettled) return;
-  const Frame& to = frames[frames.size() - 1 - kUnsettled];
-  const Frame& from = frames[to.number - kStretch];
-  odometry_estimate.add(from, to, to.way_m - from.way_m);
-  smoother.setHeadingVariance(odometry_estimate.headingVariance());
 }
 
 void HandmapEstimator::State::updateDirections() {
@@ -428,35 +413,6 @@ bool HandmapEstimator::State::fitOutlines() {
   return changed;
 }
 
-void HandmapEstimator::State::correct(std::size_t b) {
-  const Labels::Label label = labels.of(b, found);
-  const Building& drawn = drawing.buildings[b];
-  if (drawn.fixed) return;
-  const RefinedBuilding refined =
-      refinedBuilding(drawn, drawing.uncertaintyOf(drawn), labels.motion(), label.found);
-  Building& building = best.buildings[b];
-  building = drawn.fitted(refined.box());
-  building.estimate = refined.estimate;
-  // Of what the robot has not come to yet nothing can be said.
-  if (label.doubt > kSlightDoubt && (label.found || hasReached(refined.box()))) {
-    building.unknown["doubtful"] = fmt::format("{:.2f}", label.doubt);
-  }
-}
-
-void HandmapEstimator::State::correctAll() {
-  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) correct(b);
-}
-
-/// Those near the robot, and a few of the others in turn.
-void HandmapEstimator::State::correctSome() {
-  constexpr std::size_t kOthers = 100;
-  for (const std::size_t b : labels.nearby()) correct(b);
-  for (std::size_t i = 0; i < std::min(kOthers, drawing.buildings.size()); ++i) {
-    corrected = (corrected + 1) % drawing.buildings.size();
-    if (!labels.isNearby(corrected)) correct(corrected);
-  }
-}
-
 void HandmapEstimator::finish(const std::stop_token& stop) {
   constexpr std::size_t kMostLabelled = 60;  // buildings that are labelled all together
   State& state = *state_;
@@ -473,7 +429,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled &&
                    state.drawing.buildings.size() <= 2 * kMostLabelled;
   state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.nearM());
-  state.correctAll();
+  state.correction.correctAll(state.found, state.hasReached());
   state.pose = state.frames.back().pose;
 }
 
@@ -548,6 +504,6 @@ std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   return swarms;
 }
 
-Map HandmapEstimator::refinedMap() const { return state_->best; }
+Map HandmapEstimator::refinedMap() const { return state_->correction.map(); }
 
 }  // namespace handmap

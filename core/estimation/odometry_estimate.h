@@ -1,6 +1,8 @@
 // How much the odometry turns by itself, estimated from how the smoothed way turns.
 #pragma once
 
+#include <deque>
+
 #include "core/estimation/frame.h"
 
 namespace handmap {
@@ -12,8 +14,8 @@ class OdometryEstimate {
   /// `assumed`: variance of the heading after a metre, radians².
   explicit OdometryEstimate(double assumed) : turned_(kAssumed_m * assumed) {}
 
-  /// A stretch between two frames whose poses are smoothed.
-  void add(const Frame& from, const Frame& to, double way_m);
+  /// After each frame: takes the last stretch of the way that is smoothed well.
+  void add(const std::deque<Frame>& frames);
   double headingVariance() const { return turned_ / way_m_; }
 
  private:

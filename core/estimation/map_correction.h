@@ -1,0 +1,38 @@
+// The drawing, corrected by what was found.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "core/estimation/labels.h"
+
+namespace handmap {
+
+/// Kept from observation to observation: with each, what is near the robot is corrected, and a few
+/// of the others.
+class MapCorrection {
+ public:
+  /// Tells whether the robot has been within sight of a place.
+  using HasReached = std::function<bool(const Rectangle&)>;
+
+  /// Keeps references to the drawing and to its labels.
+  MapCorrection(const Map& drawing, const Labels& labels)
+      : drawing_(drawing), labels_(labels), map_(drawing) {}
+
+  /// `found`: of the last update of the labels.
+  void correctAll(std::span<const FoundBox> found, const HasReached& has_reached);
+  void correctSome(std::span<const FoundBox> found, const HasReached& has_reached);
+  /// A building that is probably another one, or not there, has a member "doubtful".
+  const Map& map() const { return map_; }
+
+ private:
+  void correct(std::size_t building, std::span<const FoundBox> found,
+               const HasReached& has_reached);
+
+  const Map& drawing_;
+  const Labels& labels_;
+  Map map_;
+  std::size_t last_ = 0;  ///< of the far buildings
+};
+
+}  // namespace handmap
