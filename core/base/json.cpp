@@ -1,6 +1,7 @@
 #include "core/base/json.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -84,6 +85,28 @@ class Guard {
   std::size_t values_ = 0;
 };
 
+/// Goes through a text and leaves word of how far.
+class Cursor {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  Cursor(const char* at, const char** read) : at_(at), read_(read) {}
+  reference operator*() const { return *at_; }
+  Cursor& operator++() {
+    *read_ = ++at_;
+    return *this;
+  }
+  bool operator==(const Cursor& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  const char** read_;
+};
+
 /// The parser's words without its own prefix and without the bytes it last read.
 std::string reasonOf(const json::exception& error) {
   std::string reason = error.what();
@@ -114,8 +137,9 @@ std::string describe(const json& value) {
 
 json parseJson(std::string_view text, const std::string& source) {
   Guard guard(source);
+  const char* read = text.data();
   try {
-    return json::parse(text.begin(), text.end(),
+    return json::parse(Cursor(text.data(), &read), Cursor(text.data() + text.size(), &read),
                        [&guard](int, json::parse_event_t event, const json& parsed) {
                          return guard(event, parsed);
                        });
@@ -126,7 +150,11 @@ json parseJson(std::string_view text, const std::string& source) {
     throw Error(ErrorCode::BadInput, fmt::format("{}: line {}, column {}: no valid JSON: {}",
                                                  source, line, column, reasonOf(error)));
   } catch (const json::out_of_range&) {
-    throwBadInput(source, guard.path(), "a number too large to represent", "a finite number");
+    const std::string where = guard.path();
+    // The parser has looked at what follows the number.
+    const auto line = 1 + std::count(text.data(), std::max(text.data(), read - 1), '\n');
+    throwBadInput(source, fmt::format("line {}{}{}", line, where.empty() ? "" : ": ", where),
+                  "a number too large to represent", "a finite number");
   }
 }
 
@@ -141,8 +169,9 @@ std::optional<JsonValue> JsonValue::find(const std::string& key) const {
   return JsonValue(*member, source_, pathOf(key));
 }
 
-std::vector<JsonValue> JsonValue::items() const {
+std::vector<JsonValue> JsonValue::items(std::size_t most) const {
   if (!json_->is_array()) fail("an array");
+  if (json_->size() > most) fail(fmt::format("at most {}", most));
   std::vector<JsonValue> items;
   items.reserve(json_->size());
   for (const json& item : *json_) {

@@ -12,8 +12,9 @@
 
 namespace handmap {
 
-/// Throws BadInput: a syntax error (with line and column), a key twice in one object (with its
-/// path), nesting deeper than 64 or more than 8 million values. `source` names the text.
+/// Throws BadInput: a syntax error (with line and column), a number too large for a double (with
+/// line and path), a key twice in one object (with its path), nesting deeper than 64 or more than 8
+/// million values. `source` names the text.
 nlohmann::json parseJson(std::string_view text, const std::string& source);
 
 /// A view of one value of a parsed text, which must outlive it. Whatever reads it throws BadInput
@@ -26,8 +27,8 @@ class JsonValue {
   /// A member of this object; throws where it is missing.
   JsonValue at(const std::string& key) const;
   std::optional<JsonValue> find(const std::string& key) const;
-  std::vector<JsonValue> items() const;
-  const JsonValue& object() const;  ///< itself, when it is an object
+  std::vector<JsonValue> items(std::size_t most) const;  ///< of an array of at most so many
+  const JsonValue& object() const;                       ///< itself, when it is an object
 
   double number(double low, double high) const;
   double positive(double high) const;  ///< in (0, high]

@@ -99,32 +99,19 @@ bool staysInside(const fs::path& relative) {
                                                 [](const fs::path& part) { return part == ".."; });
 }
 
-std::vector<TextLine> contentLines(std::string_view content) {
-  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
-  std::vector<TextLine> lines;
-  for (int number = 1; !content.empty(); ++number) {
-    const auto end = std::min(content.find('\n'), content.size());
-    const std::string_view text = trimmed(content.substr(0, end));
-    if (!text.empty() && !text.starts_with('#')) lines.push_back({number, text});
-    content.remove_prefix(std::min(end + 1, content.size()));
-  }
-  return lines;
+ContentLines::ContentLines(std::string_view content) : rest_(content) {
+  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
 
-void writeFileAtomically(const fs::path& path, std::string_view content) {
-  const fs::path part = path.string() + ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(part, path, error);
-  if (!stream || error) {
-    const std::string reason = error ? error.message() : std::strerror(errno);
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: cannot be written: {}", path.string(), reason));
+std::optional<TextLine> ContentLines::next() {
+  while (!rest_.empty()) {
+    ++number_;
+    const auto end = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view text = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (!text.empty() && !text.starts_with('#')) return TextLine{number_, text};
   }
+  return std::nullopt;
 }
 
 }  // namespace handmap

@@ -36,11 +36,21 @@ struct TextLine {
   int number;  ///< 1-based, as an editor counts
   std::string_view text;
 };
-/// The lines of `content` that are neither empty nor begin with '#', without their line ends.
-std::vector<TextLine> contentLines(std::string_view content);
+/// Goes through the lines of `content` (which must outlive it) that are neither empty nor begin
+/// with
+/// '#', without their line ends.
+class ContentLines {
+ public:
+  explicit ContentLines(std::string_view content);
+  std::optional<TextLine> next();
 
-/// Writes beside the target and renames: the target is the old file or the whole new one.
-/// Throws RunFailed with the reason of the system.
+ private:
+  std::string_view rest_;
+  int number_ = 0;
+};
+
+/// The target is the old file or the whole new one, on disk, with the old one's permissions and, if
+/// it may be, owner; links stay links. Throws RunFailed with the reason of the system.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace handmap

@@ -15,7 +15,10 @@ TEST(Json, SyntaxErrorsNameLineAndColumn) {
   expectBadInput([] { parseJson("", "f"); }, {"f: line 1, column 1"});
   expectBadInput([] { parseJson("[1, 2", "f"); }, {"f: line 1, column 6"});
   expectBadInput([] { parseJson("\"\xff\"", "f"); }, {"f: line 1"});
-  expectBadInput([] { parseJson("[1e999]", "f"); }, {"f: ", "too large"});
+  expectBadInput([] { parseJson("[1e999]", "f"); }, {"f: line 1: [0]: found a number too large"});
+  expectBadInput([] { parseJson("{\n\"a\": [0,\n-1e999\n]}", "f"); },
+                 {"f: line 3: a[1]: found a number too large to represent"});
+  expectBadInput([] { parseJson("\n\n1e999", "f"); }, {"f: line 3: found a number too large"});
   expectBadInput([] { parseJson("{} {}", "f"); }, {"f: line 1, column 4"});
 }
 
@@ -53,14 +56,14 @@ TEST_F(Values, ReadsWhatIsAsked) {
   EXPECT_EQ(value_.at("i").integer(1, 3), 3);
   EXPECT_EQ(value_.at("s").text(4), "text");
   EXPECT_TRUE(value_.at("b").flag());
-  EXPECT_EQ(value_.at("list").items().size(), 2u);
+  EXPECT_EQ(value_.at("list").items(2).size(), 2u);
   EXPECT_FALSE(value_.find("none"));
   EXPECT_EQ(value_.textOr("none", 9, "else"), "else");
 }
 
 TEST_F(Values, MessagesNamePathFoundAndExpected) {
   expectBadInput([&] { value_.at("none"); }, {"f: none: found nothing, expected this key"});
-  expectBadInput([&] { value_.at("list").items()[1].at("x").number(0, 1); },
+  expectBadInput([&] { value_.at("list").items(2)[1].at("x").number(0, 1); },
                  {"f: list[1].x: found null, expected a number from 0 to 1"});
   expectBadInput([&] { value_.at("s").positive(5); },
                  {"f: s: found \"text\" (string), expected a number > 0 and at most 5"});
@@ -70,7 +73,9 @@ TEST_F(Values, MessagesNamePathFoundAndExpected) {
   expectBadInput([&] { value_.at("big").integer(0, INT64_MAX); }, {"18446744073709551615"});
   expectBadInput([&] { value_.at("s").text(3); }, {"a string of 4 bytes", "at most 3"});
   expectBadInput([&] { value_.at("n").flag(); }, {"true or false"});
-  expectBadInput([&] { value_.at("n").items(); }, {"an array"});
+  expectBadInput([&] { value_.at("n").items(9); }, {"an array"});
+  expectBadInput([&] { value_.at("list").items(1); },
+                 {"f: list: found an array of 2, expected at most 1"});
   expectBadInput([&] { value_.at("list").at("x"); }, {"found an array of 2, expected an object"});
 }
 

@@ -12,7 +12,6 @@ namespace handmap {
 namespace {
 
 using test::expectBadInput;
-using test::expectError;
 using test::TemporaryFolder;
 
 TEST(Text, ParsesFiniteNumbersThatFillTheText) {
@@ -60,13 +59,17 @@ TEST(Text, SplitsFieldsAndWords) {
 }
 
 TEST(Text, ContentLinesSkipCommentsAndKeepNumbers) {
-  const auto lines = contentLines("\xef\xbb\xbf# head\r\nfirst\r\n\n  # more\n last ");
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].number, 2);
-  EXPECT_EQ(lines[0].text, "first");
-  EXPECT_EQ(lines[1].number, 5);
-  EXPECT_EQ(lines[1].text, "last");
-  EXPECT_TRUE(contentLines("").empty());
+  ContentLines lines("\xef\xbb\xbf# head\r\nfirst\r\n\n  # more\n last ");
+  const auto first = lines.next();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->number, 2);
+  EXPECT_EQ(first->text, "first");
+  const auto last = lines.next();
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->number, 5);
+  EXPECT_EQ(last->text, "last");
+  EXPECT_FALSE(lines.next());
+  EXPECT_FALSE(ContentLines("").next());
 }
 
 TEST(Text, ReadsWholeFilesWithinTheLimit) {
@@ -77,24 +80,6 @@ TEST(Text, ReadsWholeFilesWithinTheLimit) {
   expectBadInput([&] { readFile(path, 3); }, {path.string(), "4 bytes", "at most 3"});
   expectBadInput([&] { readFile(folder.path() / "none", 9); }, {"none", "no such file"});
   expectBadInput([&] { readFile(folder.path(), 9); }, {folder.path().string(), "no regular file"});
-}
-
-TEST(Text, WritesAtomically) {
-  const TemporaryFolder folder;
-  folder.write("file", "old");
-  writeFileAtomically(folder.path() / "file", "new");
-  EXPECT_EQ(folder.read("file"), "new");
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "file.part"));
-
-  expectError(ErrorCode::RunFailed,
-              [&] { writeFileAtomically(folder.path() / "no" / "file", "x"); },
-              {"file: cannot be written"});
-  // A folder in the way: the target stays, nothing is left over.
-  std::filesystem::create_directories(folder.path() / "taken" / "inner");
-  expectError(ErrorCode::RunFailed, [&] { writeFileAtomically(folder.path() / "taken", "x"); },
-              {"taken"});
-  EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "taken" / "inner"));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "taken.part"));
 }
 
 TEST(Text, KnowsWhichPathsStayInside) {
