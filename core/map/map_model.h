@@ -14,9 +14,6 @@ namespace handmap {
 std::optional<std::filesystem::path> modelOf(const Map& map, const std::filesystem::path& map_file);
 /// Names the model of a map that is, or will be, in `map_file`.
 void setModel(Map& map, const std::filesystem::path& model, const std::filesystem::path& map_file);
-/// Its path as seen from another folder; nothing where there is none, or none that can be read.
-void moveModel(Map& map, const std::filesystem::path& from_file,
-               const std::filesystem::path& to_file);
 /// NAME.model.json beside NAME.handmap.
 std::filesystem::path modelBeside(const std::filesystem::path& map_file);
 

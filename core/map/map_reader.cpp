@@ -21,7 +21,7 @@ double heading(const JsonValue& value) {
 }
 
 Vec2 point(const JsonValue& value) {
-  const auto numbers = value.items();
+  const auto numbers = value.items(2);
   if (numbers.size() != 2) value.fail("[x, y]");
   return {coordinate(numbers[0]), coordinate(numbers[1])};
 }
@@ -63,7 +63,8 @@ Estimate readEstimate(const JsonValue& json) {
 /// A corner given twice in a row, as when the ring is closed by hand, counts once.
 Polygon readPolygon(const JsonValue& vertices) {
   Polygon polygon;
-  for (const JsonValue& item : vertices.items()) polygon.push_back(point(item));
+  constexpr std::size_t kClosed = kMaxPolygonVertices + 1;
+  for (const JsonValue& item : vertices.items(kClosed)) polygon.push_back(point(item));
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   if (polygon.size() < 3 || polygon.size() > kMaxPolygonVertices) {
@@ -110,6 +111,11 @@ Building readBuilding(const JsonValue& json, const Uncertainty& of_map) {
   return building;
 }
 
+std::size_t verticesOf(const Building& building) {
+  const auto* polygon = std::get_if<Polygon>(&building.shape);
+  return polygon == nullptr ? 4 : polygon->size();
+}
+
 Landmark readLandmark(const JsonValue& json) {
   return {requiredText(json.at("id")), json.textOr("name", kMaxTextBytes, ""), position(json),
           json.others({"id", "name", "x", "y"})};
@@ -147,9 +153,9 @@ void checkFormat(const JsonValue& json) {
   }
 }
 
-std::vector<JsonValue> itemsOf(const JsonValue& json, const std::string& key) {
+std::vector<JsonValue> itemsOf(const JsonValue& json, const std::string& key, std::size_t most) {
   const auto value = json.find(key);
-  return value ? value->items() : std::vector<JsonValue>{};
+  return value ? value->items(most) : std::vector<JsonValue>{};
 }
 
 /// Remembers where each id was seen.
@@ -188,16 +194,23 @@ Map parseMap(std::string_view text, const std::string& source) {
     keepOthers(*part, "uncertainty", {"position_m", "size_m"}, map.unknown);
   }
   Ids ids;
-  for (const JsonValue& item : json.at("buildings").items()) {
+  std::size_t vertices = 0;
+  for (const JsonValue& item : json.at("buildings").items(kMaxBuildings)) {
     map.buildings.push_back(readBuilding(item, map.uncertainty));
     ids.add(map.buildings.back().id, item);
+    vertices += verticesOf(map.buildings.back());
+    if (vertices > kMaxVertices) {
+      item.fail(fmt::format("{} vertices up to here", vertices),
+                fmt::format("at most {} in all", kMaxVertices));
+    }
   }
-  for (const JsonValue& item : itemsOf(json, "landmarks")) {
+  for (const JsonValue& item : itemsOf(json, "landmarks", kMaxLandmarks)) {
     map.landmarks.push_back(readLandmark(item));
     ids.add(map.landmarks.back().id, item);
   }
-  for (const JsonValue& item : itemsOf(json, "route")) map.route.push_back(point(item));
-  for (const JsonValue& item : itemsOf(json, "underlays")) {
+  for (const JsonValue& item : itemsOf(json, "route", kMaxRoutePoints))
+    map.route.push_back(point(item));
+  for (const JsonValue& item : itemsOf(json, "underlays", kMaxUnderlays)) {
     map.underlays.push_back(readUnderlay(item));
   }
   if (const auto part = json.find("georeference")) map.georeference = readGeoreference(*part);

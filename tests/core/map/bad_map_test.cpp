@@ -1,4 +1,5 @@
 // Maps that must be refused, and how; and damaged ones that must not crash anything.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/map/map_io.h"
@@ -98,6 +99,40 @@ TEST(BadMap, BoundsStringsAndVertices) {
   }
   expectBadInput([&] { parseMap(with("[[60,20],[95,20],[95,34],[60,34]]", ring + "]"), "m"); },
                  {"buildings[1].vertices", "2001"});
+}
+
+/// "[ITEM,ITEM,…]"; %d is the number of the item.
+std::string array(int count, const std::string& item) {
+  std::string text = "[";
+  for (int i = 0; i < count; ++i) {
+    std::string one = item;
+    if (const auto place = one.find("%d"); place != std::string::npos) {
+      one.replace(place, 2, std::to_string(i));
+    }
+    text += (i == 0 ? "" : ",") + one;
+  }
+  return text + "]";
+}
+
+TEST(BadMap, BoundsCounts) {
+  const auto map = [](const std::string& members) {
+    return R"({"format":"handmap","version":1,)" + members + "}";
+  };
+  const auto refused = [&](const std::string& members, const std::vector<std::string>& words) {
+    expectBadInput([&] { parseMap(map(members), "m"); }, words);
+  };
+  refused("\"buildings\":" + array(100'001, "0"),
+          {"m: buildings: found an array of 100001, expected at most 100000"});
+  refused("\"buildings\":[],\"landmarks\":" + array(100'001, "0"), {"m: landmarks: ", "100000"});
+  refused("\"buildings\":[],\"route\":" + array(100'001, "[0,0]"), {"m: route: ", "100000"});
+  refused("\"buildings\":[],\"underlays\":" + array(101, "0"), {"m: underlays: ", "most 100"});
+  refused("\"buildings\":[],\"route\":[" + array(9, "0") + "]", {"m: route[0]: ", "most 2"});
+  // Zigzags of 1,000 vertices each.
+  std::string zigzag = "[[0,9]";
+  for (int i = 0; i < 998; ++i) zigzag += fmt::format(",[{},{}]", i, i % 2);
+  const std::string house = R"({"id":"%d","shape":"polygon","vertices":)" + zigzag + ",[998,9]]}";
+  refused("\"buildings\":" + array(501, house),
+          {"m: buildings[500]: found 501000 vertices up to here, expected at most 500000 in all"});
 }
 
 TEST(BadMap, Files) {

@@ -25,20 +25,6 @@ TEST(MapModel, IsNamedInTheFileOfTheMap) {
   EXPECT_EQ(modelOf(read, "yard.handmap"), fs::path("yard.model.json"));
 }
 
-TEST(MapModel, StaysWhereItIsWhenTheMapMoves) {
-  Map map = mapWith("");
-  setModel(map, "maps/yard.model.json", "maps/yard.handmap");
-  moveModel(map, "maps/yard.handmap", "out/new/yard.handmap");
-  EXPECT_EQ(modelOf(map, "out/new/yard.handmap")->lexically_normal(),
-            fs::path("maps/yard.model.json"));
-  const Map before = map;
-  moveModel(map, "out/new/yard.handmap", "out/new/other.handmap");
-  EXPECT_EQ(map, before);
-  Map bare = mapWith("");
-  moveModel(bare, "maps/yard.handmap", "out/yard.handmap");
-  EXPECT_EQ(bare, mapWith(""));
-}
-
 TEST(MapModel, IsBesideTheMap) {
   EXPECT_EQ(modelBeside("maps/my.yard.handmap"), fs::path("maps/my.yard.model.json"));
 }
@@ -46,11 +32,8 @@ TEST(MapModel, IsBesideTheMap) {
 TEST(MapModel, ThatIsNoPathIsRefused) {
   for (const char* member : {R"(,"handmap:model":3)", R"(,"handmap:model":"")",
                              R"(,"handmap:model":{"a":1})", R"(,"handmap:model":null)"}) {
-    Map map = mapWith(member);
+    const Map map = mapWith(member);
     test::expectBadInput([&] { modelOf(map, "a.handmap"); }, {"a.handmap", "handmap:model: found"});
-    const Map before = map;
-    moveModel(map, "a.handmap", "b/a.handmap");
-    EXPECT_EQ(map, before);
   }
 }
 
