@@ -26,7 +26,7 @@ std::string numbers(const Numbers& values) {
 
 /// An array of `count` numbers into `to`.
 void read(const JsonValue& array, Eigen::Index count, float* to) {
-  const std::vector<JsonValue> items = array.items();
+  const std::vector<JsonValue> items = array.items(kMaxVectors);
   if (static_cast<Eigen::Index>(items.size()) != count) {
     array.fail(fmt::format("{} numbers", items.size()), fmt::format("{}", count));
   }
@@ -46,11 +46,8 @@ FeatureSet readFeatures(const JsonValue& json) {
 }
 
 KernelSvm readSvm(const JsonValue& json, Eigen::Index features) {
-  const std::vector<JsonValue> rows = json.at("vectors").items();
-  if (rows.empty() || rows.size() > kMaxVectors) {
-    json.at("vectors").fail(fmt::format("{} vectors", rows.size()),
-                            fmt::format("1 to {}", kMaxVectors));
-  }
+  const std::vector<JsonValue> rows = json.at("vectors").items(kMaxVectors);
+  if (rows.empty()) json.at("vectors").fail("at least one vector");
   SampleMatrix vectors(static_cast<Eigen::Index>(rows.size()), features);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     read(rows[i], features, vectors.row(static_cast<Eigen::Index>(i)).data());

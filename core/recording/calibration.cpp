@@ -44,15 +44,16 @@ Projection parseProjection(std::string_view numbers, const std::string& file,
   return p;
 }
 
-Projection findProjection(const std::string& content, const std::string& name,
+Projection findProjection(std::string_view content, const std::string& name,
                           const std::string& file) {
   std::optional<Projection> found;
-  for (const TextLine& line : contentLines(content)) {
-    const auto colon = line.text.find(':');
-    if (colon == std::string_view::npos || trimmed(line.text.substr(0, colon)) != name) continue;
-    const std::string place = fmt::format("line {}: {}", line.number, name);
+  ContentLines lines(content);
+  while (const auto line = lines.next()) {
+    const auto colon = line->text.find(':');
+    if (colon == std::string_view::npos || trimmed(line->text.substr(0, colon)) != name) continue;
+    const std::string place = fmt::format("line {}: {}", line->number, name);
     if (found) throwBadInput(file, place, "this matrix twice", "it once");
-    found = parseProjection(line.text.substr(colon + 1), file, place);
+    found = parseProjection(line->text.substr(colon + 1), file, place);
   }
   if (!found) throwBadInput(file, "", "no line " + name + ":", "the 12 numbers of the camera");
   return *found;

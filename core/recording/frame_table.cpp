@@ -111,6 +111,11 @@ class TableReader {
 
   void checkOrder(const FrameRow& row) {
     const bool same_stop = previous_ && row.stop && row.stop == previous_->stop;
+    rows_of_stop_ = same_stop ? rows_of_stop_ + 1 : 1;
+    if (rows_of_stop_ > kMaxRowsOfStop) {
+      fail(kColumns[Column::Stop], fmt::format("stop {} in one more row", *row.stop),
+           fmt::format("at most {}", kMaxRowsOfStop));
+    }
     if (row.stop && !same_stop && !stops_.insert(*row.stop).second) {
       fail(kColumns[Column::Stop], fmt::format("stop {} a second time", *row.stop),
            "the rows of one stop together");
@@ -136,18 +141,27 @@ class TableReader {
   std::vector<std::string_view> fields_;
   std::optional<FrameRow> previous_;
   std::set<int> stops_;
+  int rows_of_stop_ = 0;
 };
 
 }  // namespace
 
 std::vector<FrameRow> readFrameTable(const std::filesystem::path& path) {
   const std::string content = readFile(path, kMaxBytes);
-  const auto lines = contentLines(content);
-  if (lines.size() < 2) throwBadInput(path.string(), "", "no rows", "a header line and rows");
-  TableReader reader(path.string(), lines.front());
+  const std::string file = path.string();
+  ContentLines lines(content);
+  const auto header = lines.next();
+  auto line = header ? lines.next() : std::nullopt;
+  if (!line) throwBadInput(file, "", "no rows", "a header line and rows");
+  TableReader reader(file, *header);
   std::vector<FrameRow> rows;
-  rows.reserve(lines.size() - 1);
-  for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back(reader.read(lines[i]));
+  for (; line; line = lines.next()) {
+    rows.push_back(reader.read(*line));
+    if (rows.size() > kMaxRows) {
+      throwBadInput(file, fmt::format("line {}", line->number), "one more row",
+                    fmt::format("at most {}", kMaxRows));
+    }
+  }
   return rows;
 }
 

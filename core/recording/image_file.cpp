@@ -81,7 +81,10 @@ cv::Mat readImage(const std::filesystem::path& path) {
   const std::string file = path.string();
   const std::string bytes = readFile(path, kMaxBytes);
   const Header header = readHeader(bytes, file);
-  if (header.width * header.height > kMaxPixels) {
+  // The sides first: their product may be more than a number holds.
+  const bool fits = header.width <= kMaxPixels && header.height <= kMaxPixels &&
+                    header.width * header.height <= kMaxPixels;
+  if (!fits) {
     throwBadInput(file, "", fmt::format("{} × {} pixels", header.width, header.height),
                   fmt::format("at most {} megapixels", kMaxPixels / 1'000'000));
   }

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/recording/calibration.h"
+#include "core/recording/frame_table.h"
 
 namespace handmap {
 
@@ -20,28 +21,6 @@ constexpr std::uintmax_t kMaxBytes = 256u << 20;
 constexpr double kMaxCoordinate = 1e8;
 constexpr double kMaxTime = 1e12;
 constexpr double kRotationTolerance = 0.01;
-
-std::vector<double> readTimes(const fs::path& path) {
-  const std::string content = readFile(path, kMaxBytes);
-  std::vector<double> times;
-  for (const TextLine& line : contentLines(content)) {
-    const std::string place = fmt::format("line {}", line.number);
-    const auto time = parseFinite(line.text);
-    if (!time || std::abs(*time) > kMaxTime) {
-      throwBadInput(path.string(), place, fmt::format("\"{}\"", line.text.substr(0, 40)),
-                    "a time in seconds");
-    }
-    if (!times.empty() && *time <= times.back()) {
-      throwBadInput(
-          path.string(), place,
-          fmt::format("time {} after {}", formatNumber(*time), formatNumber(times.back())),
-          "times that increase");
-    }
-    times.push_back(*time);
-  }
-  if (times.empty()) throwBadInput(path.string(), "", "no time", "one a line");
-  return times;
-}
 
 Pose2 parsePose(const TextLine& line, const std::string& file) {
   const std::string place = fmt::format("line {}", line.number);
@@ -113,18 +92,45 @@ std::optional<fs::path> odometryFile(const fs::path& folder) {
 
 }  // namespace
 
+std::vector<double> readKittiTimes(const fs::path& path) {
+  const std::string file = path.string();
+  const std::string content = readFile(path, kMaxBytes);
+  std::vector<double> times;
+  ContentLines lines(content);
+  while (const auto line = lines.next()) {
+    const std::string place = fmt::format("line {}", line->number);
+    const auto time = parseFinite(line->text);
+    if (!time || std::abs(*time) > kMaxTime) {
+      throwBadInput(file, place, fmt::format("\"{}\"", line->text.substr(0, 40)),
+                    "a time in seconds");
+    }
+    if (!times.empty() && *time <= times.back()) {
+      throwBadInput(
+          file, place,
+          fmt::format("time {} after {}", formatNumber(*time), formatNumber(times.back())),
+          "times that increase");
+    }
+    if (times.size() == kMaxRows)
+      throwBadInput(file, place, "one more time", fmt::format("at most {}", kMaxRows));
+    times.push_back(*time);
+  }
+  if (times.empty()) throwBadInput(file, "", "no time", "one a line");
+  return times;
+}
+
 Trajectory readKittiPoses(const fs::path& path, const std::vector<double>& times_s) {
   const std::string file = path.string();
   const std::string content = readFile(path, kMaxBytes);
-  const auto lines = contentLines(content);
-  if (lines.size() != times_s.size()) {
-    throwBadInput(file, "", fmt::format("{} poses", lines.size()),
-                  fmt::format("{}, one for each line of times.txt", times_s.size()));
-  }
   std::vector<StampedPose> poses;
-  poses.reserve(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    poses.push_back({times_s[i], parsePose(lines[i], file)});
+  std::size_t found = 0;
+  ContentLines lines(content);
+  while (const auto line = lines.next()) {
+    if (found < times_s.size()) poses.push_back({times_s[found], parsePose(*line, file)});
+    ++found;
+  }
+  if (found != times_s.size()) {
+    throwBadInput(file, "", fmt::format("{} poses", found),
+                  fmt::format("{}, one for each line of times.txt", times_s.size()));
   }
   const Pose2 first = poses.empty() ? Pose2{} : poses.front().pose;
   for (StampedPose& stamped : poses) stamped.pose = between(first, stamped.pose);
@@ -147,7 +153,7 @@ Recording openKittiFolder(const fs::path& folder) {
   recording.folder = folder;
   recording.camera =
       readCalibration(folder / "calib.txt", is_grey ? "P0" : "P2", is_grey ? "P1" : "P3", mount);
-  const std::vector<double> times = readTimes(folder / "times.txt");
+  const std::vector<double> times = readKittiTimes(folder / "times.txt");
   for (std::size_t i = 0; i < times.size(); ++i) {
     FrameRow row;
     row.frame = static_cast<int>(i);

@@ -12,6 +12,9 @@ bool isKittiFolder(const std::filesystem::path& folder);
 /// as odometry. Throws BadInput.
 Recording openKittiFolder(const std::filesystem::path& folder);
 
+/// Increasing times, one a line. Throws BadInput.
+std::vector<double> readKittiTimes(const std::filesystem::path& path);
+
 /// Poses of 12 numbers a line (camera frame: x right, y down, z forward) at the given times, in the
 /// robot frame, counted from the first of them.
 Trajectory readKittiPoses(const std::filesystem::path& path, const std::vector<double>& times_s);

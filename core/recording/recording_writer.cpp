@@ -53,7 +53,7 @@ void createEmpty(const fs::path& folder) {
   }
 }
 
-/// A text file that grows; what was appended is on disk when append() returns.
+/// A text file that grows by whole lines; they are written when append() returns.
 class GrowingFile {
  public:
   explicit GrowingFile(fs::path path) : path_(std::move(path)) {}
@@ -61,15 +61,21 @@ class GrowingFile {
   void append(const std::string& text) {
     if (!stream_.is_open()) stream_.open(path_, std::ios::binary | std::ios::app);
     stream_ << text << std::flush;
-    if (!stream_) {
-      throw Error(ErrorCode::RunFailed,
-                  fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+    if (stream_) {
+      written_ += text.size();
+      return;
     }
+    const int reason = errno;
+    std::error_code ignored;
+    fs::resize_file(path_, written_, ignored);  // a full disk leaves no half line
+    throw Error(ErrorCode::RunFailed,
+                fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
   }
 
  private:
   fs::path path_;
   std::ofstream stream_;
+  std::uintmax_t written_ = 0;
 };
 
 }  // namespace

@@ -5,19 +5,19 @@
 #include <initializer_list>
 
 #include <fmt/format.h>
-#include <opencv2/core/persistence.hpp>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
+#include "core/recording/opencv_file.h"
 
 namespace handmap {
 
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 1u << 16;
-constexpr std::size_t kMaxNodes = 500;  // the parsers of OpenCV recurse
 constexpr int kMaxSide = 32768;
+constexpr std::int64_t kMaxPixels = 64'000'000;  // as for images
 constexpr double kMinFocal = 0.1;  // of the image's width: wider than a pinhole can be
 constexpr double kMaxFocal = 50.0;
 constexpr double kMinBaseline_m = 0.005;
@@ -27,38 +27,23 @@ constexpr double kMaxTurn = 0.7;  // rad between the cameras: more leaves nothin
 
 using Keys = std::initializer_list<const char*>;
 
-/// An upper bound of how deep the text nests.
-std::size_t nodesOf(std::string_view text) {
-  std::size_t nodes = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool item = c == '-' && i + 1 < text.size() && std::isspace(std::uint8_t(text[i + 1]));
-    nodes += c == '[' || c == '{' || c == '<' || item ? 1 : 0;
-  }
-  return nodes;
-}
-
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& path) : file_(path.string()) {
-    const std::string content = readFile(path, kMaxBytes);
-    const char* const expected = "a YAML or XML file of OpenCV with M1 D1 M2 D2 R T";
-    if (trimmed(content).empty()) throwBadInput(file_, "", "an empty file", expected);
-    if (nodesOf(content) > kMaxNodes) throwBadInput(file_, "", "too many values", expected);
-    try {
-      storage_.open(content, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    } catch (const std::exception&) {
-      storage_.release();
-    }
-    if (!storage_.isOpened()) throwBadInput(file_, "", "no calibration of OpenCV", expected);
-  }
+  explicit Reader(const std::filesystem::path& path)
+      : file_(path.string()), values_(readFile(path, kMaxBytes), file_) {}
 
   cv::Size size() const {
-    if (const cv::FileNode both = find({"image_size", "size"}); both.isSeq() && both.size() == 2) {
-      return {side(both[0], "image_size"), side(both[1], "image_size")};
+    const Words* const both = values_.find({"image_size", "size"});
+    const cv::Size size =
+        both != nullptr && both->size() == 2
+            ? cv::Size{side((*both)[0], "image_size"), side((*both)[1], "image_size")}
+            : cv::Size{side({"image_width", "width"}), side({"image_height", "height"})};
+    if (std::int64_t{size.width} * size.height > kMaxPixels) {
+      throwBadInput(file_, "image_width and image_height",
+                    fmt::format("{} × {} pixels", size.width, size.height),
+                    fmt::format("at most {} megapixels", kMaxPixels / 1'000'000));
     }
-    return {side(find({"image_width", "width"}), "image_width"),
-            side(find({"image_height", "height"}), "image_height")};
+    return size;
   }
 
   cv::Matx33d matrix(Keys keys) const {
@@ -66,46 +51,43 @@ class Reader {
     return cv::Matx33d(values.data());
   }
 
-  /// The values of a matrix of any shape with one of these counts. Not by the reader of OpenCV,
-  /// which allocates whatever the file asks for.
+  /// The values of a matrix of any shape with one of these counts.
   std::vector<double> numbers(Keys keys, const std::vector<std::size_t>& counts) const {
     const std::string key = *keys.begin();
-    const cv::FileNode node = find(keys);
-    if (node.empty()) throwBadInput(file_, key, "nothing", "a matrix");
-    const cv::FileNode data = node.isMap() ? node["data"] : node;
-    const std::size_t count = data.isSeq() ? data.size() : 0;
-    if (std::find(counts.begin(), counts.end(), count) == counts.end()) {
-      throwBadInput(file_, key, fmt::format("{} numbers", count),
+    const Words* const words = values_.find(keys);
+    if (words == nullptr) throwBadInput(file_, key, "nothing", "a matrix");
+    if (std::find(counts.begin(), counts.end(), words->size()) == counts.end()) {
+      throwBadInput(file_, key, fmt::format("{} numbers", words->size()),
                     fmt::format("{}", fmt::join(counts, " or ")));
     }
     std::vector<double> values;
-    for (const cv::FileNode value : data) {
-      const bool good = (value.isInt() || value.isReal()) && std::isfinite(value.real());
-      if (!good) throwBadInput(file_, key, "a value that is no number", "finite numbers");
-      values.push_back(value.real());
+    for (const std::string& word : *words) {
+      const auto value = parseFinite(word);
+      if (!value) throwBadInput(file_, key, "a value that is no number", "finite numbers");
+      values.push_back(*value);
     }
     return values;
   }
 
  private:
-  cv::FileNode find(Keys keys) const {
-    for (const char* key : keys) {
-      if (const cv::FileNode node = storage_[key]; !node.empty()) return node;
-    }
-    return {};
+  using Words = std::vector<std::string>;
+
+  int side(Keys keys) const {
+    const Words* const words = values_.find(keys);
+    return side(words != nullptr && words->size() == 1 ? words->front() : "nothing", *keys.begin());
   }
 
-  int side(const cv::FileNode& node, const char* key) const {
-    const double value = node.isInt() || node.isReal() ? node.real() : 0.0;
+  int side(const std::string& word, const char* key) const {
+    const double value = parseFinite(word).value_or(0.0);
     if (!(value >= 1.0 && value <= kMaxSide && value == std::floor(value))) {
-      throwBadInput(file_, key, node.empty() ? "nothing" : formatNumber(value),
+      throwBadInput(file_, key, word.substr(0, 40),
                     fmt::format("the size of the images, 1 to {} pixels", kMaxSide));
     }
     return static_cast<int>(value);
   }
 
   std::string file_;
-  cv::FileStorage storage_;
+  OpenCvFile values_;
 };
 
 void checkLens(const LensCalibration& lens, cv::Size size, const std::string& file,

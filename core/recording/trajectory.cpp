@@ -14,6 +14,7 @@ namespace handmap {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::size_t kMaxPoses = 5'000'000;
 constexpr double kMaxCoordinate = 1e8;  // odometry may count from a distant origin
 constexpr double kMaxTime = 1e12;
 constexpr double kNormTolerance = 0.05;
@@ -79,10 +80,14 @@ Trajectory readTum(const std::filesystem::path& path) {
   const std::string file = path.string();
   const std::string content = readFile(path, kMaxBytes);
   std::vector<StampedPose> poses;
-  for (const TextLine& line : contentLines(content)) {
-    const std::string place = fmt::format("line {}", line.number);
-    const StampedPose stamped = parseTumLine(line.text, file, place);
+  ContentLines lines(content);
+  while (const auto line = lines.next()) {
+    const std::string place = fmt::format("line {}", line->number);
+    const StampedPose stamped = parseTumLine(line->text, file, place);
     if (!poses.empty()) checkOrder(poses.back().time_s, stamped.time_s, file, place);
+    if (poses.size() == kMaxPoses) {
+      throwBadInput(file, place, "one more pose", fmt::format("at most {}", kMaxPoses));
+    }
     poses.push_back(stamped);
   }
   if (poses.empty()) throwBadInput(file, "", "no pose", "lines of time x y z qx qy qz qw");

@@ -162,6 +162,9 @@ TEST_F(Files, BadTablesAreRefused) {
   refuseTable(header + "1,1,,,../l,r,\n", {"line 2: left", "inside the folder"});
   refuseTable(header + "1,1,,,l,a/../../r,\n", {"line 2: right", "inside the folder"});
   refuseTable(header + "1,1,5,0,,,p\n2,2,6,0,,,p\n3,3,5,0,,,p\n", {"line 4: stop", "second time"});
+  std::string one_stop = header;
+  for (int i = 0; i < 101; ++i) one_stop += "1,1,5,0,,,p\n";
+  refuseTable(one_stop, {"line 102: stop: found stop 5 in one more row, expected at most 100"});
 }
 
 TEST_F(Files, PointsReadBack) {
@@ -214,6 +217,8 @@ TEST_F(Files, BadImagesAreRefused) {
   std::string huge = png;
   huge.replace(16, 8, std::string("\x00\x01\x00\x00\x00\x01\x00\x00", 8));
   refuseImage(huge, {"65536 × 65536 pixels", "64 megapixels"});
+  huge.replace(16, 8, std::string(8, '\xff'));  // more pixels than 63 bits count
+  refuseImage(huge, {"4294967295 × 4294967295 pixels", "64 megapixels"});
 }
 
 TEST_F(Files, DamagedImagesNeverCrash) {

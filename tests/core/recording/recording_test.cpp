@@ -57,7 +57,9 @@ TEST(Recording, RefusesBadDescriptions) {
   refuse(R"("format": "handmap-recording", "version": 2)",
          {"recording.json: version: found 2", "up to 1", "update the program"});
   refuse(R"("format": "handmap-recording", "version": "1")", {"version: found \"1\""});
-  refuse(head + R"(, "range_limit_m": 0)", {"range_limit_m: found 0"});
+  refuse(head + R"(, "range_limit_m": 0.5)", {"range_limit_m: found 0.5"});
+  refuse(head + R"(, "range_limit_m": 10000)",
+         {"recording.json: range_limit_m: found 10000, expected a number from 1 to 200"});
   refuse(head + R"(, "camera": [])", {"camera: found an array"});
   refuse(head + R"(, "camera": {"mount": {"z_m": "high"}})", {"camera.mount.z_m: found \"high\""});
   refuse(head + R"(, "camera": {"left": "P7"})", {"calib.txt", "no line P7"});

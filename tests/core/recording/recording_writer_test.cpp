@@ -3,6 +3,7 @@
 #include "core/recording/validation.h"
 #include "tests/core/base/comma_locale.h"
 #include "tests/core/base/expect_error.h"
+#include "tests/core/base/file_size_limit.h"
 #include "tests/core/recording/example_recording.h"
 
 namespace handmap {
@@ -109,6 +110,28 @@ TEST(RecordingWriter, IsReadableWhileItGrows) {
     EXPECT_EQ(recording.rows.size(), static_cast<std::size_t>(frame) + 1);
     EXPECT_TRUE(problemsOf(recording).empty());
   }
+}
+
+TEST(RecordingWriter, AFullDiskLeavesWholeRows) {
+  const test::TemporaryFolder folder;
+  RecordingWriter writer(folder.path(), SourceInfo{});
+  int written = 0;
+  {
+    const test::FileSizeLimit limit(500);
+    const auto fill = [&] {
+      for (;; ++written) {
+        Observation observation = movingObservation(written);
+        observation.views[0].left.release();
+        writer.add(observation);
+      }
+    };
+    test::expectError(ErrorCode::RunFailed, fill,
+                      {"odometry.tum: cannot be written: File too large"});
+  }
+  EXPECT_GT(written, 3);
+  const Recording recording = openRecording(folder.path());
+  EXPECT_EQ(recording.rows.size(), static_cast<std::size_t>(written));
+  EXPECT_EQ(recording.odometry.poses().size(), static_cast<std::size_t>(written));
 }
 
 TEST(RecordingWriter, AViewThatSawNothingLeavesNoRow) {

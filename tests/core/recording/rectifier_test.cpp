@@ -104,10 +104,15 @@ TEST(StereoCalibration, RefusesWhatIsNone) {
   refuse("", {"calib.yml", "empty file"});
   refuse("%YAML:1.0\n---\nM1: [", {"calib.yml"});
   refuse("P0: 1 0 0", {"calib.yml"});
+  refuse("%YAML:1.0\n---\n- 1\n",
+         {"calib.yml: found no calibration of OpenCV, expected a YAML or XML file"});
   refuse("%YAML:1.0\n---\na: " + std::string(40000, '['), {"too many values"});
+  refuse("<?xml version=\"1.0\"?>\n<opencv_storage>\n<M1><rows>3</rows><data", {"calib.yml"});
   refuse("<?xml version=\"1.0\"?>" + std::string(2000, '<'), {"too many values"});
   refuse(good.substr(0, good.find("R: ")), {"R: found nothing"});
   refuse(replaced("image_width: 640", "image_width: 1e9"), {"image_width", "1 to 32768"});
+  refuse(replaced("image_width: 640\nimage_height: 480", "image_width: 9000\nimage_height: 9000"),
+         {"image_width and image_height: found 9000 × 9000 pixels, expected at most 64 mega"});
   refuse(replaced("image_width: 640\n", ""), {"image_width: found nothing"});
   refuse(replaced("M1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 5",
                   "M1: !!opencv-matrix\n   rows: 3000000\n   cols: 3000000\n   dt: d\n   data: [ "
