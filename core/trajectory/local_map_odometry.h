@@ -1,0 +1,42 @@
+// Odometry of a range sensor: each scan matched with those of the last 100 m.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/trajectory/scan_match.h"
+#include "core/trajectory/wheel_noise.h"
+
+namespace handmap {
+
+class LocalMapOdometry {
+ public:
+  /// The recorded odometry and what was seen there. Where the match is not to be believed, the
+  /// odometry goes on.
+  /// Returns whether the match moved the pose.
+  bool add(const Pose2& recorded, const std::vector<ScanPoint>& scan);
+
+  /// Of the newest scan; the first is the first recorded one.
+  const Pose2& pose() const { return pose_; }
+  const WheelNoise& noise() const { return noise_; }
+
+ private:
+  struct KeptScan {
+    int number;
+    double travelled_m;
+  };
+  std::optional<Pose2> matchedPose(const std::vector<ScanPoint>& scan, const Pose2& motion,
+                                   const MotionPrior& prior);
+  void keep(const std::vector<ScanPoint>& scan);
+
+  PointMap map_;
+  std::deque<KeptScan> kept_;
+  WheelNoise noise_;
+  Pose2 pose_;
+  Pose2 recorded_;
+  std::optional<Pose2> kept_at_;
+  double travelled_m_ = 0.0;
+  int scans_ = 0;
+};
+
+}  // namespace handmap

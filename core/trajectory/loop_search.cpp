@@ -1,0 +1,134 @@
+#include "core/trajectory/loop_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "core/trajectory/scan_match.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kSourceReach = 6;  // keyframes on either side
+constexpr std::size_t kTargetReach = 12;
+constexpr double kRange_m = 35.0;  // farther returns are sparse and tell little
+constexpr double kThin_m = 0.25;
+constexpr double kApart_m = 80.0;   // of way: nearer is no loop
+constexpr double kPassing_m = 6.0;  // two lanes
+constexpr double kShift_m = 2.5;    // drift, and by metre of way since the last loop
+constexpr double kShiftPerMetre = 0.012;
+constexpr double kMostShift_m = 12.0;
+constexpr double kTurn = 0.06;
+constexpr double kTurnPerMetre = 0.0002;
+constexpr double kMostTurn = 0.22;
+constexpr std::array kGates_m{1.0, 0.7, 0.5, 0.4};
+constexpr double kLeastShare = 0.45;  // of straight pieces that find theirs
+constexpr int kLeastNear = 60;
+constexpr double kLeastEigenRatio = 0.04;  // a corridor tells nothing along itself
+constexpr double kInformation = 0.02;      // returns of one wall are wrong together
+constexpr double kFloor_m = 0.1;
+constexpr double kFloorTurn = 0.0045;
+
+/// Whether the walls hold the pose in every direction.
+bool holds(const Eigen::Matrix3d& information) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information.topLeftCorner<2, 2>());
+  return axes.eigenvalues()(0) > kLeastEigenRatio * axes.eigenvalues()(1);
+}
+
+std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
+  const Eigen::LLT<Eigen::Matrix3d> known(kInformation * matched);
+  if (known.info() != Eigen::Success) return std::nullopt;
+  Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
+  covariance.diagonal() += Eigen::Vector3d(kFloor_m, kFloor_m, kFloorTurn).cwiseAbs2();
+  const Eigen::Matrix3d information = covariance.inverse();
+  const Eigen::LLT<Eigen::Matrix3d> root(information);
+  if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;
+  return Eigen::Matrix3d(root.matrixU());
+}
+
+}  // namespace
+
+void LoopSearch::add(const Pose2& smooth, const std::vector<ScanPoint>& scan) {
+  Keyframe keyframe{smooth, 0.0, {}};
+  if (!keyframes_.empty()) {
+    const Keyframe& before = keyframes_.back();
+    keyframe.travelled_m =
+        before.travelled_m + (smooth.position() - before.smooth.position()).norm();
+  }
+  std::copy_if(scan.begin(), scan.end(), std::back_inserter(keyframe.scan),
+               [](const ScanPoint& p) { return p.at.norm() < kRange_m; });
+  keyframes_.push_back(std::move(keyframe));
+}
+
+std::vector<ScanPoint> LoopSearch::submap(std::size_t middle, std::size_t reach) const {
+  std::vector<ScanPoint> points;
+  const std::size_t first = middle - std::min(middle, reach);
+  const std::size_t last = std::min(middle + reach, keyframes_.size() - 1);
+  for (std::size_t i = first; i <= last; ++i) {
+    const Pose2 pose = between(keyframes_[middle].smooth, keyframes_[i].smooth);
+    const std::vector<ScanPoint> seen = moved(keyframes_[i].scan, pose);
+    points.insert(points.end(), seen.begin(), seen.end());
+  }
+  return thinned(points, kThin_m);
+}
+
+/// Of each visit, a run of keyframes within reach, the nearest.
+std::vector<std::size_t> LoopSearch::candidates(std::size_t newest, const std::vector<Pose2>& poses,
+                                                double reach_m) const {
+  std::vector<std::size_t> nearest;
+  bool within = false;
+  const auto distance = [&](std::size_t i) {
+    return (poses[i].position() - poses[newest].position()).norm();
+  };
+  for (std::size_t i = 0; i < newest; ++i) {
+    if (keyframes_[newest].travelled_m - keyframes_[i].travelled_m < kApart_m) break;
+    const bool near = distance(i) < reach_m;
+    if (near && !within) nearest.push_back(i);
+    if (near && distance(i) < distance(nearest.back())) nearest.back() = i;
+    within = near;
+  }
+  return nearest;
+}
+
+std::vector<Loop> LoopSearch::search(const std::vector<Pose2>& poses, const std::stop_token& stop) {
+  if (keyframes_.size() <= kSourceReach) return {};
+  const std::size_t newest = keyframes_.size() - 1 - kSourceReach;
+  const double since = keyframes_[newest].travelled_m - closed_m_;
+  const SearchWindow window{std::min(kShift_m + kShiftPerMetre * since, kMostShift_m),
+                            std::min(kTurn + kTurnPerMetre * since, kMostTurn)};
+  const std::vector<std::size_t> places = candidates(newest, poses, kPassing_m + window.shift_m);
+  if (places.empty()) return {};
+  const std::vector<ScanPoint> seen = submap(newest, kSourceReach);
+  std::vector<Loop> loops;
+  for (const std::size_t place : places) {
+    if (stop.stop_requested()) break;
+    const Pose2 expected = between(poses[place], poses[newest]);
+    if (const auto loop = close(place, newest, seen, expected, window)) loops.push_back(*loop);
+  }
+  if (!loops.empty()) closed_m_ = keyframes_[newest].travelled_m;
+  return loops;
+}
+
+std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
+                                      const std::vector<ScanPoint>& seen, const Pose2& expected,
+                                      const SearchWindow& window) const {
+  const std::vector<ScanPoint> target = submap(from, kTargetReach);
+  const auto coarse = WallGrid(target).find(seen, expected, window);
+  if (!coarse) return std::nullopt;
+  PointMap map;
+  map.add(target, 0);
+  const auto match = matchScan(seen, map, *coarse, kGates_m);
+  if (!match || match->straight_near < kLeastNear || !holds(match->information)) {
+    return std::nullopt;
+  }
+  if (match->straight_near < kLeastShare * match->straight) return std::nullopt;
+  const auto root = rootInformation(match->information);
+  if (!root) return std::nullopt;
+  return Loop{from, to, {match->pose, *root}};
+}
+
+}  // namespace handmap

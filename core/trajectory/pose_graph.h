@@ -1,0 +1,41 @@
+// Poses held together by measured motions, some of which are wrong.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/trajectory/factors.h"
+
+namespace handmap {
+
+struct GraphEdge {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  MotionFactor motion;
+  double kernel = 0.0;  ///< k of Cauchy's kernel on the squared residual
+};
+
+/// Levenberg-Marquardt on sparse normal equations; the first pose stays. The cost never rises, and
+/// what is not finite is never taken.
+class PoseGraph {
+ public:
+  explicit PoseGraph(std::vector<Pose2> poses = {}) : poses_(std::move(poses)) {}
+
+  void addPose(const Pose2& pose) { poses_.push_back(pose); }
+  void addEdge(const GraphEdge& edge) { edges_.push_back(edge); }
+  /// Returns how many steps were taken.
+  int optimize(int most_steps);
+
+  const std::vector<Pose2>& poses() const { return poses_; }
+  std::span<const GraphEdge> edges() const { return edges_; }
+  double cost(const std::vector<Pose2>& poses) const;
+
+ private:
+  struct System;
+  System linearized() const;
+
+  std::vector<Pose2> poses_;
+  std::vector<GraphEdge> edges_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,53 @@
+#include "core/trajectory/returns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/perception/range_walls.h"
+#include "core/trajectory/range_noise.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kLeastRange_m = 0.3;   // the robot itself
+constexpr float kLow_m = 1.8F;          // above the robot's ground: cars and low hedges end below
+constexpr float kHigh_m = 9.0F;         // roofs recede
+constexpr double kSharpRange_m = 38.0;  // farther, neighbouring returns are metres apart
+constexpr double kSharpShare = 0.95;    // of the range limit: silence is reported there
+constexpr std::size_t kSharpPoints = 100;
+
+}  // namespace
+
+Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_m) {
+  Returns returns;
+  std::copy_if(
+      points.begin(), points.end(), std::back_inserter(returns.all), [&](const RangePoint& p) {
+        const double range = std::hypot(p.x, p.y);
+        return range >= kLeastRange_m && range <= range_limit_m && std::isfinite(p.z) && p.w > 0.0F;
+      });
+  returns.planar = isPlanar(returns.all);
+  for (const RangePoint& p : returns.all) {
+    if (returns.planar || (p.z > kLow_m && p.z < kHigh_m)) returns.upright.emplace_back(p.x, p.y);
+  }
+  return returns;
+}
+
+std::vector<ScanPoint> features(const Returns& returns) {
+  return returns.planar ? planarFeatures(returns.all) : standingFeatures(returns.upright);
+}
+
+SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,
+                              const RangeNoise& noise) {
+  const double most = std::min(kSharpRange_m, kSharpShare * range_limit_m);
+  SharpnessFrame near;
+  for (const Vec2& at : returns.upright) {
+    if (at.norm() < most) near.push_back({at, noise.sigma(at.norm())});
+  }
+  SharpnessFrame frame;
+  const std::size_t stride = near.size() / kSharpPoints + 1;
+  for (std::size_t i = 0; i < near.size(); i += stride) frame.push_back(near[i]);
+  return frame;
+}
+
+}  // namespace handmap

@@ -1,0 +1,28 @@
+// What of an observation's returns tells the way.
+#pragma once
+
+#include <vector>
+
+#include "core/trajectory/scan_features.h"
+#include "core/trajectory/way_sharpness.h"
+
+namespace handmap {
+
+class RangeNoise;
+
+/// The returns of one observation in the plane, metres, robot frame.
+struct Returns {
+  bool planar = true;
+  std::vector<RangePoint> all;  ///< that can be used: in range, finite, not said to be nothing
+  std::vector<Vec2> upright;    ///< of a planar scan all, else those above cars and hedges
+};
+
+Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_m);
+
+std::vector<ScanPoint> features(const Returns& returns);
+
+/// At most 100 of them, evenly taken, with the noise known now.
+SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,
+                              const RangeNoise& noise);
+
+}  // namespace handmap

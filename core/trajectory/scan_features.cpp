@@ -1,0 +1,165 @@
+#include "core/trajectory/scan_features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include <Eigen/Eigenvalues>
+
+namespace handmap {
+
+namespace {
+
+constexpr int kNeighbours = 6;         // on either side
+constexpr int kLeastPoints = 5;        // of a piece: two parameters and something to judge by
+constexpr double kGap_m = 0.25;        // between neighbours of one piece, near by
+constexpr double kGapSpacings = 4.5;   // and far off: a wall seen at 13°
+constexpr double kThickness_m = 0.08;  // of a straight piece: plaster, window frames
+constexpr double kThicknessPerMetre = 0.002;
+constexpr double kLeastLength = 5.0;      // in thicknesses
+constexpr double kStandingCell_m = 0.35;  // of standing points: a piece is three of them wide
+
+/// Sums of a few points, for the line through them.
+class LineSums {
+ public:
+  void add(const Vec2& p) {
+    ++count_;
+    sum_ += p;
+    squares_ += p * p.transpose();
+  }
+  void add(const LineSums& other) {
+    count_ += other.count_;
+    sum_ += other.sum_;
+    squares_ += other.squares_;
+  }
+
+  /// The normal towards the origin where the points make a straight piece, else zero.
+  Vec2 normal() const {
+    if (count_ < kLeastPoints) return Vec2::Zero();
+    const Vec2 mean = sum_ / count_;
+    const Eigen::Matrix2d scatter = squares_ - mean * sum_.transpose();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+    axes.computeDirect(scatter / (count_ - 2));
+    const double thickness = std::sqrt(std::max(axes.eigenvalues()(0), 0.0));
+    const double length = std::sqrt(12.0 * axes.eigenvalues()(1));
+    if (thickness > kThickness_m + kThicknessPerMetre * mean.norm()) return Vec2::Zero();
+    if (length < kLeastLength * thickness) return Vec2::Zero();
+    const Vec2 normal = axes.eigenvectors().col(0);
+    return normal.dot(mean) > 0.0 ? Vec2(-normal) : normal;
+  }
+
+ private:
+  int count_ = 0;
+  Vec2 sum_ = Vec2::Zero();
+  Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();
+};
+
+struct Polar {
+  double bearing;
+  Vec2 at;
+};
+
+/// The usual angle between two returns.
+double spacing(const std::vector<Polar>& points) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    steps.push_back(points[i].bearing - points[i - 1].bearing);
+  }
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+std::uint64_t cellOf(const Vec2& at, double cell_m) {
+  const auto index = [&](double v) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(v / cell_m)));
+  };
+  return (static_cast<std::uint64_t>(index(at.x())) << 32U) | index(at.y());
+}
+
+}  // namespace
+
+std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points) {
+  std::vector<Polar> scan;
+  scan.reserve(points.size());
+  for (const RangePoint& p : points) {
+    const Vec2 at(p.x, p.y);
+    scan.push_back({std::atan2(at.y(), at.x()), at});
+  }
+  std::stable_sort(scan.begin(), scan.end(),
+                   [](const Polar& a, const Polar& b) { return a.bearing < b.bearing; });
+  const double step = spacing(scan);
+  const auto gap = [&](std::size_t a, std::size_t b) {
+    const double range = std::min(scan[a].at.norm(), scan[b].at.norm());
+    return (scan[a].at - scan[b].at).norm() > std::max(kGap_m, kGapSpacings * step * range);
+  };
+  std::vector<ScanPoint> features(scan.size());
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    LineSums sums;
+    sums.add(scan[i].at);
+    for (std::size_t j = i; j > 0 && i - j < kNeighbours && !gap(j, j - 1); --j) {
+      sums.add(scan[j - 1].at);
+    }
+    for (std::size_t j = i + 1; j < scan.size() && j - i <= kNeighbours && !gap(j - 1, j); ++j) {
+      sums.add(scan[j].at);
+    }
+    features[i] = {scan[i].at, sums.normal()};
+  }
+  return features;
+}
+
+std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points) {
+  struct Cell {
+    LineSums sums;
+    Vec2 first;
+  };
+  std::unordered_map<std::uint64_t, std::size_t> index;
+  std::vector<Cell> cells;
+  for (const Vec2& p : points) {
+    const auto [found, fresh] = index.emplace(cellOf(p, kStandingCell_m), cells.size());
+    if (fresh) cells.push_back({{}, p});
+    cells[found->second].sums.add(p);
+  }
+  std::vector<ScanPoint> features;
+  features.reserve(cells.size());
+  for (const Cell& cell : cells) {
+    LineSums around;
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        const Vec2 at = cell.first + kStandingCell_m * Vec2(dx, dy);
+        const auto found = index.find(cellOf(at, kStandingCell_m));
+        if (found != index.end()) around.add(cells[found->second].sums);
+      }
+    }
+    features.push_back({cell.first, around.normal()});
+  }
+  return features;
+}
+
+std::vector<ScanPoint> moved(const std::vector<ScanPoint>& points, const Pose2& pose) {
+  std::vector<ScanPoint> result;
+  result.reserve(points.size());
+  const Pose2 turn{0.0, 0.0, pose.heading};
+  for (const ScanPoint& p : points) {
+    result.push_back({pose.toOuter(p.at), p.straight() ? turn.toOuter(p.normal) : p.normal});
+  }
+  return result;
+}
+
+std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, double cell_m) {
+  std::vector<ScanPoint> order = points;
+  std::stable_sort(order.begin(), order.end(), [](const ScanPoint& a, const ScanPoint& b) {
+    if (a.straight() != b.straight()) return a.straight();
+    return a.at.squaredNorm() < b.at.squaredNorm();
+  });
+  std::unordered_map<std::uint64_t, bool> taken;
+  std::vector<ScanPoint> kept;
+  for (const ScanPoint& p : order) {
+    if (taken.emplace(cellOf(p.at, cell_m), true).second) kept.push_back(p);
+  }
+  return kept;
+}
+
+}  // namespace handmap

@@ -1,0 +1,31 @@
+// The returns of one observation, told apart by whether they lie on a straight piece.
+#pragma once
+
+#include <vector>
+
+#include "core/recording/observation.h"
+
+namespace handmap {
+
+/// A return in the plane, robot frame, metres.
+struct ScanPoint {
+  Vec2 at = Vec2::Zero();
+  Vec2 normal = Vec2::Zero();  ///< of its straight piece, towards the sensor; zero: it is on none
+
+  bool straight() const { return !normal.isZero(); }
+};
+
+/// Of a planar scan: in order of bearing, neighbours along the scan.
+std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points);
+
+/// Of points that stand (their heights are left out), in any order: one for each square of 0.35 m,
+/// neighbours in the plane.
+std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points);
+
+/// The same points seen from the outer frame of `pose`.
+std::vector<ScanPoint> moved(const std::vector<ScanPoint>& points, const Pose2& pose);
+
+/// One of the points for each square of `cell_m`: straight ones first, then the nearest.
+std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, double cell_m);
+
+}  // namespace handmap

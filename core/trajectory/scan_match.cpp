@@ -1,0 +1,97 @@
+#include "core/trajectory/scan_match.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kLine_m = 0.08;          // σ of a return about the line of another
+constexpr double kPoint_m = 0.3;          // about the nearest point of a bush
+constexpr double kShared = 0.4;           // neighbouring returns are wrong together
+constexpr double kKernelGates = 0.3;      // where Cauchy's kernel begins to bend, in gates
+constexpr double kNear_m = 0.25;          // what counts as explained
+constexpr std::size_t kMostPoints = 400;  // more tell the same
+constexpr int kSteps = 4;
+constexpr double kStill_m = 1e-3;
+constexpr double kStill = 1e-4;  // radians
+
+struct NormalEquations {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  int matched = 0;
+
+  template <typename Slope, typename Residual>
+  void add(const Slope& slope, const Residual& residual, double weight) {
+    information += weight * slope.transpose() * slope;
+    gradient += weight * slope.transpose() * residual;
+  }
+};
+
+NormalEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& map,
+                           const Pose2& pose, double gate_m) {
+  NormalEquations sums;
+  const Pose2 turn{0.0, 0.0, pose.heading};
+  const std::size_t stride = scan.size() / kMostPoints + 1;
+  for (std::size_t i = 0; i < scan.size(); i += stride) {
+    const ScanPoint& p = scan[i];
+    const ScanPoint outer{pose.toOuter(p.at), p.straight() ? turn.toOuter(p.normal) : p.normal};
+    const ScanPoint* near = map.nearest(outer, gate_m);
+    if (!near) continue;
+    ++sums.matched;
+    const double sigma = p.straight() ? kLine_m : kPoint_m;
+    const double bend = (kKernelGates * gate_m / sigma) * (kKernelGates * gate_m / sigma);
+    if (p.straight()) {
+      const LineFactor::Value value = LineFactor{p.at, *near, sigma}.at(pose);
+      const double weight = cauchyWeight(value.residual * value.residual, bend);
+      sums.information += kShared * weight * value.slope.transpose() * value.slope;
+      sums.gradient += kShared * weight * value.slope.transpose() * value.residual;
+    } else {
+      const PointFactor::Value value = PointFactor{p.at, near->at, sigma}.at(pose);
+      sums.add(value.slope, value.residual,
+               kShared * cauchyWeight(value.residual.squaredNorm(), bend));
+    }
+  }
+  return sums;
+}
+
+void countNear(ScanMatch& match, const std::vector<ScanPoint>& scan, const PointMap& map) {
+  for (const ScanPoint& p : moved(scan, match.pose)) {
+    if (!p.straight()) continue;
+    ++match.straight;
+    const ScanPoint* near = map.nearest(p, 2.0 * kNear_m);
+    match.straight_near += near && std::abs(near->normal.dot(p.at - near->at)) < kNear_m;
+  }
+}
+
+}  // namespace
+
+std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const PointMap& map,
+                                   const Pose2& start, std::span<const double> gates_m,
+                                   const std::optional<MotionPrior>& prior) {
+  ScanMatch match;
+  match.pose = start;
+  for (const double gate_m : gates_m) {
+    for (int i = 0; i < kSteps; ++i) {
+      NormalEquations sums = linearized(scan, map, match.pose, gate_m);
+      match.information = sums.information;
+      match.matched = sums.matched;
+      if (prior) {
+        const MotionFactor::Value value = prior->motion.at(prior->from, match.pose);
+        sums.add(value.to_slope, value.residual, 1.0);
+      }
+      const Eigen::LDLT<Eigen::Matrix3d> solver(sums.information);
+      if (solver.info() != Eigen::Success || !solver.isPositive()) return std::nullopt;
+      const Eigen::Vector3d step = -solver.solve(sums.gradient);
+      if (!step.allFinite() || step.head<2>().norm() > 10.0 * gate_m) return std::nullopt;
+      match.pose = stepped(match.pose, step);
+      if (step.head<2>().norm() < kStill_m && std::abs(step.z()) < kStill) break;
+    }
+  }
+  countNear(match, scan, map);
+  return match;
+}
+
+}  // namespace handmap

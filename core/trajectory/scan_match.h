@@ -1,0 +1,33 @@
+// One scan laid on a map of points: robust point-to-line matching.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/trajectory/factors.h"
+#include "core/trajectory/point_map.h"
+
+namespace handmap {
+
+struct ScanMatch {
+  Pose2 pose;
+  Eigen::Matrix3d information;  ///< of (x, y, heading) from the returns alone, as if independent
+  int matched = 0;              ///< returns that the last step used
+  int straight = 0;             ///< returns on straight pieces
+  int straight_near = 0;        ///< of those, how many found a line within 0.25 m
+};
+
+/// Where the robot was in the last step, and what its odometry says of the motion since.
+struct MotionPrior {
+  Pose2 from;
+  MotionFactor motion;
+};
+
+/// Gauss-Newton from `start`, once for each gate: the nearest point of the map within the gate, in
+/// metres. nullopt where nothing fixes the pose.
+std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const PointMap& map,
+                                   const Pose2& start, std::span<const double> gates_m,
+                                   const std::optional<MotionPrior>& prior = {});
+
+}  // namespace handmap

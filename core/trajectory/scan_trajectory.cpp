@@ -1,0 +1,138 @@
+#include "core/trajectory/scan_trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/trajectory/local_map_odometry.h"
+#include "core/trajectory/range_noise.h"
+#include "core/trajectory/returns.h"
+#include "core/trajectory/way_graph.h"
+#include "core/trajectory/way_sharpness.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kLeastStraight = 0.1;  // share of returns
+constexpr double kLook_m = 1.0;         // between frames that sharpness is judged by
+constexpr double kLeastNoise = 0.1;     // of the recorded odometry's: a scan itself may be off
+
+/// How far the motions of two ways are apart in heading, the median.
+double usualTurnOff(const std::vector<Pose2>& way, const std::vector<Pose2>& other) {
+  std::vector<double> off;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double turn = way[i].heading - way[i - 1].heading;
+    off.push_back(std::abs(normalizedAngle(turn - (other[i].heading - other[i - 1].heading))));
+  }
+  if (off.empty()) return 0.0;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::nth_element(off.begin(), middle, off.end());
+  return *middle;
+}
+
+}  // namespace
+
+struct ScanTrajectory::State {
+  explicit State(const TrajectoryOptions& chosen) : options(chosen), graph(chosen.close_loops) {}
+
+  void place();
+  void look(const Returns& from);
+  void judge();
+
+  TrajectoryOptions options;
+  LocalMapOdometry odometry;
+  WayGraph graph;
+  RangeNoise noise;
+  std::vector<Pose2> recorded;
+  std::vector<Pose2> smooth;
+  std::vector<std::size_t> keyframe;  ///< the last one at each observation
+  std::vector<Pose2> poses;
+  std::vector<SharpnessFrame> seen;
+  long returns = 0;
+  long straight = 0;
+  std::optional<Vec2> looked_at;  ///< where the newest frame of `seen` was, recorded
+  std::size_t judge_at = 20;      ///< observations
+  bool sharper = false;
+};
+
+void ScanTrajectory::State::place() {
+  poses.resize(smooth.size());
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    poses[i] = graph.corrected(smooth[i], keyframe[i]);
+  }
+}
+
+void ScanTrajectory::State::look(const Returns& from) {
+  seen.emplace_back();
+  const Vec2 here = recorded.back().position();
+  if (looked_at && (here - *looked_at).norm() < kLook_m) return;
+  looked_at = here;
+  seen.back() = sharpnessFrame(from, options.range_limit_m, noise);
+}
+
+void ScanTrajectory::State::judge() {
+  if (poses.size() < judge_at) return;
+  judge_at = poses.size() + poses.size() / 4;
+  const SharpnessOptions rough{.samples = 2000};
+  sharper = waySharpness(seen, poses, rough) >= waySharpness(seen, recorded, rough);
+}
+
+ScanTrajectory::ScanTrajectory(const TrajectoryOptions& options)
+    : state_(std::make_unique<State>(options)) {}
+ScanTrajectory::~ScanTrajectory() = default;
+ScanTrajectory::ScanTrajectory(ScanTrajectory&&) noexcept = default;
+ScanTrajectory& ScanTrajectory::operator=(ScanTrajectory&&) noexcept = default;
+
+void ScanTrajectory::add(double /*time_s*/, const Pose2& odometry,
+                         const std::vector<RangePoint>& points, const std::stop_token& stop) {
+  State& state = *state_;
+  const Returns returns = usableReturns(points, state.options.range_limit_m);
+  const std::vector<ScanPoint> scan = features(returns);
+  state.noise.add(returns.upright);
+  state.returns += static_cast<long>(scan.size());
+  state.straight +=
+      std::count_if(scan.begin(), scan.end(), [](const ScanPoint& p) { return p.straight(); });
+  const Pose2 motion = state.recorded.empty() ? Pose2{} : between(state.recorded.back(), odometry);
+  const bool matched = state.odometry.add(odometry, scan);
+  const Pose2 pose = state.odometry.pose();
+  const bool closed =
+      state.graph.add(pose, scan, state.odometry.noise().sigma(motion), matched, stop);
+  state.recorded.push_back(odometry);
+  state.smooth.push_back(pose);
+  state.look(returns);
+  state.keyframe.push_back(state.graph.keyframes() - 1);
+  if (closed) {
+    state.place();
+  } else {
+    state.poses.push_back(state.graph.corrected(pose, state.keyframe.back()));
+  }
+  state.judge();
+}
+
+Pose2 ScanTrajectory::odometry() const { return state_->odometry.pose(); }
+const std::vector<Pose2>& ScanTrajectory::scanPoses() const { return state_->poses; }
+const std::vector<Pose2>& ScanTrajectory::recorded() const { return state_->recorded; }
+
+bool ScanTrajectory::usable() const {
+  const auto share = kLeastStraight * static_cast<double>(state_->returns);
+  return state_->straight > 0 && state_->sharper && static_cast<double>(state_->straight) >= share;
+}
+
+double ScanTrajectory::sharpness(const std::vector<Pose2>& way) const {
+  return waySharpness(state_->seen, way);
+}
+
+double ScanTrajectory::rangeNoise(double range_m) const { return state_->noise.sigma(range_m); }
+
+double ScanTrajectory::noiseScale() const {
+  if (!usable()) return 1.0;
+  const double recorded = usualTurnOff(state_->recorded, state_->poses);
+  const double scans = usualTurnOff(state_->smooth, state_->poses);
+  return recorded > 0.0 ? std::clamp(scans / recorded, kLeastNoise, 1.0) : 1.0;
+}
+
+double ScanTrajectory::lengthScale() const { return state_->odometry.noise().lengthScale(); }
+int ScanTrajectory::loops() const { return state_->graph.loops(); }
+
+}  // namespace handmap

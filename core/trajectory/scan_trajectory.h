@@ -1,0 +1,61 @@
+// The way of a range sensor from what it sees of itself: no drawing is used.
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/recording/observation.h"
+
+namespace handmap {
+
+struct TrajectoryOptions {
+  double range_limit_m = 60.0;  ///< nothing farther is measured
+  bool close_loops = true;      ///< false: poses() are those of odometry()
+};
+
+/// Local map odometry, loops between submaps and a graph of poses. One thread; the same inputs give
+/// the same poses.
+class ScanTrajectory {
+ public:
+  explicit ScanTrajectory(const TrajectoryOptions& options);
+  ~ScanTrajectory();
+  ScanTrajectory(ScanTrajectory&&) noexcept;
+  ScanTrajectory& operator=(ScanTrajectory&&) noexcept;
+
+  /// One observation: the recorded odometry, and the returns in the robot frame as recorded (empty
+  /// where there are none: the odometry alone goes on). Always adds one pose. A stop leaves out the
+  /// search for loops and makes the call return soon.
+  void add(double time_s, const Pose2& odometry, const std::vector<RangePoint>& points,
+           const std::stop_token& stop = {});
+
+  /// Of the newest observation, by matching with the last scans: smooth, does not jump where a loop
+  /// is closed. The first is the first recorded odometry.
+  Pose2 odometry() const;
+  /// Of all observations, the newest too, loops closed; the first is the first recorded odometry.
+  /// Where the sensor does not allow it they are those of the recorded odometry.
+  const std::vector<Pose2>& poses() const { return usable() ? scanPoses() : recorded(); }
+  /// Whether there are straight pieces to match, and the way by scans makes what was seen at least
+  /// as sharp as the recorded odometry does. Looked at anew whenever there is a quarter more to
+  /// see.
+  bool usable() const;
+
+  const std::vector<Pose2>& scanPoses() const;  ///< as poses(), usable or not
+  const std::vector<Pose2>& recorded() const;   ///< the recorded odometry of all observations
+  /// waySharpness() of what was seen, along any way of the same observations. Some 0.1 s.
+  double sharpness(const std::vector<Pose2>& way) const;
+  /// One σ of the sensor's ranges at this distance, metres, as the scans themselves show it.
+  double rangeNoise(double range_m) const;
+  /// σ of the motions of poses() over that of the recorded odometry, 0.1 to 1: how far closing the
+  /// loops bent the way by scans, against how far the recorded odometry is off it. 1 where it is
+  /// not usable.
+  double noiseScale() const;
+  double lengthScale() const;  ///< length of the way by scans over that by recorded odometry
+  int loops() const;           ///< closed so far
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace handmap

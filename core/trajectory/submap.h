@@ -1,0 +1,36 @@
+// What was seen along a few metres of way, in the frame of its middle, and where one such piece
+// lies in another.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/trajectory/point_map.h"
+
+namespace handmap {
+
+/// How far from the expected place is searched.
+struct SearchWindow {
+  double shift_m = 2.5;
+  double turn = 0.06;  ///< radians
+};
+
+/// Where straight pieces are, in cells of 0.5 m and by which of four ways they face.
+class WallGrid {
+ public:
+  explicit WallGrid(const std::vector<ScanPoint>& points);
+
+  /// The pose, in the grid's frame, at which most straight pieces of `points` lie on ones of the
+  /// grid; nullopt where another place does nearly as well, or the window's edge does best.
+  std::optional<Pose2> find(const std::vector<ScanPoint>& points, const Pose2& expected,
+                            const SearchWindow& window) const;
+
+ private:
+  void mark(const Vec2& at, std::uint8_t faces);
+
+  int side_;
+  std::vector<std::uint8_t> faces_;  ///< a bit for each way
+};
+
+}  // namespace handmap

@@ -1,0 +1,57 @@
+#include "core/trajectory/way_graph.h"
+
+#include <cmath>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kKeyframe_m = 1.8;
+constexpr double kOdometryKernel = 9.0;  // χ²: the odometry may slip
+constexpr double kLoopKernel = 30.0;     // a loop after long drift is far off at first
+constexpr int kSteps = 12;
+
+}  // namespace
+
+MotionFactor WayGraph::edge(const Pose2& motion) const {
+  const double length = motion.position().norm();
+  Eigen::Vector3d variance(0.02 + 0.012 * length, 0.02 + 0.006 * length,
+                           0.0015 + 0.006 * std::abs(motion.heading) + 0.0007 * std::sqrt(length));
+  variance = variance.cwiseAbs2() + unmatched_;
+  return {motion, variance.cwiseSqrt().cwiseInverse().asDiagonal()};
+}
+
+bool WayGraph::add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
+                   const Eigen::Vector3d& wheel_sigma, bool matched, const std::stop_token& stop) {
+  if (!matched) unmatched_ += wheel_sigma.cwiseAbs2();
+  if (smooth_.empty()) {
+    graph_.addPose(smooth);
+  } else {
+    const Pose2 motion = between(smooth_.back(), smooth);
+    if (motion.position().norm() < kKeyframe_m) return false;
+    const std::size_t last = smooth_.size() - 1;
+    graph_.addPose(graph_.poses().back() * motion);
+    graph_.addEdge({last, last + 1, edge(motion), kOdometryKernel});
+  }
+  unmatched_.setZero();
+  smooth_.push_back(smooth);
+  search_.add(smooth, scan);
+  if (!close_loops_ || smooth_.size() % 2 == 0) return false;  // neighbours tell the same
+  const std::vector<Loop> loops = search_.search(graph_.poses(), stop);
+  for (const Loop& loop : loops) graph_.addEdge({loop.from, loop.to, loop.motion, kLoopKernel});
+  loops_ += static_cast<int>(loops.size());
+  return !loops.empty() && graph_.optimize(kSteps) > 0;
+}
+
+Pose2 WayGraph::corrected(const Pose2& smooth, std::size_t keyframe) const {
+  const Pose2 since = between(smooth_[keyframe], smooth);
+  const Pose2 pose = graph_.poses()[keyframe] * since;
+  if (keyframe + 1 >= smooth_.size()) return pose;
+  const Pose2 until = between(smooth_[keyframe + 1], smooth);
+  const double before = since.position().norm();
+  const double after = until.position().norm();
+  const double share = before + after > 0.0 ? before / (before + after) : 0.0;
+  return interpolated(pose, graph_.poses()[keyframe + 1] * until, share);
+}
+
+}  // namespace handmap

@@ -1,0 +1,39 @@
+// The keyframes of a way: local map odometry between them, and loops.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/trajectory/loop_search.h"
+#include "core/trajectory/pose_graph.h"
+
+namespace handmap {
+
+class WayGraph {
+ public:
+  explicit WayGraph(bool close_loops) : close_loops_(close_loops) {}
+
+  /// Takes the next scan as a keyframe where it is far enough from the last one. `wheel_sigma` is
+  /// that of the recorded motion, which alone counts where the scan was not matched. Returns
+  /// whether the poses of before have changed.
+  bool add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
+           const Eigen::Vector3d& wheel_sigma, bool matched, const std::stop_token& stop);
+
+  /// Where a scan between two keyframes, or after the last, was.
+  Pose2 corrected(const Pose2& smooth, std::size_t keyframe) const;
+  std::size_t keyframes() const { return smooth_.size(); }
+  int loops() const { return loops_; }
+
+ private:
+  MotionFactor edge(const Pose2& motion) const;
+
+  bool close_loops_;
+  LoopSearch search_;
+  PoseGraph graph_;
+  std::vector<Pose2> smooth_;
+  Eigen::Vector3d unmatched_ = Eigen::Vector3d::Zero();  ///< variance since the last keyframe
+  int loops_ = 0;
+};
+
+}  // namespace handmap

@@ -1,0 +1,71 @@
+#include "core/trajectory/wheel_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kDeviations = 80;
+constexpr std::size_t kLeastDeviations = 10;
+constexpr std::size_t kRatios = 300;
+constexpr std::size_t kLeastRatios = 40;
+constexpr double kRatioMotion_m = 0.3;  // shorter ones tell no length
+constexpr double kMedianToSigma = 1.48;
+constexpr double kPulled = 1.6;  // a match lies between the odometry and what the scan says
+constexpr double kLeast = 0.7;
+constexpr double kMostTurn = 6.0;
+constexpr double kMostMove = 4.0;
+
+double median(const std::deque<double>& values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+void remember(std::deque<double>& values, double value, std::size_t most) {
+  values.push_back(value);
+  if (values.size() > most) values.pop_front();
+}
+
+/// Among wheels on roads: lengths 3 %, sideways 1 %, heading √(2e-5 L) and 2 % of turns.
+Eigen::Vector3d common(const Pose2& motion) {
+  const double length = motion.position().norm();
+  return {0.03 * length + 0.01, 0.01 * length + 0.01,
+          std::sqrt(2e-5 * length) + 0.02 * std::abs(motion.heading) + 0.001};
+}
+
+double learntScale(const std::deque<double>& deviations, double most) {
+  return std::clamp(kPulled * kMedianToSigma * median(deviations), kLeast, most);
+}
+
+}  // namespace
+
+Eigen::Vector3d WheelNoise::sigma(const Pose2& recorded) const {
+  return common(recorded).cwiseProduct(Eigen::Vector3d(move_, move_, turn_));
+}
+
+MotionFactor WheelNoise::factor(const Pose2& recorded) const {
+  return {{length_ * recorded.x, length_ * recorded.y, recorded.heading},
+          sigma(recorded).cwiseInverse().asDiagonal()};
+}
+
+void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
+  const Eigen::Vector3d sigma = common(recorded);
+  const Vec2 off = matched.position() - length_ * recorded.position();
+  remember(move_deviations_, std::abs(off.x()) / sigma.x(), kDeviations);
+  remember(turn_deviations_,
+           std::abs(normalizedAngle(matched.heading - recorded.heading)) / sigma.z(), kDeviations);
+  const double length = recorded.position().norm();
+  if (length > kRatioMotion_m) remember(ratios_, matched.position().norm() / length, kRatios);
+  if (move_deviations_.size() >= kLeastDeviations) {
+    move_ = learntScale(move_deviations_, kMostMove);
+    turn_ = learntScale(turn_deviations_, kMostTurn);
+  }
+  if (ratios_.size() >= kLeastRatios) length_ = median(ratios_);
+}
+
+}  // namespace handmap

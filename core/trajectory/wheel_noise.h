@@ -1,0 +1,31 @@
+// How recorded odometry errs, as matching with the scans shows it.
+#pragma once
+
+#include <deque>
+
+#include "core/trajectory/factors.h"
+
+namespace handmap {
+
+/// σ of odometry by the way and the turn, times two scales that are learnt; and its length.
+class WheelNoise {
+ public:
+  /// Recorded motion, its length corrected, with its noise.
+  MotionFactor factor(const Pose2& recorded) const;
+  /// σ of (along, aside, heading) of a recorded motion.
+  Eigen::Vector3d sigma(const Pose2& recorded) const;
+  /// What matching made of it.
+  void learn(const Pose2& recorded, const Pose2& matched);
+
+  double lengthScale() const { return length_; }
+
+ private:
+  double length_ = 1.0;
+  double move_ = 2.0;  // until it is known: a start with too little doubt turns the whole way
+  double turn_ = 3.0;
+  std::deque<double> move_deviations_;
+  std::deque<double> turn_deviations_;
+  std::deque<double> ratios_;
+};
+
+}  // namespace handmap
