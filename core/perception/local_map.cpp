@@ -1,11 +1,14 @@
 #include "core/perception/local_map.h"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/perception/vote_grid.h"
 
 namespace handmap {
 namespace {
@@ -100,17 +103,36 @@ LocalMap::LocalMap(double cell_m, double range_m)
       range_(range_m),
       cells_(cv::Mat1f::zeros(sideOf(cell_m, range_m), sideOf(cell_m, range_m))) {}
 
+struct LazyLocalMap::State {
+  std::function<LocalMap()> render;
+  std::once_flag once;
+  std::optional<LocalMap> map;
+};
+
+LazyLocalMap::LazyLocalMap(double range_m, std::function<LocalMap()> render)
+    : range_m_(range_m), state_(std::make_shared<State>()) {
+  state_->render = std::move(render);
+}
+
+const LocalMap& LazyLocalMap::get() const {
+  std::call_once(state_->once, [this] {
+    state_->map = state_->render();
+    state_->render = nullptr;  // what it is made of may go
+  });
+  return *state_->map;
+}
+
 LocalMapBuilder::LocalMapBuilder(double range_m, const LocalMapOptions& options)
-    : range_(range_m),
-      options_(options),
-      votes_(sideOf(options.cell_m, range_m), options.smoothing_sigma_m / options.cell_m) {
+    : range_(range_m), options_(options) {
+  sideOf(options.cell_m, range_m);
   if (!(options.saturation_votes > 0.0)) {
     throwBadInput("local map", "saturation_votes", formatNumber(options.saturation_votes),
                   "a positive number");
   }
 }
 
-LocalMap LocalMapBuilder::add(const Pose2& odometry, bool standing, std::vector<WallPoint> walls) {
+LazyLocalMap LocalMapBuilder::add(const Pose2& odometry, bool standing,
+                                  std::vector<WallPoint> walls) {
   if (standing) scans_.clear();
   if (scans_.size() >= 2 &&
       nearlySame(scans_[scans_.size() - 2].odometry, scans_.back().odometry)) {
@@ -119,26 +141,37 @@ LocalMap LocalMapBuilder::add(const Pose2& odometry, bool standing, std::vector<
   const double travelled =
       scans_.empty() ? 0.0
                      : scans_.back().travelled_m + stepLength(scans_.back().odometry, odometry);
-  scans_.push_back({odometry, travelled, std::move(walls)});
+  scans_.push_back(
+      {odometry, travelled, std::make_shared<const std::vector<WallPoint>>(std::move(walls))});
   while (scans_.size() > kMaxScans || travelled - scans_.front().travelled_m > options_.path_m) {
     scans_.pop_front();
   }
 
-  Voter voter(votes_, options_.cell_m, range_);
-  for (const Scan& scan : scans_) {
-    const Pose2 placed = between(odometry, scan.odometry);
+  return LazyLocalMap(range_, [range = range_, options = options_,
+                               scans = std::vector<Scan>(scans_.begin(), scans_.end())] {
+    return render(range, options, scans);
+  });
+}
+
+/// Around the last of the scans.
+LocalMap LocalMapBuilder::render(double range_m, const LocalMapOptions& options,
+                                 const std::vector<Scan>& scans) {
+  VoteGrid votes(sideOf(options.cell_m, range_m), options.smoothing_sigma_m / options.cell_m);
+  Voter voter(votes, options.cell_m, range_m);
+  for (const Scan& scan : scans) {
+    const Pose2 placed = between(scans.back().odometry, scan.odometry);
     const Vec2 ahead = unitVector(placed.heading);
-    for (const WallPoint& wall : scan.walls) {
+    for (const WallPoint& wall : *scan.walls) {
       const Vec2 turned =
           static_cast<double>(wall.x) * ahead + static_cast<double>(wall.y) * perpendicular(ahead);
       voter.vote(placed.position(), placed.position() + turned, wall);
     }
   }
   // Saturation comes before smoothing: a dense near wall is as sure as a far one and no wider.
-  const double share = options_.smoothing_sigma_m > 0.0 ? kShareWithinSigma : 1.0;
-  LocalMap map(options_.cell_m, range_);
-  votes_.moveTo(map.cells(), static_cast<float>(options_.saturation_votes),
-                static_cast<float>(1.0 / (options_.saturation_votes * share)));
+  const double share = options.smoothing_sigma_m > 0.0 ? kShareWithinSigma : 1.0;
+  LocalMap map(options.cell_m, range_m);
+  votes.moveTo(map.cells(), static_cast<float>(options.saturation_votes),
+               static_cast<float>(1.0 / (options.saturation_votes * share)));
   return map;
 }
 

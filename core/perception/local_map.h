@@ -3,11 +3,12 @@
 
 #include <cmath>
 #include <deque>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
-#include "core/perception/vote_grid.h"
 #include "core/perception/wall_points.h"
 #include "core/recording/observation.h"
 
@@ -44,25 +45,46 @@ struct LocalMapOptions {
   double path_m = 30.0;            ///< a moving robot's map holds the points of its last metres
 };
 
-/// Collects wall points and renders the local map. A standing robot's map holds the points of that
-/// stop alone; a moving robot's those of its last metres, placed by odometry.
+/// A local map that is rendered when somebody reads it, and then once. Copies share it; any thread
+/// may read.
+class LazyLocalMap {
+ public:
+  LazyLocalMap() = default;  ///< none
+  LazyLocalMap(double range_m, std::function<LocalMap()> render);
+
+  explicit operator bool() const { return state_ != nullptr; }
+  double range() const { return range_m_; }  ///< of the map; renders nothing
+  const LocalMap& get() const;
+  operator const LocalMap&() const { return get(); }  // NOLINT(google-explicit-constructor)
+  bool operator==(const LazyLocalMap&) const = default;
+
+ private:
+  struct State;
+  double range_m_ = 0.0;
+  std::shared_ptr<State> state_;
+};
+
+/// Collects wall points. A standing robot's map holds the points of that stop alone; a moving
+/// robot's those of its last metres, placed by odometry.
 class LocalMapBuilder {
  public:
   LocalMapBuilder(double range_m, const LocalMapOptions& options);
 
   /// `walls` in the robot frame at `odometry`.
-  LocalMap add(const Pose2& odometry, bool standing, std::vector<WallPoint> walls);
+  LazyLocalMap add(const Pose2& odometry, bool standing, std::vector<WallPoint> walls);
 
  private:
   struct Scan {
     Pose2 odometry;
     double travelled_m;
-    std::vector<WallPoint> walls;
+    std::shared_ptr<const std::vector<WallPoint>> walls;
   };
+  static LocalMap render(double range_m, const LocalMapOptions& options,
+                         const std::vector<Scan>& scans);
+
   double range_;
   LocalMapOptions options_;
   std::deque<Scan> scans_;
-  VoteGrid votes_;  ///< empty between observations
 };
 
 }  // namespace handmap

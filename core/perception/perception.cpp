@@ -94,9 +94,9 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
   if (stop.stop_requested()) return std::nullopt;
   const Stopwatch stopwatch;
   Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
-  LocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
-  return Percept{std::move(map), std::move(scan), image,       seen.disparity,
-                 seen.buildings, stereo_ms,       classify_ms, stopwatch.ms()};
+  LazyLocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
+  return Percept{std::move(map), std::move(scan), std::move(points), image,         seen.disparity,
+                 seen.buildings, stereo_ms,       classify_ms,       stopwatch.ms()};
 }
 
 }  // namespace handmap

@@ -21,14 +21,15 @@ struct PerceptionOptions {
 };
 
 struct Percept {
-  LocalMap local_map;
-  Scan scan;            ///< of this observation alone
-  cv::Mat image;        ///< left image of the last view, empty without images
-  cv::Mat1f disparity;  ///< of the last view
-  cv::Mat1f buildings;  ///< as StereoResult, of the last view
+  LazyLocalMap local_map;
+  Scan scan;                       ///< of this observation alone
+  std::vector<RangePoint> points;  ///< of all views, as they came; empty with images
+  cv::Mat image;                   ///< left image of the last view, empty without images
+  cv::Mat1f disparity;             ///< of the last view
+  cv::Mat1f buildings;             ///< as StereoResult, of the last view
   double stereo_ms = 0.0;
   double classify_ms = 0.0;
-  double local_map_ms = 0.0;
+  double local_map_ms = 0.0;  ///< without rendering it
 };
 
 class Perception {

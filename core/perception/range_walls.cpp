@@ -1,6 +1,7 @@
 #include "core/perception/range_walls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -39,6 +40,20 @@ bool isPlanar(const std::vector<RangePoint>& points) {
   return points.empty() || high->z - low->z <= kPlanar_m;
 }
 
+bool givesOneReturnADirection(const std::vector<RangePoint>& points) {
+  constexpr std::size_t kDirections = 360;
+  constexpr double kMost = 2.5;  // points a direction that has any; a column of a wall has more
+  if (isPlanar(points)) return true;
+  std::array<bool, kDirections> any{};
+  for (const RangePoint& p : points) {
+    const double share =
+        (std::atan2(static_cast<double>(p.y), static_cast<double>(p.x)) + kPi) / (2.0 * kPi);
+    any[std::min(static_cast<std::size_t>(share * kDirections), kDirections - 1)] = true;
+  }
+  const auto directions = static_cast<double>(std::count(any.begin(), any.end(), true));
+  return static_cast<double>(points.size()) <= kMost * directions;
+}
+
 RangeWalls::RangeWalls(double range_limit_m, const WallFilter& filter)
     : range_limit_m_(static_cast<float>(range_limit_m)),
       filter_(filter),
@@ -49,7 +64,7 @@ std::vector<WallPoint> RangeWalls::operator()(const std::vector<RangePoint>& poi
                                               const Pose2& odometry) {
   const std::vector<RangePoint> seen =
       inRange(points, static_cast<float>(filter_.min_range_m), range_limit_m_);
-  if (!isPlanar(seen)) return standing(seen, odometry);
+  if (!givesOneReturnADirection(seen)) return standing(seen, odometry);
   std::vector<WallPoint> walls(seen.size());
   std::transform(seen.begin(), seen.end(), walls.begin(), wallPoint);
   return walls;

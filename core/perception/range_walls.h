@@ -13,8 +13,13 @@ namespace handmap {
 /// Whether the sensor looks in one plane only: all heights are within 0.3 m.
 bool isPlanar(const std::vector<RangePoint>& points);
 
+/// Whether it does, or gives about one point a direction for other reasons: there is no vertical
+/// structure to look for.
+bool givesOneReturnADirection(const std::vector<RangePoint>& points);
+
 /// A scan with vertical structure (a spinning lidar) is filtered by height and vertical extent in
-/// cells of the plane; a planar scan is taken as it is. Remembers what was seen to end low.
+/// cells of the plane; one with one return a direction is taken as it is. Remembers what was seen
+/// to end low.
 class RangeWalls {
  public:
   RangeWalls(double range_limit_m, const WallFilter& filter);

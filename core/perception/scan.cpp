@@ -13,6 +13,7 @@ constexpr std::size_t kDirections = 720;
 constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
 constexpr float kSigma_m = 0.05F;
 constexpr float kLeastRange_m = 0.3F;
+constexpr float kGround_m = 0.3F;  // lower returns of a tilted sensor are from the ground
 
 std::size_t directionOf(double bearing) {
   const auto index = static_cast<long>(std::lround((bearing + kPi) / kDirectionWidth));
@@ -41,12 +42,13 @@ Scan ScanBuilder::operator()(const std::vector<RangePoint>& points,
     const float range = std::hypot(p.x, p.y);
     return std::isfinite(p.z) && range >= kLeastRange_m && range <= range_limit_m_;
   });
-  if (isPlanar(finite)) {
-    addPlanar(finite);
+  Scan scan;
+  scan.ray_by_ray = givesOneReturnADirection(finite);
+  if (scan.ray_by_ray) {
+    addRays(finite, scan);
   } else {
     addStanding(finite, walls);
   }
-  Scan scan;
   for (std::size_t i = 0; i < kDirections; ++i) {
     if (nearest_[i].range > 0.0F) scan.rays.push_back(nearest_[i]);
   }
@@ -55,13 +57,20 @@ Scan ScanBuilder::operator()(const std::vector<RangePoint>& points,
   return scan;
 }
 
-void ScanBuilder::addPlanar(const std::vector<RangePoint>& points) {
+void ScanBuilder::addRays(const std::vector<RangePoint>& points, Scan& scan) {
+  const bool tilted = !isPlanar(points);
   for (const RangePoint& p : points) {
     const float bearing = std::atan2(p.y, p.x);
     const std::size_t direction = directionOf(bearing);
+    if (!looked_at_[direction]) scan.first_looked_at.push_back(bearingOf(direction));
     looked_at_[direction] = true;
+    const float range = std::hypot(p.x, p.y);
+    if (tilted && p.z < kGround_m) {
+      keepNearest(nearest_[direction], {bearing, range, 0.0F, 0.0F, false});
+      continue;
+    }
     const float wall = std::clamp(p.w, 0.0F, 1.0F);
-    keepNearest(nearest_[direction], {bearing, std::hypot(p.x, p.y), kSigma_m, wall, true});
+    keepNearest(nearest_[direction], {bearing, range, kSigma_m, wall, true});
   }
   const auto limit = static_cast<float>(range_limit_m_);
   for (std::size_t i = 0; i < kDirections; ++i) {

@@ -23,6 +23,12 @@ struct Scan {
   /// What all ranges may be off together: bias · range², one σ of it. Of stereo, whose disparities
   /// may all be off by a part of a pixel.
   double bias_sigma_per_m = 0.0;
+  /// The sensor gives one return a direction, so that nothing back from one says that nothing is
+  /// there.
+  bool ray_by_ray = false;
+  /// Bearings along which something came back for the first time of the run, where the sensor is
+  /// of that kind: it had looked there all the while, and nothing was there.
+  std::vector<float> first_looked_at;
 };
 
 /// Scans from range points. Remembers which directions ever returned anything: elsewhere (the
@@ -31,13 +37,13 @@ class ScanBuilder {
  public:
   explicit ScanBuilder(double range_limit_m);
 
-  /// Points of one observation, and what RangeWalls says of them. A planar scan is taken ray by
-  /// ray. A scan with vertical structure gives the nearest wall along each direction, and free
-  /// space up to the farthest point of anything where there is no wall.
+  /// Points of one observation, and what RangeWalls says of them. One with one return a direction
+  /// is taken ray by ray. A scan with vertical structure gives the nearest wall along each
+  /// direction, and free space up to the farthest point of anything where there is no wall.
   Scan operator()(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
  private:
-  void addPlanar(const std::vector<RangePoint>& points);
+  void addRays(const std::vector<RangePoint>& points, Scan& scan);
   void addStanding(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
   double range_limit_m_;

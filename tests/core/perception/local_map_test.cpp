@@ -147,5 +147,19 @@ TEST(LocalMap, RefusesGridsThatCannotBe) {
   expectBadInput(build(0.1, 1e6), {"8192"});
 }
 
+TEST(LocalMap, IsRenderedOnceWhenItIsRead) {
+  int rendered = 0;
+  const LazyLocalMap map(kRange_m, [&] {
+    ++rendered;
+    return LocalMap(0.1, kRange_m);
+  });
+  const LazyLocalMap copy = map;
+  EXPECT_EQ(copy.range(), kRange_m);
+  EXPECT_EQ(rendered, 0);
+  EXPECT_EQ(&copy.get(), &map.get());
+  EXPECT_EQ(rendered, 1);
+  EXPECT_FALSE(LazyLocalMap());
+}
+
 }  // namespace
 }  // namespace handmap

@@ -38,9 +38,9 @@ TEST(Perception, MapsRangePoints) {
   Perception perception(SourceInfo{}, {});
   const auto percept = perception(
       observed({pointsView({{5.05F, 1.05F, 0, 1}}), pointsView({{-4.05F, 0.05F, 0, 1}})}));
-  EXPECT_GT(percept->local_map.at(5.05, 1.05), 0.0F);
-  EXPECT_GT(percept->local_map.at(-4.05, 0.05), 0.0F);
-  EXPECT_EQ(percept->local_map.range(), 40.0);
+  EXPECT_GT(percept->local_map.get().at(5.05, 1.05), 0.0F);
+  EXPECT_GT(percept->local_map.get().at(-4.05, 0.05), 0.0F);
+  EXPECT_EQ(percept->local_map.get().range(), 40.0);
   EXPECT_TRUE(percept->image.empty());
   EXPECT_TRUE(percept->disparity.empty());
   EXPECT_EQ(percept->stereo_ms, 0.0);
@@ -59,7 +59,7 @@ TEST(Perception, APanoramaIsOneMap) {
   for (const double y : {-9.0, 9.0}) {
     float best = 0.0F;
     for (double d = -0.3; d <= 0.3; d += 0.1) {
-      best = std::max(best, percept->local_map.at(0.0, y + d));
+      best = std::max(best, percept->local_map.get().at(0.0, y + d));
     }
     EXPECT_GT(best, 0.2F) << "wall at y = " << y;
   }
@@ -81,7 +81,7 @@ TEST(Perception, WhatTwoViewsShowCountsOnce) {
     }
     PerceptionOptions options;
     options.local_map.saturation_votes = 1000.0;
-    return cv::sum(Perception(source, options)(observation)->local_map.cells())[0];
+    return cv::sum(Perception(source, options)(observation)->local_map.get().cells())[0];
   };
   const double once = votes({0.0});
   EXPECT_GT(once, 0.0);
