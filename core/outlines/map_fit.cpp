@@ -1,0 +1,190 @@
+#include "core/outlines/map_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/parallel.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kLeastEvidence = 10.0;  // nats
+constexpr double kLeastGain = 3.0;
+constexpr double kOwnedWithin_m = 0.5;
+constexpr double kOverlap = 400.0;  // nats for all of a building on another
+// How people draw what they know: sizes, turns, skews and single walls are off by no more, one σ,
+// however uncertain the drawing says it is; and by so much however certain.
+constexpr double kMostScale = 0.3;
+constexpr double kMostTurn = 0.08;
+constexpr double kMostShear = 0.03;
+constexpr double kMostCorner_m = 1.0;
+constexpr double kLeastShare = 0.01;
+constexpr double kSlack_m = 0.15;
+
+double sizeOf(const Polygon& outline) {
+  const Bounds bounds = boundsOf(outline);
+  return (bounds.high - bounds.low).norm();
+}
+
+double headingOf(const Polygon& outline) {
+  double longest = 0.0;
+  Vec2 along(1.0, 0.0);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 wall = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
+    if (wall.norm() <= longest) continue;
+    longest = wall.norm();
+    along = wall;
+  }
+  return std::atan2(along.y(), along.x());
+}
+
+OutlinePrior priorOf(const OutlineTask& task) {
+  OutlinePrior prior;
+  prior.start = task.start;
+  prior.heading = headingOf(task.start);
+  const Rectangle now = boundingRectangle(task.start, prior.heading);
+  const Rectangle drawn = boundingRectangle(
+      task.drawn, prior.heading + normalizedAngle(headingOf(task.drawn) - headingOf(task.start)));
+  prior.expected_log_size = {std::log(drawn.width / now.width), std::log(drawn.depth / now.depth)};
+  prior.shift_m = task.shift_m;
+  const double share = task.size_m / std::sqrt(drawn.width * drawn.depth);
+  prior.log_scale = std::clamp(share, kLeastShare, kMostScale);
+  prior.turn = std::clamp(share, kLeastShare, kMostTurn);
+  prior.shear = task.rectangle ? 0.0 : std::clamp(share, kLeastShare, kMostShear);
+  prior.corner_m = task.rectangle ? 0.0 : std::min(task.size_m, kMostCorner_m);
+  return prior;
+}
+
+/// What two passes need to know of the buildings that are settled.
+double overlapWith(const Polygon& outline, const std::vector<Polygon>& others) {
+  double shared = 0.0;
+  for (const Polygon& other : others) {
+    if (boundsOf(outline).overlaps(boundsOf(other))) shared += intersectionArea(outline, other);
+  }
+  return shared / std::max(1.0, std::abs(signedArea(outline)));
+}
+
+Estimate estimateOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer) {
+  const double prior = std::hypot(task.drawn_shift_m, 0.5 * task.size_m);
+  const auto across = [&](const Vec2& direction) {
+    return std::hypot(spreadOfSide(outline, direction, prior, scorer),
+                      spreadOfSide(outline, -direction, prior, scorer));
+  };
+  return {0.5 * across({1.0, 0.0}), 0.5 * across({0.0, 1.0}),
+          std::min(across(unitVector(headingOf(outline))), task.size_m),
+          scorer.framesStandingFor(outline, kOwnedWithin_m)};
+}
+
+/// The work on all buildings, and what of it is settled.
+class Fitting {
+ public:
+  Fitting(const std::vector<OutlineTask>& tasks, const PlacedRays& placed, double range_limit_m,
+          std::uint64_t seed)
+      : tasks_(tasks),
+        placed_(placed),
+        range_limit_m_(range_limit_m),
+        seed_(seed),
+        owners_(placed.rays.size(), kNobody) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      priors_.push_back(priorOf(tasks[i]));
+      if (tasks[i].labelled) own(i, tasks[i].start, scorerFor(i));
+    }
+  }
+
+  FittedOutline search(std::size_t i, const std::stop_token& stop) const {
+    return searchOutline(priors_[i], scorerFor(i),
+                         RandomStream(seed_, static_cast<std::uint32_t>(i)), stop);
+  }
+
+  /// After the surer ones. `first`: where it was found before these were settled.
+  OutlineResult settle(std::size_t i, const FittedOutline& first, const std::stop_token& stop) {
+    const OutlineTask& task = tasks_[i];
+    const OutlineScorer scorer = scorerFor(i);
+    const FittedOutline fitted = isDisturbed(first.outline, task) ? search(i, stop) : first;
+    OutlineResult result;
+    result.evidence = fitted.score - kOverlap * overlapWith(fitted.outline, settled_);
+    const double drawn =
+        scorer(task.drawn, kSlack_m) - kOverlap * overlapWith(task.drawn, settled_);
+    const double start =
+        scorer(task.start, kSlack_m) - kOverlap * overlapWith(task.start, settled_);
+    result.gain = result.evidence + fitted.prior - drawn;
+    if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
+      result.verdict = Verdict::Moved;
+      result.outline = fitted.outline;
+      result.estimate = estimateOf(result.outline, task, scorer);
+    } else {
+      result.outline = start >= drawn ? task.start : task.drawn;
+    }
+    std::replace(owners_.begin(), owners_.end(), static_cast<int>(i), kNobody);
+    if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
+      own(i, result.outline, scorer);
+      settled_.push_back(result.outline);
+    }
+    return result;
+  }
+
+ private:
+  OutlineScorer scorerFor(std::size_t i) const {
+    const Bounds bounds = boundsOf(tasks_[i].start);
+    const double radius = 0.5 * (bounds.high - bounds.low).norm();
+    return {placed_,
+            range_limit_m_,
+            owners_,
+            static_cast<int>(i),
+            0.5 * (bounds.low + bounds.high),
+            1.4 * radius + 2.5 * priors_[i].shift_m};
+  }
+  void own(std::size_t i, const Polygon& outline, const OutlineScorer& scorer) {
+    for (const std::size_t ray : scorer.standingFor(outline, kOwnedWithin_m)) {
+      owners_[ray] = static_cast<int>(i);
+    }
+  }
+  bool isDisturbed(const Polygon& outline, const OutlineTask& task) const {
+    return std::any_of(settled_.begin(), settled_.end(), [&](const Polygon& other) {
+      return distanceTo(other, centroid(outline)) < sizeOf(task.drawn);
+    });
+  }
+
+  const std::vector<OutlineTask>& tasks_;
+  const PlacedRays& placed_;
+  double range_limit_m_;
+  std::uint64_t seed_;
+  RayOwners owners_;
+  std::vector<OutlinePrior> priors_;
+  std::vector<Polygon> settled_;
+};
+
+}  // namespace
+
+std::vector<OutlineResult> fitOutlines(const std::vector<OutlineTask>& tasks,
+                                       const PlacedRays& placed, double range_limit_m,
+                                       std::uint64_t seed, const std::stop_token& stop,
+                                       const std::function<void(double)>& progress) {
+  Fitting fitting(tasks, placed, range_limit_m, seed);
+  std::vector<FittedOutline> first(tasks.size());
+  parallelFor(tasks.size(), [&](std::size_t i) {
+    if (!stop.stop_requested()) first[i] = fitting.search(i, stop);
+  });
+  if (stop.stop_requested()) return {};
+  if (progress) progress(0.5);
+
+  // The surest first: what it stands for is no longer there for the others.
+  std::vector<std::size_t> order(tasks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return first[a].total() > first[b].total();
+  });
+  std::vector<OutlineResult> results(tasks.size());
+  std::size_t done = 0;
+  for (const std::size_t i : order) {
+    results[i] = fitting.settle(i, first[i], stop);
+    if (stop.stop_requested()) return {};
+    const double share = static_cast<double>(++done) / static_cast<double>(tasks.size());
+    if (progress) progress(0.5 + 0.5 * share);
+  }
+  return results;
+}
+
+}  // namespace handmap

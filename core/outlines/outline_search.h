@@ -1,0 +1,42 @@
+// The outline near a given one that explains the rays best.
+#pragma once
+
+#include <stop_token>
+
+#include "core/base/random.h"
+#include "core/outlines/outline_score.h"
+
+namespace handmap {
+
+/// An outline and how it may be wrong, one σ each.
+struct OutlinePrior {
+  Polygon start;         ///< counter-clockwise
+  double heading = 0.0;  ///< of its axes: along its longest wall
+  double shift_m = 3.0;
+  double turn = 0.08;      ///< radians
+  double log_scale = 0.3;  ///< of each axis
+  double shear = 0.03;
+  double corner_m = 1.0;  ///< of each wall, when the whole is in place; 0: walls stay together
+  /// log of the size along each axis that is most probable, as a share of that of `start`.
+  Vec2 expected_log_size = Vec2::Zero();
+};
+
+struct FittedOutline {
+  Polygon outline;
+  double score = 0.0;  ///< log ratio against nothing there, without what the prior says
+  double prior = 0.0;  ///< log density of the prior, at most 0
+  double total() const { return score + prior; }
+};
+
+/// Samples of the prior, the best of them by pattern searches with ever narrower walls, then wall
+/// by wall. The same random numbers give the same outline. Comes back at once, with any outline,
+/// where `stop` is requested.
+FittedOutline searchOutline(const OutlinePrior& prior, const OutlineScorer& scorer,
+                            RandomStream random, const std::stop_token& stop = {});
+
+/// How far the side of the outline that lies farthest along a direction may be moved, the opposite
+/// one staying, before rays and prior make it less probable by what one σ does; metres.
+double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,
+                    const OutlineScorer& scorer);
+
+}  // namespace handmap

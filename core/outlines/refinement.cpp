@@ -1,0 +1,171 @@
+#include "core/outlines/refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kSeenReturns = 1.0;  // tempered, of a side that was seen
+/// Of the far half of a wall that was seen to its end: 2.4 to 5 where gables stand free, up to 1.7
+/// in gaps between houses of a real street, which look through.
+constexpr double kSeenToEndReturns = 2.0;
+constexpr double kSlack_m = 0.3;
+constexpr double kStartTurn = toRadians(1.0);  // of the start as it is drawn, one σ
+constexpr auto kDoubtful = "doubtful";
+
+Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
+  Polygon outline;
+  for (const Vec2& corner : drawn) outline.push_back(motion(corner));
+  return outline;
+}
+
+struct HalfWall {
+  Vec2 middle;
+  Vec2 normal;     ///< outwards
+  double returns;  ///< tempered
+};
+
+std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& scorer) {
+  Polygon halves;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2& from = outline[(i + outline.size() - 1) % outline.size()];
+    halves.push_back(0.5 * (from + outline[i]));
+    halves.push_back(outline[i]);
+  }
+  const std::vector<double> returns = scorer.returnsOf(halves, kSlack_m);
+  std::vector<HalfWall> walls;
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const Vec2& from = halves[(i + halves.size() - 1) % halves.size()];
+    walls.push_back(
+        {0.5 * (from + halves[i]), -perpendicular((halves[i] - from).normalized()), returns[i]});
+  }
+  return walls;
+}
+
+/// The side opposite the one that was seen best keeps the drawn distance from it, unless it was
+/// seen too, or a wall that leads there was. The ends of what was seen best are where its returns
+/// stop.
+Polygon unseenAsDrawn(const Building& found, const Building& drawn, double scale,
+                      const PlacedRays& placed, double range_limit_m) {
+  constexpr double kFacing = 0.7;  // cosine between a wall and the side that it is of
+  Polygon outline = found.footprint();
+  const Rectangle box = found.box();
+  const double radius = 0.5 * std::hypot(box.width, box.depth);
+  const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, box.centre, radius + 1.0);
+  const auto normalOf = [&](std::size_t side) {
+    return unitVector(box.heading + static_cast<double>(side) * kPi / 2.0);
+  };
+  const std::vector<HalfWall> walls = halfWalls(outline, scorer);
+  std::array<double, 4> of_side{};
+  for (const HalfWall& wall : walls) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      if (wall.normal.dot(normalOf(side)) > kFacing) of_side[side] += wall.returns;
+    }
+  }
+  const auto front =
+      static_cast<std::size_t>(std::max_element(of_side.begin(), of_side.end()) - of_side.begin());
+  const Vec2 outwards = normalOf(front);
+  const bool deep = std::any_of(walls.begin(), walls.end(), [&](const HalfWall& wall) {
+    return wall.returns >= kSeenToEndReturns && std::abs(wall.normal.dot(outwards)) < kFacing &&
+           outwards.dot(wall.middle - box.centre) < 0.0;
+  });
+  if (deep || of_side[front] < kSeenReturns || of_side[(front + 2) % 4] >= kSeenReturns) {
+    return outline;
+  }
+  const Rectangle as_drawn = drawn.box();
+  const double now = front % 2 == 0 ? box.width : box.depth;
+  const double ratio = scale * (front % 2 == 0 ? as_drawn.width : as_drawn.depth) / now;
+  for (Vec2& corner : outline) {
+    const double depth = 0.5 * now - outwards.dot(corner - box.centre);
+    corner += (1.0 - ratio) * depth * outwards;
+  }
+  return outline;
+}
+
+Building withOutline(const Building& drawn, const Polygon& outline) {
+  Building building = drawn;
+  if (std::holds_alternative<Polygon>(drawn.shape)) {
+    building.shape = outline;
+    return building;
+  }
+  // The corners of a rectangle begin where its own do.
+  const Vec2 along = outline[1] - outline[0];
+  const Vec2 across = outline[2] - outline[1];
+  building.shape = Rectangle{0.25 * (outline[0] + outline[1] + outline[2] + outline[3]),
+                             along.norm(), across.norm(), std::atan2(along.y(), along.x())};
+  return building;
+}
+
+/// A building that was found is looked for where it was found, another one where it was drawn.
+OutlineTask taskOf(const Building& drawn, const Uncertainty& uncertainty,
+                   const std::optional<FoundMap>& found, std::size_t b, const PlacedRays& placed,
+                   double range_limit_m) {
+  constexpr double kLabelled_m = 1.0;  // what found buildings are off, one σ
+  // A drawing may be surer of where it is than what is found tells; where outlines cannot be fitted
+  // nothing else tells.
+  const bool to_be_found =
+      found && (uncertainty.position > kLabelled_m || !placed.showsStructure());
+  OutlineTask task;
+  task.drawn = to_be_found ? carried(drawn.footprint(), found->motion) : drawn.footprint();
+  task.start = task.drawn;
+  task.shift_m = uncertainty.position;
+  task.drawn_shift_m = uncertainty.position;
+  task.size_m = uncertainty.size;
+  task.rectangle = std::holds_alternative<Rectangle>(drawn.shape);
+  if (!to_be_found) return task;
+  const Building& now = found->map.buildings[b];
+  if (!now.estimate || now.estimate->observations == 0) return task;
+  task.labelled = true;
+  task.start = unseenAsDrawn(now, drawn, found->motion.scale(), placed, range_limit_m);
+  task.shift_m = kLabelled_m;
+  return task;
+}
+
+}  // namespace
+
+std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& found,
+                          const SeenFrames& seen, const std::vector<Pose2>& way, std::uint64_t seed,
+                          const std::stop_token& stop,
+                          const std::function<void(double)>& progress) {
+  const PlacedRays placed = placeRays(seen, way);
+  std::vector<OutlineTask> tasks;
+  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
+    const Building& drawn = drawing.buildings[b];
+    tasks.push_back(
+        taskOf(drawn, drawing.uncertaintyOf(drawn), found, b, placed, seen.rangeLimit()));
+  }
+  std::vector<OutlineResult> results;
+  if (placed.showsStructure()) {
+    results = fitOutlines(tasks, placed, seen.rangeLimit(), seed, stop, progress);
+    if (results.empty()) return std::nullopt;
+  }
+  Map map = found ? found->map : drawing;
+  for (std::size_t b = 0; b < tasks.size(); ++b) {
+    const Building& drawn = drawing.buildings[b];
+    if (drawn.fixed) continue;
+    const Polygon& outline = results.empty() ? tasks[b].start : results[b].outline;
+    Building& building = map.buildings[b];
+    building.shape = withOutline(drawn, outline).shape;
+    if (!results.empty() && results[b].estimate) {
+      building.estimate = results[b].estimate;
+      if (!found) {
+        // Nothing but the start tells how the way lies on the drawing.
+        const double turned = kStartTurn * (centroid(outline) - way.front().position()).norm();
+        building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, turned);
+        building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, turned);
+      }
+      building.unknown.erase(kDoubtful);
+    } else if (!found || (outline == tasks[b].drawn && building.estimate &&
+                          building.estimate->observations > 0)) {
+      // It stays as drawn; what may be said of it is what the drawing says.
+      const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
+      building.estimate = {uncertainty.position, uncertainty.position, uncertainty.size, 0};
+    }
+  }
+  return map;
+}
+
+}  // namespace handmap

@@ -1,0 +1,85 @@
+#include "core/outlines/seen_frames.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kStep_m = 0.5;       // between frames that are kept
+constexpr double kTurn = 0.15;        // radians, the same
+constexpr double kPerMetre = 1000.0;  // rays, what structure needs; the rest tells the same again
+constexpr double kMost = 4000.0;      // rays of a frame
+constexpr float kTall_m = 1.8F;       // above most cars, hedges and fences
+constexpr float kHighest_m = 9.0F;    // roofs and crowns
+constexpr float kLow_m = 0.5F;
+constexpr float kLeastRange_m = 0.5F;
+constexpr std::size_t kBearings = 360;  // a degree each
+
+std::size_t bearingBin(float bearing) {
+  const double share = (static_cast<double>(bearing) + kPi) / (2.0 * kPi);
+  return std::min(static_cast<std::size_t>(share * kBearings), kBearings - 1);
+}
+
+Echo echoAt(float height) {
+  if (height > kHighest_m) return Echo::Ground;
+  return height >= kTall_m ? Echo::Tall : height >= kLow_m ? Echo::Low : Echo::Ground;
+}
+
+void shareOut(std::vector<SeenRay>& rays) {
+  std::array<std::array<int, kBearings>, 4> count{};
+  for (const SeenRay& ray : rays) {
+    ++count[static_cast<std::size_t>(ray.echo)][bearingBin(ray.bearing)];
+  }
+  for (SeenRay& ray : rays) {
+    ray.share = 1.0F / static_cast<float>(
+                           count[static_cast<std::size_t>(ray.echo)][bearingBin(ray.bearing)]);
+  }
+}
+
+}  // namespace
+
+void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan& scan,
+                     const std::vector<RangePoint>& points) {
+  for (const float bearing : scan.first_looked_at) {
+    const auto limit = static_cast<float>(range_limit_m_);
+    for (SeenFrame& frame : frames_) frame.rays.push_back({bearing, limit, 1.0F, Echo::Silent});
+  }
+  const Pose2 motion = between(last_, odometry);
+  const double way = std::hypot(motion.x, motion.y);
+  if (!frames_.empty() && way < kStep_m && std::abs(motion.heading) < kTurn) return;
+  SeenFrame frame{observation, {}};
+  if (points.empty() || scan.ray_by_ray) {
+    addScan(scan, frame);
+  } else {
+    const double metres = frames_.empty() ? 1.0 : std::clamp(way, kStep_m, kMost / kPerMetre);
+    addPoints(points, kPerMetre * metres, frame);
+  }
+  shareOut(frame.rays);
+  last_ = odometry;
+  frames_.push_back(std::move(frame));
+}
+
+void SeenFrames::addScan(const Scan& scan, SeenFrame& frame) {
+  constexpr double kSilent = 0.99;  // of the range limit
+  for (const Ray& ray : scan.rays) {
+    const bool silent = static_cast<double>(ray.range) > kSilent * range_limit_m_;
+    const Echo echo = ray.returned ? Echo::Tall : silent ? Echo::Silent : Echo::Ground;
+    frame.rays.push_back({ray.bearing, ray.range, 1.0F, echo});
+  }
+}
+
+void SeenFrames::addPoints(const std::vector<RangePoint>& points, double most, SeenFrame& frame) {
+  const auto stride =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(points.size()) / most)));
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    const RangePoint& p = points[i];
+    const float range = std::hypot(p.x, p.y);
+    if (!std::isfinite(p.z) || !std::isfinite(range) || range < kLeastRange_m) continue;
+    frame.rays.push_back({std::atan2(p.y, p.x), range, 1.0F, echoAt(p.z)});
+  }
+}
+
+}  // namespace handmap

@@ -1,0 +1,57 @@
+// What the observations of a run saw, thinned and kept for as long as the run: the drawn outlines
+// are fitted to it on whatever way turns out to be the best.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/pose2.h"
+#include "core/perception/scan.h"
+
+namespace handmap {
+
+/// What came back along one ray, by the height above the ground at which it met something.
+enum class Echo : std::uint8_t {
+  Tall,    ///< as high as walls and little else is
+  Low,     ///< hedges, cars, fences
+  Ground,  ///< nothing but that the ray got so far
+  Silent,  ///< nothing came back where something might have, up to the range
+};
+
+struct SeenRay {
+  float bearing = 0.0F;  ///< robot frame, radians
+  float range = 0.0F;    ///< metres
+  /// Of how many rays that tell the same (direction, height) of a frame it is one: 1 / their
+  /// number.
+  float share = 1.0F;
+  Echo echo = Echo::Tall;
+};
+
+struct SeenFrame {
+  std::size_t observation = 0;  ///< index of it among those of the run
+  std::vector<SeenRay> rays;
+};
+
+class SeenFrames {
+ public:
+  explicit SeenFrames(double range_limit_m) : range_limit_m_(range_limit_m) {}
+
+  /// The observations in their order; one that was made where the last kept one was is let go.
+  /// `points`: as they came, robot frame; empty with images.
+  void add(std::size_t observation, const Pose2& odometry, const Scan& scan,
+           const std::vector<RangePoint>& points);
+
+  const std::vector<SeenFrame>& frames() const { return frames_; }
+  double rangeLimit() const { return range_limit_m_; }
+
+ private:
+  void addScan(const Scan& scan, SeenFrame& frame);
+  static void addPoints(const std::vector<RangePoint>& points, double most, SeenFrame& frame);
+
+  double range_limit_m_;
+  std::vector<SeenFrame> frames_;
+  Pose2 last_;  ///< odometry of the last frame
+};
+
+}  // namespace handmap

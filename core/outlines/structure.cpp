@@ -1,0 +1,225 @@
+#include "core/outlines/structure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kCell_m = 0.25;
+constexpr int kReach = 5;        // cells around that tell the structure of one
+constexpr double kFar_m = 35.0;  // returns from farther away are too vague
+constexpr double kLeastReturns = 12.0;
+constexpr double kLeastLength_m = 0.35;  // one σ along a piece
+// How thick things look beyond what the noise of the returns makes them, one σ, and how much of
+// that noise is left after weighing: recesses and poses; hedges.
+constexpr double kWall_m = 0.11;
+constexpr double kWallNoise = 0.7;
+constexpr double kHedge_m = 0.235;
+constexpr double kHedgeNoise = 1.2;
+constexpr double kPoses = 0.02;  // m², of the poses that returns come from
+
+/// Weighted moments of the returns in a cell.
+struct Moments {
+  double count = 0.0, weight = 0.0, noise = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  void add(double px, double py, double w, double variance) {
+    count += 1.0;
+    weight += w;
+    noise += w * variance;
+    x += w * px;
+    y += w * py;
+    xx += w * px * px;
+    xy += w * px * py;
+    yy += w * py * py;
+  }
+  void add(const Moments& m) {
+    count += m.count;
+    weight += m.weight;
+    noise += m.noise;
+    x += m.x;
+    y += m.y;
+    xx += m.xx;
+    xy += m.xy;
+    yy += m.yy;
+  }
+};
+
+struct Piece {
+  Structure structure = Structure::Ragged;
+  Vec2 middle = Vec2::Zero();
+  Vec2 normal = Vec2::Zero();
+};
+
+std::int64_t keyOf(int column, int row) {
+  return (static_cast<std::int64_t>(column) << 32) | static_cast<std::uint32_t>(row);
+}
+int cellOf(double metres) { return static_cast<int>(std::floor(metres / kCell_m)); }
+
+class Cells {
+ public:
+  Cells(const std::vector<PlacedRay>& rays, const RayNoise& noise) {
+    for (const PlacedRay& ray : rays) {
+      if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > kFar_m) continue;
+      const Vec2 end = ray.end();
+      const double variance = std::pow(noise.at(static_cast<double>(ray.range)), 2);
+      const double weight = static_cast<double>(ray.share) / (variance + kPoses);
+      moments_[keyOf(cellOf(end.x()), cellOf(end.y()))].add(end.x(), end.y(), weight, variance);
+    }
+    for (const auto& [key, own] : moments_) {
+      const auto column = static_cast<int>(key >> 32);
+      const auto row = static_cast<int>(static_cast<std::int32_t>(key & 0xffffffff));
+      pieces_[key] = pieceAt(column, row);
+    }
+  }
+  const Piece* of(const PlacedRay& ray) const {
+    const Vec2 end = ray.end();
+    const auto found = pieces_.find(keyOf(cellOf(end.x()), cellOf(end.y())));
+    return found == pieces_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  Piece pieceAt(int column, int row) const {
+    Moments sum;
+    for (int i = -kReach; i <= kReach; ++i) {
+      for (int k = -kReach; k <= kReach; ++k) {
+        if (i * i + k * k > kReach * kReach) continue;
+        const auto found = moments_.find(keyOf(column + i, row + k));
+        if (found != moments_.end()) sum.add(found->second);
+      }
+    }
+    Piece piece;
+    if (sum.count < kLeastReturns) return piece;
+    const double mx = sum.x / sum.weight;
+    const double my = sum.y / sum.weight;
+    const double xx = sum.xx / sum.weight - mx * mx;
+    const double yy = sum.yy / sum.weight - my * my;
+    const double xy = sum.xy / sum.weight - mx * my;
+    const double along = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    const double half = std::hypot(0.5 * (xx - yy), xy);
+    const double length = std::sqrt(std::max(0.0, 0.5 * (xx + yy) + half));
+    const double thickness = std::sqrt(std::max(0.0, 0.5 * (xx + yy) - half));
+    const double noise = std::sqrt(sum.noise / sum.weight);
+    piece.middle = {mx, my};
+    piece.normal = perpendicular(unitVector(along));
+    if (length < kLeastLength_m) return piece;
+    if (thickness < std::hypot(kWall_m, kWallNoise * noise)) {
+      piece.structure = Structure::Straight;
+    } else if (thickness < std::hypot(kHedge_m, kHedgeNoise * noise)) {
+      piece.structure = Structure::Linear;
+    }
+    return piece;
+  }
+
+  std::unordered_map<std::int64_t, Moments> moments_;
+  std::unordered_map<std::int64_t, Piece> pieces_;
+};
+
+/// How far returns are off what is straight, by their distance: offset and quadratic term by least
+/// squares over the medians of distance bins.
+RayNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RayNoise noise) {
+  constexpr double kBin_m = 5.0;
+  constexpr std::size_t kBins = 7;
+  constexpr std::size_t kEnough = 100;
+  constexpr double kLeastCosine = 0.4;
+  constexpr double kMad = 1.4826;
+  std::array<std::vector<double>, kBins> errors;
+  for (const PlacedRay& ray : rays) {
+    if (ray.echo != Echo::Tall) continue;
+    const Piece* piece = cells.of(ray);
+    if (piece == nullptr || piece->structure != Structure::Straight) continue;
+    const double cosine =
+        std::abs(piece->normal.dot(Vec2(static_cast<double>(ray.dx), static_cast<double>(ray.dy))));
+    const auto bin = static_cast<std::size_t>(static_cast<double>(ray.range) / kBin_m);
+    if (cosine < kLeastCosine || bin >= kBins) continue;
+    errors[bin].push_back(std::abs(piece->normal.dot(ray.end() - piece->middle)) / cosine);
+  }
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    std::vector<double>& of_bin = errors[bin];
+    if (of_bin.size() < kEnough) continue;
+    const auto middle = of_bin.begin() + static_cast<std::ptrdiff_t>(of_bin.size() / 2);
+    std::nth_element(of_bin.begin(), middle, of_bin.end());
+    const double sigma = kMad * *middle;
+    const double distance = (static_cast<double>(bin) + 0.5) * kBin_m;
+    const Eigen::Vector2d row(1.0, distance * distance);
+    const double weight = 1.0 / (sigma * sigma);
+    normal += weight * row * row.transpose();
+    right += weight * sigma * row;
+  }
+  if (normal.determinant() <= 1e-9 * normal.squaredNorm()) return noise;
+  const Eigen::Vector2d fit = normal.ldlt().solve(right);
+  noise.offset_m = std::clamp(fit[0], 0.02, 0.3);
+  noise.quadratic_per_m = std::clamp(fit[1], 0.0001, 0.003);
+  return noise;
+}
+
+/// What ends at one place is off by what that place and the poses are off: more looks at it tell
+/// ever less.
+void shareOut(std::vector<PlacedRay>& rays) {
+  constexpr double kPlace_m = 0.5;
+  constexpr float kEnough = 30.0F;  // looks
+  std::unordered_map<std::int64_t, float> looks;
+  const auto placeOf = [&](const PlacedRay& ray) {
+    const Vec2 end = ray.end() / kPlace_m;
+    return 4 * keyOf(static_cast<int>(std::floor(end.x())), static_cast<int>(std::floor(end.y()))) +
+           static_cast<std::int64_t>(ray.echo);
+  };
+  for (const PlacedRay& ray : rays) looks[placeOf(ray)] += ray.share;
+  for (PlacedRay& ray : rays) ray.share *= std::min(1.0F, kEnough / looks[placeOf(ray)]);
+}
+
+}  // namespace
+
+PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses) {
+  PlacedRays placed;
+  for (const SeenFrame& frame : seen.frames()) {
+    placed.frame_begin.push_back(placed.rays.size());
+    const Pose2& pose = poses.at(frame.observation);
+    for (const SeenRay& ray : frame.rays) {
+      const double heading = pose.heading + static_cast<double>(ray.bearing);
+      PlacedRay in_map;
+      in_map.x = static_cast<float>(pose.x);
+      in_map.y = static_cast<float>(pose.y);
+      in_map.dx = static_cast<float>(std::cos(heading));
+      in_map.dy = static_cast<float>(std::sin(heading));
+      in_map.range = ray.range;
+      in_map.share = ray.share;
+      in_map.echo = ray.echo;
+      placed.rays.push_back(in_map);
+    }
+  }
+  placed.frame_begin.push_back(placed.rays.size());
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds; ++round) {
+    const Cells cells(placed.rays, placed.noise);
+    placed.noise = measured(placed.rays, cells, placed.noise);
+  }
+  const Cells cells(placed.rays, placed.noise);
+  shareOut(placed.rays);
+  for (PlacedRay& ray : placed.rays) {
+    const Piece* piece = ray.echo == Echo::Tall ? cells.of(ray) : nullptr;
+    if (piece == nullptr) continue;
+    ray.structure = piece->structure;
+    ray.nx = static_cast<float>(piece->normal.x());
+    ray.ny = static_cast<float>(piece->normal.y());
+  }
+  const auto count = [&](auto is) {
+    return static_cast<double>(std::count_if(placed.rays.begin(), placed.rays.end(), is));
+  };
+  const double tall = count([](const PlacedRay& ray) { return ray.echo == Echo::Tall; });
+  placed.straight = count([](const PlacedRay& ray) {
+                      return ray.echo == Echo::Tall && ray.structure == Structure::Straight;
+                    }) /
+                    std::max(1.0, tall);
+  return placed;
+}
+
+}  // namespace handmap

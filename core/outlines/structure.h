@@ -1,0 +1,53 @@
+// What kind of thing a return is from, by the shape of all that was seen around it: walls are
+// straight and thin, hedges and fences long but thick, crowns and cars ragged.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/pose2.h"
+#include "core/outlines/seen_frames.h"
+
+namespace handmap {
+
+enum class Structure : std::uint8_t { Straight, Linear, Ragged };
+
+/// σ of a return across its ray at a distance: offset + quadratic · d².
+struct RayNoise {
+  double offset_m = 0.05;
+  double quadratic_per_m = 0.0008;
+  double at(double distance_m) const {
+    return offset_m + quadratic_per_m * distance_m * distance_m;
+  }
+};
+
+/// A ray in the map.
+struct PlacedRay {
+  float x = 0.0F;  ///< of the robot
+  float y = 0.0F;
+  float dx = 0.0F;  ///< unit vector
+  float dy = 0.0F;
+  float range = 0.0F;
+  float share = 1.0F;
+  Echo echo = Echo::Tall;
+  Structure structure = Structure::Ragged;
+  float nx = 0.0F;  ///< across what is straight or linear, unit vector
+  float ny = 0.0F;
+  Vec2 end() const { return {x + range * dx, y + range * dy}; }
+};
+
+/// What all frames saw together, from where they were.
+struct PlacedRays {
+  std::vector<PlacedRay> rays;
+  std::vector<std::size_t> frame_begin;  ///< index of the first ray of each frame, and the end
+  RayNoise noise;                        ///< as it shows
+  double straight = 0.0;  ///< share of the tall returns that are from straight things
+
+  /// Whether walls can be told from the rest: not from few or very noisy returns.
+  bool showsStructure() const { return straight > 0.1; }
+};
+
+/// `poses`: of all observations. Tells structure and noise from each other: what is straight shows
+/// how far single returns are off, and that shows how thick a straight thing may look.
+PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses);
+
+}  // namespace handmap

@@ -1,0 +1,89 @@
+#include "core/outlines/structure.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/outlines/drive.h"
+
+namespace handmap {
+namespace {
+
+const Polygon kHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.0}.corners();
+const Polygon kHedge = Rectangle{{45.0, 9.0}, 20.0, 0.5, 0.0}.corners();
+
+double shareOf(const PlacedRays& placed, const Polygon& near, Structure structure) {
+  int all = 0;
+  int such = 0;
+  for (const PlacedRay& ray : placed.rays) {
+    if (ray.echo != Echo::Tall || distanceTo(near, ray.end()) > 2.0) continue;
+    ++all;
+    such += ray.structure == structure;
+  }
+  return static_cast<double>(such) / std::max(1, all);
+}
+
+TEST(Structure, TellsWallsFromHedges) {
+  const Drive drive = drivePast({kHouse}, {kHedge});
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  EXPECT_GT(shareOf(placed, kHouse, Structure::Straight), 0.8);
+  EXPECT_LT(shareOf(placed, kHedge, Structure::Straight), 0.2);
+}
+
+TEST(Structure, MeasuresTheNoiseOfReturns) {
+  const Drive drive = drivePast({kHouse});
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  EXPECT_NEAR(placed.noise.at(10.0), 0.03, 0.03);
+}
+
+TEST(Structure, SeesNoneInReturnsFromAllOver) {
+  Drive drive;
+  RandomStream random(3);
+  for (int i = 0; i < 40; ++i) {
+    Scan scan;
+    scan.ray_by_ray = true;
+    for (int degree = -179; degree <= 180; ++degree) {
+      scan.rays.push_back({static_cast<float>(toRadians(degree)),
+                           static_cast<float>(random.uniform(3.0, 35.0)), 0.03F, 1.0F, true});
+    }
+    const Pose2 pose{static_cast<double>(i), 0.0, 0.0};
+    drive.seen.add(drive.way.size(), pose, scan, {});
+    drive.way.push_back(pose);
+  }
+  EXPECT_FALSE(placeRays(drive.seen, drive.way).showsStructure());
+}
+
+TEST(SeenFrames, KnowsThatSilenceWasThereBefore) {
+  SeenFrames seen(40.0);
+  Scan first;
+  first.ray_by_ray = true;
+  seen.add(0, {}, first, {});
+  Scan second = first;
+  second.first_looked_at = {0.5F};
+  seen.add(1, {1.0, 0.0, 0.0}, second, {});
+  ASSERT_EQ(seen.frames().size(), 2U);
+  ASSERT_EQ(seen.frames()[0].rays.size(), 1U);
+  EXPECT_EQ(seen.frames()[0].rays[0].echo, Echo::Silent);
+  EXPECT_FLOAT_EQ(seen.frames()[0].rays[0].bearing, 0.5F);
+  EXPECT_TRUE(seen.frames()[1].rays.empty());
+}
+
+TEST(SeenFrames, LeavesOutWhatWasSeenFromTheSamePlace) {
+  SeenFrames seen(40.0);
+  seen.add(0, {}, {}, {});
+  seen.add(1, {0.1, 0.0, 0.0}, {}, {});
+  seen.add(2, {0.7, 0.0, 0.0}, {}, {});
+  ASSERT_EQ(seen.frames().size(), 2U);
+  EXPECT_EQ(seen.frames()[1].observation, 2U);
+}
+
+TEST(SeenFrames, TakesSilenceFromWhatItLeavesOut) {
+  SeenFrames seen(40.0);
+  seen.add(0, {}, {}, {});
+  Scan from_the_same_place;
+  from_the_same_place.first_looked_at = {0.5F};
+  seen.add(1, {0.1, 0.0, 0.0}, from_the_same_place, {});
+  ASSERT_EQ(seen.frames().size(), 1U);
+  EXPECT_EQ(seen.frames()[0].rays.size(), 1U);
+}
+
+}  // namespace
+}  // namespace handmap
