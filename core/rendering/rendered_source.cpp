@@ -14,11 +14,12 @@ class RenderedSource : public ObservationSource {
  public:
   RenderedSource(const World& world, const SimulationOptions& simulation,
                  const RenderOptions& rendering, Looking looking, std::uint64_t seed,
-                 TruthListener listener)
+                 TruthListener listener, std::stop_token stop)
       : world_(world),
         renderer_(rendering, seed),
         looking_(looking),
         listener_(std::move(listener)),
+        stop_(std::move(stop)),
         info_(infoOf(world, simulation, seed)) {
     info_.camera = renderer_.camera();
     if (looking == Looking::Around) {
@@ -41,6 +42,7 @@ class RenderedSource : public ObservationSource {
     observation.odometry = info_.odometry[next_].pose;
     const Scene scene = renderer_.sceneAt(world_, pose, observation.time_s);
     for (std::size_t i = 0; i < pans_.size(); ++i) {
+      if (stop_.stop_requested()) return std::nullopt;
       StereoImages images = renderer_.images(
           scene, pose, pans_[i], static_cast<std::uint32_t>(next_), static_cast<std::uint32_t>(i));
       observation.views.push_back(
@@ -64,6 +66,7 @@ class RenderedSource : public ObservationSource {
   Renderer renderer_;
   Looking looking_;
   TruthListener listener_;
+  std::stop_token stop_;
   SourceInfo info_;
   std::vector<double> pans_;
   std::size_t next_ = 0;
@@ -74,9 +77,10 @@ class RenderedSource : public ObservationSource {
 std::unique_ptr<ObservationSource> renderedSource(const World& world,
                                                   const SimulationOptions& simulation,
                                                   const RenderOptions& rendering, Looking looking,
-                                                  std::uint64_t seed, TruthListener listener) {
+                                                  std::uint64_t seed, TruthListener listener,
+                                                  std::stop_token stop) {
   return std::make_unique<RenderedSource>(world, simulation, rendering, looking, seed,
-                                          std::move(listener));
+                                          std::move(listener), std::move(stop));
 }
 
 }  // namespace handmap

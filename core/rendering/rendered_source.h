@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulated_source.h"
@@ -21,11 +22,12 @@ using TruthListener = std::function<void(const Observation&, const std::vector<I
 
 /// Drives as simulate() does with the same world, options and seed: truth and odometry are the
 /// same. Images are rendered when next() asks for them. `listener` is told the truth of every
-/// picture before it is handed out; it may be empty. Throws BadInput for options that cannot be and
-/// where the map has no way to drive.
+/// picture before it is handed out; it may be empty. After a `stop` was requested the source is at
+/// its end. Throws BadInput for options that cannot be and where the map has no way to drive.
 std::unique_ptr<ObservationSource> renderedSource(const World& world,
                                                   const SimulationOptions& simulation,
                                                   const RenderOptions& rendering, Looking looking,
-                                                  std::uint64_t seed, TruthListener listener = {});
+                                                  std::uint64_t seed, TruthListener listener = {},
+                                                  std::stop_token stop = {});
 
 }  // namespace handmap

@@ -34,7 +34,7 @@ class SimulatedSource : public ObservationSource {
     Observation observation;
     observation.frame = static_cast<int>(next_);
     observation.time_s = info_.truth[next_].time_s;
-    observation.standing = true;
+    observation.standing = options_.standing;
     observation.odometry = info_.odometry[next_].pose;
     View& view = observation.views.emplace_back();
     view.points = scan(info_.truth[next_].pose, static_cast<std::uint32_t>(next_));
@@ -130,6 +130,18 @@ class SimulatedSource : public ObservationSource {
 };
 
 }  // namespace
+
+SimulationOptions laserOnTheMove(double step_m) {
+  SimulationOptions options = atStep({}, step_m);
+  options.standing = false;
+  options.range_limit_m = 60.0;
+  options.sigma_offset_m = 0.03;
+  options.sigma_quadratic = 0.0001;
+  options.outliers = 0.002;
+  options.unrecognised = 0.0;
+  options.obstacles_mistaken = 1.0;
+  return options;
+}
 
 std::unique_ptr<ObservationSource> simulate(const World& world, const SimulationOptions& options,
                                             std::uint64_t seed) {
