@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include <tbb/parallel_for.h>
+#include "core/base/parallel.h"
 
 namespace handmap {
 
@@ -236,7 +236,7 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
   std::erase_if(rivals_, [&](const FoundBox& rival) {
     return !BoxView(rival.box, frames.back()->pose).inReach(sensor.rangeLimit());
   });
-  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t b) {
+  parallelFor(boxes.size(), [&](std::size_t b) {
     if (!boxes[b].in_sight) return;
     FoundBox refined = boxes[b];
     refine(refined, 0.1, frames, sensor);

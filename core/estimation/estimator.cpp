@@ -2,21 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/random.h"
-#include "core/estimation/active_directions.h"
-#include "core/estimation/clutter_estimate.h"
-#include "core/estimation/evidence_window.h"
-#include "core/estimation/labels.h"
-#include "core/estimation/landmarks.h"
-#include "core/estimation/map_correction.h"
-#include "core/estimation/noise_estimate.h"
-#include "core/estimation/odometry_estimate.h"
-#include "core/estimation/outline_fit.h"
-#include "core/estimation/samples.h"
+#include "core/estimation/estimator_state.h"
 
 namespace handmap {
 
@@ -24,80 +13,14 @@ namespace {
 
 constexpr double kSlacks[] = {0.3, 0.1};  // across walls, metres: wide to catch, narrow to settle
 constexpr double kFinalSlacks[] = {0.2, 0.1, 0.03};
-constexpr int kMostIterations = 10;         // of the whole run
-constexpr double kSettled = 0.02;           // metres: no pose moves any more
+constexpr int kMostIterations = 10;  // of the whole run
+constexpr double kSettled = 0.02;    // metres: no pose moves any more
+/// Frames whose odometry is never better than usual: the start is placed by hand, and the way has
+/// to turn to the drawing somewhere.
+constexpr std::size_t kFromStart = 10;
 constexpr std::size_t kMostSmoothed = 300;  // of the buildings settled far away
 
 }  // namespace
-
-struct HandmapEstimator::State {
-  State(const Map& map, const EstimatorOptions& with, std::uint64_t random_seed)
-      : drawing(map),
-        options(with),
-        seed(random_seed),
-        sensor(with.sensor, with.range_limit_m),
-        evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m), with.active_m,
-                 static_cast<std::size_t>(with.most_active)),
-        finder(with.finder),
-        smoother(with.odometry, sensor),
-        odometry_estimate(with.odometry.heading_variance_per_m),
-        labels(drawing, with.assignment),
-        correction(drawing, labels) {
-    for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
-  }
-
-  void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
-  void smoothWindow();
-  void updateDirections();
-  void updateNoise();
-  void findBuildings();
-  void followBuildings();
-  bool closeLoop();
-  bool smoothNowAndThen();
-  void smoothAll(std::span<const double> slacks, int iterations, std::span<const SameBuilding> same,
-                 const std::stop_token& stop);
-  std::vector<FoundBox> allFound() const;
-  void setAllFound(const std::vector<FoundBox>& all);
-  void labelBuildings(double near_m);
-  bool fitOutlines();
-  /// Buildings farther from the robot keep the labels that they have: no frame that is worked on
-  /// sees them.
-  double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
-  std::size_t firstWorkedOn() const;
-  std::size_t firstKept() const;
-  std::vector<Frame*> framesFrom(std::size_t first);
-  bool isInReach(const FoundBox& found) const;
-  bool isInSight(const FoundBox& found) const;
-  MapCorrection::HasReached hasReached() const;
-
-  Map drawing;
-  EstimatorOptions options;
-  std::uint64_t seed;
-  SensorModel sensor;
-  EvidenceWindow evidence;
-  ActiveDirections directions;
-  BoxFinder finder;
-  Smoother smoother;
-
-  std::deque<Frame> frames;  ///< key frames, in order of time
-  std::vector<FoundBox> found;
-  Landmarks landmarks;
-  NoiseEstimate noise;
-  ClutterEstimate clutter;
-  OdometryEstimate odometry_estimate;
-  Labels labels;
-  std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
-  MapCorrection correction;
-  std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
-  struct Passing {              ///< an observation: its pose relative to a key frame
-    double time_s;
-    std::size_t frame;
-    Pose2 offset;
-  };
-  std::vector<Passing> observations;
-  Pose2 pose;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
 
 HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& options,
                                    std::uint64_t seed) {
@@ -113,11 +36,52 @@ void HandmapEstimator::startFrom(const Pose2& odometry) {
   state_->addFrame(0.0, odometry, *state_->drawing.start, Scan{});
 }
 
-bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& scan,
+void HandmapEstimator::reviseOdometry(const std::vector<Pose2>& odometry, double noise) {
+  State& state = *state_;
+  state.odometry_noise = noise;
+  for (std::size_t i = 0; i < state.observations.size(); ++i) {
+    State::Passing& passing = state.observations[i];
+    Frame& frame = state.frames[passing.frame];
+    if (i == 0 || state.observations[i - 1].frame != passing.frame) frame.odometry = odometry[i];
+    passing.offset = between(frame.odometry, odometry[i]);
+  }
+  std::vector<Pose2> before;
+  for (const Frame& frame : state.frames) before.push_back(frame.pose);
+  for (std::size_t i = 1; i < state.frames.size(); ++i) {
+    const Frame& last = state.frames[i - 1];
+    Frame& frame = state.frames[i];
+    frame.odometry_noise = i < kFromStart ? 1.0 : noise;
+    frame.pose = last.pose * state.smoother.scaled(between(last.odometry, frame.odometry));
+  }
+  const auto move_with = [&](std::size_t frame, const Vec2& point) {
+    return state.frames[frame].pose.toOuter(before[frame].toOwn(point));
+  };
+  const auto move = [&](FoundBox& found) {
+    const std::size_t last = std::min(found.last_frame, state.frames.size() - 1);
+    const std::size_t middle = (std::min(found.first_frame, last) + last) / 2;
+    found.box.pivot = move_with(middle, found.box.pivot);
+    found.box.heading += state.frames[middle].pose.heading - before[middle].heading;
+  };
+  for (FoundBox& found : state.found) move(found);
+  state.labels.changeSettled(move);
+  std::vector<bool> moved(state.landmarks.positions().size());
+  for (std::size_t i = state.frames.size(); i-- > 0;) {
+    for (const Sighting& sighting : state.frames[i].sightings) {
+      const auto at = static_cast<std::size_t>(sighting.landmark);
+      if (sighting.landmark < 0 || moved[at]) continue;
+      Vec2& position = state.landmarks.positions()[at];
+      position = move_with(i, position);
+      moved[at] = true;
+    }
+  }
+  state.evidence.putAnew(state.sensor);
+  if (!state.frames.empty()) state.pose = state.frames.back().pose;
+}
+
+void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& scan,
                             const std::stop_token& stop,
                             const std::function<void(double)>& progress) {
   State& state = *state_;
-  if (stop.stop_requested()) return false;
   if (state.frames.empty()) startFrom(odometry);
   const Frame& last = state.frames.back();
   const Pose2 motion = between(last.odometry, odometry);
@@ -128,7 +92,7 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
     state.frames.pop_back();
   } else if (!moved) {
     state.observations.push_back({time_s, state.frames.size() - 1, motion});
-    return true;
+    return;
   }
   state.addFrame(time_s, odometry, state.pose, scan);
   state.observations.push_back({time_s, state.frames.size() - 1, Pose2{}});
@@ -143,16 +107,25 @@ bool HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.updateNoise();
   if (progress) progress(0.9);
   state.labelBuildings(state.nearM());
-  if (state.closeLoop() || state.smoothNowAndThen()) state.labelBuildings(state.nearM());
+  if (state.closeLoop(stop) || state.smoothNowAndThen(stop)) {
+    state.labelBuildings(state.nearM());
+  }
   if (state.fitOutlines()) state.labelBuildings(state.nearM());
   state.correction.correctSome(state.found, state.hasReached());
   state.pose = state.frames.back().pose;
-  return true;
 }
 
 void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
                                        const Scan& scan) {
+  if (!scan.first_looked_at.empty() && !frames.empty()) {
+    evidence.changeFrames(sensor, [&] {
+      for (std::size_t i = firstKept(); i < frames.size(); ++i) {
+        if (frames[i].ray_by_ray) addSilence(frames[i], scan.first_looked_at, sensor.rangeLimit());
+      }
+    });
+  }
   frames.push_back(makeFrame(time_s, odometry, at, scan));
+  frames.back().odometry_noise = frames.size() <= kFromStart ? 1.0 : odometry_noise;
   if (frames.size() > 1) {
     const Frame& before = frames[frames.size() - 2];
     frames.back().number = before.number + 1;
@@ -288,7 +261,7 @@ void HandmapEstimator::State::followBuildings() {
 
 /// Where the way has come back to what is asleep: finds out how far it has drifted. Returns whether
 /// it did; the labels are then to be found anew.
-bool HandmapEstimator::State::closeLoop() {
+bool HandmapEstimator::State::closeLoop(const std::stop_token& stop) {
   constexpr double kShift = 0.01;  // of the way since; one σ
   constexpr double kLeastShift = 1.0;
   constexpr double kTurn = 0.0001;  // radians a metre
@@ -323,20 +296,21 @@ bool HandmapEstimator::State::closeLoop() {
   }
   const auto pairs = handmap::closeLoop(found, candidates, drift);
   if (!pairs) return false;
-  smoothAll(kWide, kMostIterations, *pairs, {});
+  smoothAll(kWide, kMostIterations, *pairs, stop);
   found = merged(found, *pairs);
   evidence.putAnew(sensor);
   return true;
 }
 
 /// The window alone drifts. The longer the run the more seldom, so that a frame costs the same.
-bool HandmapEstimator::State::smoothNowAndThen() {
+bool HandmapEstimator::State::smoothNowAndThen(const std::stop_token& stop) {
   constexpr std::size_t kLeast = 25;  // frames
   constexpr std::size_t kShare = 8;   // of the run so far
   constexpr double kSlack[] = {0.1};
   constexpr int kIterations = 3;
+  if (stop.stop_requested()) return false;
   if (frames.size() < smoothed_at + std::max(kLeast, smoothed_at / kShare)) return false;
-  smoothAll(kSlack, kIterations, {}, {});
+  smoothAll(kSlack, kIterations, {}, stop);
   evidence.putAnew(sensor);
   return true;
 }
@@ -432,78 +406,5 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   state.correction.correctAll(state.found, state.hasReached());
   state.pose = state.frames.back().pose;
 }
-
-const Pose2& HandmapEstimator::pose() const { return state_->pose; }
-const Eigen::Matrix3d& HandmapEstimator::poseCovariance() const { return state_->covariance; }
-const std::vector<FoundBox>& HandmapEstimator::found() const { return state_->found; }
-
-std::vector<StampedPose> HandmapEstimator::trajectory() const {
-  std::vector<StampedPose> poses;
-  for (const State::Passing& passing : state_->observations) {
-    poses.push_back({passing.time_s,
-                     state_->frames[passing.frame].pose * state_->smoother.scaled(passing.offset)});
-  }
-  return poses;
-}
-
-double HandmapEstimator::effectiveSampleSize() const {
-  double squares = 0.0;
-  for (const Hypothesis& h : state_->labels.hypotheses()) squares += h.weight * h.weight;
-  return 1.0 / squares;
-}
-
-int HandmapEstimator::visibleBuildings() const {
-  const auto& found = state_->found;
-  return static_cast<int>(std::count_if(found.begin(), found.end(), [&](const FoundBox& box) {
-    return !state_->frames.empty() && state_->isInSight(box);
-  }));
-}
-
-namespace {
-
-// Purposes of random streams.
-constexpr std::uint32_t kPose = 0;
-constexpr std::uint32_t kBuilding = 1;
-
-}  // namespace
-
-std::vector<PoseParticle> HandmapEstimator::particles() const {
-  const State& state = *state_;
-  const PoseSampler sample(state.pose, state.covariance);
-  std::vector<PoseParticle> particles;
-  const auto count = static_cast<std::size_t>(state.options.particles);
-  for (std::size_t i = 0; i < count; ++i) {
-    RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
-                        static_cast<std::uint32_t>(i), kPose);
-    particles.push_back({sample(random), 1.0 / static_cast<double>(count)});
-  }
-  return particles;
-}
-
-std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
-  const State& state = *state_;
-  const std::vector<std::size_t> held = sampledHypotheses(state.labels.hypotheses(), members);
-  std::vector<BuildingSwarm> swarms;
-  for (const std::size_t b : state.labels.nearby()) {
-    const FoundBox* best = state.labels.foundFor(b, state.labels.hypotheses().front(), state.found);
-    if (!best || !best->in_sight) continue;
-    const Building& drawn = state.drawing.buildings[b];
-    BuildingSwarm swarm{b, {}};
-    RandomStream random(state.seed, static_cast<std::uint32_t>(state.frames.size()),
-                        static_cast<std::uint32_t>(b), kBuilding);
-    for (std::size_t i = 0; i < members;) {
-      const std::size_t h = held[i];
-      const Hypothesis& hypothesis = state.labels.hypotheses()[h];
-      const BuildingSampler sample(
-          refinedBuilding(drawn, state.drawing.uncertaintyOf(drawn), hypothesis.motion,
-                          state.labels.foundFor(b, hypothesis, state.found)));
-      for (; i < members && held[i] == h; ++i) swarm.members.push_back(sample(random));
-    }
-    swarms.push_back(std::move(swarm));
-  }
-  return swarms;
-}
-
-Map HandmapEstimator::refinedMap() const { return state_->correction.map(); }
 
 }  // namespace handmap

@@ -57,8 +57,11 @@ class HandmapEstimator {
   /// Odometry of the drawing's start, where the first observation is made later on the way. Before
   /// the first step().
   void startFrom(const Pose2& odometry);
-  /// One observation. Returns false and leaves the state as it was when `stop` was requested.
-  bool step(double time_s, const Pose2& odometry, const Scan& scan,
+  /// Takes other odometry for all observations so far, in the same frame, with so many times the
+  /// usual noise: the way is laid along it, and what was found moves with the frames that saw it.
+  void reviseOdometry(const std::vector<Pose2>& odometry, double noise);
+  /// One observation. Where `stop` is requested it leaves out what only makes the whole run better.
+  void step(double time_s, const Pose2& odometry, const Scan& scan,
             const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
   /// Smooths the last frames (`most_kept`) once more and labels anew, after the last observation,
   /// as far as `stop` allows.
@@ -76,6 +79,8 @@ class HandmapEstimator {
   /// without one by what the others say of the whole drawing. A member "doubtful" tells how
   /// probable it is that the building is another one, or not there, where that is more than slight.
   Map refinedMap() const;
+  /// How the drawing as a whole lies.
+  const DrawingMotion& drawingMotion() const;
   const std::vector<FoundBox>& found() const;
 
  private:

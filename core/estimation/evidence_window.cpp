@@ -50,9 +50,7 @@ void EvidenceWindow::putAnew(const SensorModel& sensor) {
 }
 
 void EvidenceWindow::changeSensor(SensorModel& sensor, const SensorOptions& options) {
-  for (const ActiveFrame& a : frames_) evidence_.remove(*a.frame, a.held_at, sensor);
-  sensor = SensorModel(options, sensor.rangeLimit());
-  for (const ActiveFrame& a : frames_) evidence_.add(*a.frame, a.held_at, sensor);
+  changeFrames(sensor, [&] { sensor = SensorModel(options, sensor.rangeLimit()); });
 }
 
 }  // namespace handmap

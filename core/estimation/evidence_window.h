@@ -17,6 +17,13 @@ class EvidenceWindow {
   void add(Frame& frame, const SensorModel& sensor);
   /// Puts in all frames where they are now.
   void putAnew(const SensorModel& sensor);
+  /// Takes all frames out, lets `change` change what they saw, and puts them in again.
+  template <typename Change>
+  void changeFrames(const SensorModel& sensor, Change change) {
+    for (const ActiveFrame& a : frames_) evidence_.remove(*a.frame, a.held_at, sensor);
+    change();
+    for (const ActiveFrame& a : frames_) evidence_.add(*a.frame, a.held_at, sensor);
+  }
   /// Weighs all with another model, which takes the place of `sensor`.
   void changeSensor(SensorModel& sensor, const SensorOptions& options);
 

@@ -2,19 +2,38 @@
 
 namespace handmap {
 
+namespace {
+
+/// Noise takes some of the returns near the limit beyond it: there silence says nothing.
+constexpr float kSilentUpTo = 0.9F;
+
+FrameRay rayAlong(float bearing, const Sight& sight) {
+  return {std::cos(bearing), std::sin(bearing), bearing, sight};
+}
+
+}  // namespace
+
+void addSilence(Frame& frame, const std::vector<float>& bearings, double range_limit_m) {
+  const float range = kSilentUpTo * static_cast<float>(range_limit_m);
+  for (const float bearing : bearings) {
+    frame.rays.push_back(rayAlong(bearing, {range, SensorModel::kSilent}));
+  }
+  std::sort(frame.rays.begin(), frame.rays.end(),
+            [](const FrameRay& a, const FrameRay& b) { return a.bearing < b.bearing; });
+}
+
 Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const Scan& scan) {
   Frame frame;
   frame.time_s = time_s;
   frame.odometry = odometry;
   frame.pose = pose;
   frame.bias_sigma_per_m = scan.bias_sigma_per_m;
+  frame.ray_by_ray = scan.ray_by_ray;
   frame.rays.reserve(scan.rays.size());
   for (const Ray& ray : scan.rays) {
-    // Noise takes some of the returns near the limit beyond it: there silence says nothing.
-    const float range = ray.returned ? ray.range : 0.9F * ray.range;
+    const float range = ray.returned ? ray.range : kSilentUpTo * ray.range;
     const int label = ray.returned ? SensorModel::labelOf(ray.wall) : SensorModel::kSilent;
-    frame.rays.push_back(
-        {std::cos(ray.bearing), std::sin(ray.bearing), ray.bearing, {range, label}});
+    frame.rays.push_back(rayAlong(ray.bearing, {range, label}));
   }
   return frame;
 }

@@ -31,12 +31,17 @@ struct Frame {
   std::size_t number = 0;  ///< of the frames kept, in order of time
   double way_m = 0.0;      ///< driven since the first, by the odometry
   double time_s = 0.0;
-  Pose2 odometry;              ///< odometry frame
-  Pose2 pose;                  ///< map frame, best so far
-  std::vector<FrameRay> rays;  ///< by bearing
+  Pose2 odometry;               ///< odometry frame
+  double odometry_noise = 1.0;  ///< σ of the motion to it, times that of OdometryNoise
+  Pose2 pose;                   ///< map frame, best so far
+  std::vector<FrameRay> rays;   ///< by bearing
   std::vector<Sighting> sightings;
   double bias_sigma_per_m = 0.0;  ///< as that of the scan
+  bool ray_by_ray = false;        ///< the same
 };
+
+/// Adds that nothing came back to a frame along these bearings, up to the range limit.
+void addSilence(Frame& frame, const std::vector<float>& bearings, double range_limit_m);
 
 Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const Scan& scan);
 

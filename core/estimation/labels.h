@@ -26,6 +26,11 @@ class Labels {
   std::vector<FoundBox> settled(std::size_t most) const;
   /// The same ones, put right.
   void setSettled(std::span<const FoundBox> boxes);
+  /// Changes all of the buildings far away.
+  template <typename Change>
+  void changeSettled(Change change) {
+    for (Settled& settled : settled_) change(settled.found);
+  }
   std::size_t settledCount() const { return settled_.size(); }
 
   /// About the drawn buildings near the robot; the best first.

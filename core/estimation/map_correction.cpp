@@ -17,6 +17,7 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
   Building& building = map_.buildings[b];
   building = drawn.fitted(refined.box());
   building.estimate = refined.estimate;
+  building.unknown.erase("doubtful");  // of an earlier run
   // Of what the robot has not come to yet nothing can be said.
   if (label.doubt > kSlightDoubt && (label.found || has_reached(refined.box()))) {
     building.unknown["doubtful"] = fmt::format("{:.2f}", label.doubt);

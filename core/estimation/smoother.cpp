@@ -150,8 +150,10 @@ void Smoother::addOdometry(const Frame& from, const Frame& to, int from_index, i
   const double heading = std::sqrt(odometry_.heading_variance_per_m * length) +
                          odometry_.heading_per_rad * std::abs(measured.heading) +
                          odometry_.least_heading;
-  const Eigen::Vector3d sigma(odometry_.length_per_m * length + odometry_.least_length_m,
-                              odometry_.side_per_m * length + odometry_.least_length_m, heading);
+  const Eigen::Vector3d sigma =
+      to.odometry_noise *
+      Eigen::Vector3d(odometry_.length_per_m * length + odometry_.least_length_m,
+                      odometry_.side_per_m * length + odometry_.least_length_m, heading);
   const Eigen::Vector3d residual(step.x - measured.x, step.y - measured.y,
                                  normalizedAngle(step.heading - measured.heading));
   const double c = std::cos(from.pose.heading);

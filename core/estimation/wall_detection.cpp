@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
+#include "core/base/parallel.h"
 
 namespace handmap {
 
@@ -109,7 +109,7 @@ std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& mid
   const std::vector<WallImage>& images = evidence.images();
   const std::size_t tilts = options.tilts.size();
   std::vector<std::vector<FoundWall>> found(images.size() * tilts);
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+  parallelFor(found.size(), [&](std::size_t i) {
     const WallImage& image = images[i / tilts];
     const auto at = [&](double metres) { return static_cast<int>(metres / image.cell()); };
     const double along = image.along().dot(middle);

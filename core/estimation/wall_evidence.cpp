@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
+#include "core/base/parallel.h"
 
 namespace handmap {
 
@@ -60,9 +60,9 @@ void WallEvidence::include(double heading, std::span<const ActiveFrame> held,
   for (int side = 0; side < 4; ++side) {
     images_.emplace_back(heading + side * kPi / 2.0, cell_, window_);
   }
-  tbb::parallel_for(first, images_.size(), [&](std::size_t i) {
+  parallelFor(images_.size() - first, [&](std::size_t i) {
     for (const ActiveFrame& active : held) {
-      images_[i].apply(*active.frame, active.held_at, sensor, 1);
+      images_[first + i].apply(*active.frame, active.held_at, sensor, 1);
     }
   });
 }
@@ -77,13 +77,11 @@ void WallEvidence::exclude(double heading) {
 }
 
 void WallEvidence::add(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
-  tbb::parallel_for(std::size_t{0}, images_.size(),
-                    [&](std::size_t i) { images_[i].apply(frame, pose, sensor, 1); });
+  parallelFor(images_.size(), [&](std::size_t i) { images_[i].apply(frame, pose, sensor, 1); });
 }
 
 void WallEvidence::remove(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
-  tbb::parallel_for(std::size_t{0}, images_.size(),
-                    [&](std::size_t i) { images_[i].apply(frame, pose, sensor, -1); });
+  parallelFor(images_.size(), [&](std::size_t i) { images_[i].apply(frame, pose, sensor, -1); });
 }
 
 }  // namespace handmap

@@ -25,7 +25,7 @@ TrialStep stepOf(const Snapshot& snapshot, const Map& truth) {
   const Vec2 place = snapshot.truth->position();
   return {(snapshot.report.pose.position() - place).norm(),
           (snapshot.odometry->back().pose.position() - place).norm(),
-          meanError(snapshot.map, truth)};
+          meanError(*snapshot.map, truth)};
 }
 
 void compare(const Map& drawing, const Map& refined, const Map& truth, Trial& trial) {

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
-
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/localization/motion_model.h"
 #include "core/localization/resampling.h"
 #include "core/localization/wall_likelihood.h"
@@ -49,7 +48,7 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
   sums_.reset(local_map);
   const std::vector<std::size_t> order = byHeading();
   std::atomic<std::size_t> done = 0;
-  tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t place) {
+  parallelFor(next_.size(), [&](std::size_t place) {
     if (stop.stop_requested()) return;
     const std::size_t i = order[place];
     updateMap(next_[i], static_cast<std::uint32_t>(i), local_map.range(), stop);
@@ -69,7 +68,7 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
 void FastSlamPsom::samplePoses(double time_s, const Pose2& motion) {
   next_.resize(particles_.size());
   const bool moved = frame_ > 0 || motion != Pose2{};
-  tbb::parallel_for(std::size_t{0}, next_.size(), [&](std::size_t i) {
+  parallelFor(next_.size(), [&](std::size_t i) {
     Particle& particle = next_[i];
     particle = particles_[i];
     // x_t ~ p(x_t | u_t, x_{t-1})
@@ -232,7 +231,7 @@ void FastSlamPsom::resample() {
 
   RandomStream random(seed_, frame_, 0, kResampling);
   const std::vector<int> drawn = systematicResample(weights, random.uniform());
-  tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
+  parallelFor(drawn.size(), [&](std::size_t i) {
     next_[i] = particles_[static_cast<std::size_t>(drawn[i])];
     next_[i].weight = 1.0 / count;
   });

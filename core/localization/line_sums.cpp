@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
-#include <tbb/parallel_for.h>
+
+#include "core/base/parallel.h"
 
 namespace handmap {
 
@@ -35,7 +36,8 @@ void LineSums::reset(const LocalMap& local_map) {
     }
   }
   for (RowMemory& memory : memory_) memory.release();
-  tbb::parallel_for(0, blocks_, [&](int row) { takeBlocks(local_map.cells(), row); });
+  parallelFor(static_cast<std::size_t>(blocks_),
+              [&](std::size_t row) { takeBlocks(local_map.cells(), static_cast<int>(row)); });
   // A stretch that has its middle in a block lies in that and the eight around it.
   cv::dilate(hit_, near_hit_, cv::Mat(), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
 }

@@ -7,8 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include <tbb/enumerable_thread_specific.h>
-
+#include "core/base/parallel.h"
 #include "core/localization/row_memory.h"
 #include "core/perception/local_map.h"
 
@@ -126,7 +125,7 @@ class LineSums {
   mutable std::unique_ptr<std::atomic<const std::uint32_t*>[]> slots_;
   mutable std::vector<std::atomic<bool>> used_ =
       std::vector<std::atomic<bool>>(LineDirection::kHalfTurn);
-  mutable tbb::enumerable_thread_specific<RowMemory> memory_;
+  mutable PerThread<RowMemory> memory_;
 };
 
 }  // namespace handmap

@@ -4,14 +4,12 @@
 
 #include <Eigen/Core>
 
-#include "core/estimation/estimator.h"
 #include "core/localization/fastslam_psom.h"
+#include "core/session/handmap_method.h"
 
 namespace handmap {
 
 namespace {
-
-constexpr std::size_t kSwarmMembers = 20;
 
 std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -65,52 +63,6 @@ class PaperMethod : public EstimationMethod {
   FastSlamPsom slam_;
 };
 
-EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& settings) {
-  EstimatorOptions options;
-  options.range_limit_m = source.range_limit_m;
-  options.particles = settings.slam.slam_particles;
-  options.assignment.free_scale = settings.free_scale;
-  options.assignment.free_turn = settings.free_turn;
-  return options;
-}
-
-class HandmapMethod : public EstimationMethod {
- public:
-  HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
-    estimator_.startFrom(source.start_odometry);
-  }
-
-  bool step(double time_s, const Pose2& odometry, const Percept& percept,
-            const std::stop_token& stop, const std::function<void(double)>& progress) override {
-    return estimator_.step(time_s, odometry, percept.scan, stop, progress);
-  }
-  bool finish(const std::stop_token& stop) override {
-    estimator_.finish(stop);
-    return true;
-  }
-  void describe(FrameReport& report) const override {
-    report.effective_sample_size = estimator_.effectiveSampleSize();
-    report.visible_buildings = estimator_.visibleBuildings();
-    report.pose = estimator_.pose();
-    const Eigen::Array3d sigma = estimator_.poseCovariance().diagonal().array().max(0.0).sqrt();
-    report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
-  }
-  std::vector<ParticleView> particles() const override {
-    std::vector<ParticleView> views;
-    for (const PoseParticle& particle : estimator_.particles()) {
-      views.push_back({particle.pose, particle.weight});
-    }
-    return views;
-  }
-  std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
-  std::vector<StampedPose> trajectory() const override { return estimator_.trajectory(); }
-  Map refinedMap() const override { return estimator_.refinedMap(); }
-
- private:
-  HandmapEstimator estimator_;
-};
-
 }  // namespace
 
 std::unique_ptr<EstimationMethod> makeMethod(const Map& drawing, const SourceInfo& source,
@@ -119,7 +71,7 @@ std::unique_ptr<EstimationMethod> makeMethod(const Map& drawing, const SourceInf
   if (settings.method == Method::Paper || !settings.slam.refine) {
     return std::make_unique<PaperMethod>(drawing, source, settings);
   }
-  return std::make_unique<HandmapMethod>(drawing, source, settings);
+  return makeHandmapMethod(drawing, source, settings);
 }
 
 }  // namespace handmap

@@ -12,6 +12,9 @@
 
 namespace handmap {
 
+/// Samples of each building that are shown.
+inline constexpr std::size_t kSwarmMembers = 20;
+
 class EstimationMethod {
  public:
   virtual ~EstimationMethod() = default;
@@ -21,7 +24,10 @@ class EstimationMethod {
   virtual bool step(double time_s, const Pose2& odometry, const Percept& percept,
                     const std::stop_token& stop, const std::function<void(double)>& progress) = 0;
   /// After the last observation, as far as `stop` allows. Returns whether the result has changed.
-  virtual bool finish(const std::stop_token& /*stop*/) { return false; }
+  virtual bool finish(const std::stop_token& /*stop*/,
+                      const std::function<void(double)>& /*progress*/) {
+    return false;
+  }
 
   /// Fills in what the method knows of the last observation.
   virtual void describe(FrameReport& report) const = 0;

@@ -74,6 +74,10 @@ Json frameJson(const FrameReport& frame) {
   return json;
 }
 
+std::string odometryOf(const RunSettings& settings, const SourceInfo& source) {
+  return source.visual_odometry ? "visual" : settings.odometry;
+}
+
 }  // namespace
 
 std::string refinementJson(const RunSettings& settings, const SourceInfo& source,
@@ -85,24 +89,32 @@ std::string refinementJson(const RunSettings& settings, const SourceInfo& source
             {"last_frame", frames.empty() ? 0 : frames.back().frame},
             {"observations", frames.size()},
             {"settings", settingsJson(settings)}};
-  if (source.visual_odometry) json["odometry"] = "visual";
+  const std::string odometry = odometryOf(settings, source);
+  if (odometry != "recorded") json["odometry"] = odometry;
   return json.dump();
 }
 
 std::string runReportJson(const RunSettings& settings, const SourceInfo& source,
                           const std::vector<FrameReport>& frames,
-                          const std::vector<SkippedFrame>& skipped, double wall_s,
+                          const std::vector<SkippedFrame>& skipped,
+                          const std::vector<RunWarning>& warnings, double wall_s,
                           double peak_memory_mb) {
   Json report{{"program", "handmap " HANDMAP_VERSION},
               {"recording", source.name},
               {"settings", settingsJson(settings)},
               {"wall_s", wall_s},
               {"peak_memory_mb", peak_memory_mb},
+              {"warnings", Json::array()},
               {"skipped", Json::array()},
               {"frames", Json::array()}};
   report["settings"]["seed"] = settings.seed;
   report["settings"]["threads"] = settings.threads;
+  report["settings"]["odometry"] = odometryOf(settings, source);
   if (source.speed > 0.0) report["settings"]["speed"] = source.speed;
+  for (const RunWarning& warning : warnings) {
+    report["warnings"].push_back(
+        {{"code", warning.code}, {"message", warning.message}, {"hint", warning.hint}});
+  }
   for (const SkippedFrame& frame : skipped) {
     report["skipped"].push_back({{"frame", frame.frame}, {"reason", frame.reason}});
   }

@@ -14,7 +14,8 @@ std::string refinementJson(const RunSettings& settings, const SourceInfo& source
 
 std::string runReportJson(const RunSettings& settings, const SourceInfo& source,
                           const std::vector<FrameReport>& frames,
-                          const std::vector<SkippedFrame>& skipped, double wall_s,
+                          const std::vector<SkippedFrame>& skipped,
+                          const std::vector<RunWarning>& warnings, double wall_s,
                           double peak_memory_mb);
 
 }  // namespace handmap

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <tbb/task_arena.h>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/session/estimation_method.h"
 #include "core/session/run_report.h"
 
@@ -39,23 +39,29 @@ struct RunSession::State {
         settings(with),
         perception(source->info(), settings.perception),
         method(makeMethod(drawing, source->info(), settings)),
-        arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic) {}
+        arena(settings.threads) {}
 
-  std::optional<Observation> nextReadable();
+  std::optional<Observation> nextReadable(const std::stop_token& stop,
+                                          const std::function<void(double)>& progress);
+  /// Every observation's; else it is rendered for whoever looks at it.
+  bool readsLocalMap() const { return settings.method == Method::Paper || !settings.slam.refine; }
   std::optional<Percept> perceive(const Observation& observation, const std::stop_token& stop);
   std::shared_ptr<const Snapshot> snapshot(const Observation& observation, Percept percept);
-  std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop);
+  std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
+                                               const std::function<void(double)>& progress);
   void fill(Snapshot& snapshot) const;
+  Map refinedMap() const;
 
   Map drawing;
   std::unique_ptr<ObservationSource> source;
   RunSettings settings;
   Perception perception;
   std::unique_ptr<EstimationMethod> method;
-  tbb::task_arena arena;
+  Arena arena;
   std::vector<StampedPose> odometry;  ///< alone, from the drawing's start
   std::vector<FrameReport> frames;
   std::vector<SkippedFrame> skipped;
+  RunCounts counts;
   std::shared_ptr<const Snapshot> newest;
   bool finished = false;
   Clock::time_point begin = Clock::now();
@@ -71,14 +77,18 @@ const SourceInfo& RunSession::source() const { return state_->source->info(); }
 const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->skipped; }
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
 
-std::optional<Observation> RunSession::State::nextReadable() {
-  for (;;) {
+/// nullopt at the end of the source and when `stop` was requested.
+std::optional<Observation> RunSession::State::nextReadable(
+    const std::stop_token& stop, const std::function<void(double)>& progress) {
+  while (!stop.stop_requested()) {
     try {
       return source->next();
     } catch (const FrameError& error) {
       skipped.push_back({error.frame(), error.what()});
     }
+    if (progress) progress(0.0);
   }
+  return std::nullopt;
 }
 
 std::optional<Percept> RunSession::State::perceive(const Observation& observation,
@@ -96,9 +106,10 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   State& state = *state_;
   while (!stop.stop_requested()) {
     const auto begin = Clock::now();
-    const std::optional<Observation> observation = state.nextReadable();
+    const std::optional<Observation> observation = state.nextReadable(stop, progress);
+    if (stop.stop_requested()) return nullptr;
     if (!observation) {
-      if (!state.frames.empty()) return state.lastSnapshot(stop);
+      if (!state.frames.empty()) return state.lastSnapshot(stop, progress);
       throw Error(ErrorCode::RunFailed,
                   fmt::format("none of {} observations could be used{}{}", source().observations,
                               state.skipped.empty() ? "" : "; the first: ",
@@ -112,6 +123,11 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
     report.ms.stereo = percept->stereo_ms;
     report.ms.classify = percept->classify_ms;
     report.ms.local_map = percept->local_map_ms;
+    if (state.readsLocalMap()) {
+      const auto render_begin = Clock::now();
+      percept->local_map.get();
+      report.ms.local_map += millisecondsSince(render_begin);
+    }
     const auto slam_begin = Clock::now();
     bool done = false;
     state.arena.execute([&] {
@@ -126,6 +142,7 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
     report.odometry_guessed = observation->odometry_guessed;
     state.method->describe(report);
     state.frames.push_back(report);
+    state.counts.add(*observation, *percept, report);
     return state.snapshot(*observation, std::move(*percept));
   }
   return nullptr;
@@ -142,7 +159,7 @@ std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& o
   fill(*snapshot);
   snapshot->odometry = std::make_shared<const std::vector<StampedPose>>(odometry);
   snapshot->truth = poseAt(source->info().truth, observation.time_s);
-  snapshot->local_map = std::make_shared<const LocalMap>(std::move(percept.local_map));
+  snapshot->local_map = std::move(percept.local_map);
   snapshot->image = percept.image;
   snapshot->disparity = percept.disparity;
   snapshot->buildings = percept.buildings;
@@ -151,11 +168,12 @@ std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& o
 }
 
 /// What the end of the run has changed.
-std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(const std::stop_token& stop) {
+std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(
+    const std::stop_token& stop, const std::function<void(double)>& progress) {
   if (finished) return nullptr;
   finished = true;
   bool changed = false;
-  arena.execute([&] { changed = method->finish(stop); });
+  arena.execute([&] { changed = method->finish(stop, progress); });
   if (!changed) return nullptr;
   method->describe(frames.back());
   auto snapshot = std::make_shared<Snapshot>(*newest);
@@ -174,16 +192,24 @@ void RunSession::State::fill(Snapshot& snapshot) const {
     }
     snapshot.swarms.push_back(std::move(view));
   }
-  snapshot.map = method->refinedMap();
+  snapshot.map = std::make_shared<const Map>(refinedMap());
   snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(method->trajectory());
 }
 
 std::vector<StampedPose> RunSession::trajectory() const { return state_->method->trajectory(); }
 
-Map RunSession::refinedMap() const {
-  Map map = state_->method->refinedMap();
-  map.refinement = refinementJson(state_->settings, source(), state_->frames);
+Map RunSession::State::refinedMap() const {
+  Map map = method->refinedMap();
+  map.refinement = refinementJson(settings, source->info(), frames);
   return map;
+}
+
+Map RunSession::refinedMap() const { return state_->refinedMap(); }
+
+std::vector<RunWarning> RunSession::warnings() const {
+  const RunSettings& settings = state_->settings;
+  return runWarnings({state_->counts, source().range_limit_m, state_->drawing,
+                      state_->method->refinedMap(), trajectory(), settings.slam.refine});
 }
 
 std::string RunSession::reportJson() const {
@@ -191,8 +217,8 @@ std::string RunSession::reportJson() const {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  return runReportJson(state_->settings, source(), state_->frames, state_->skipped, wall_s,
-                       peak_memory_mb);
+  return runReportJson(state_->settings, source(), state_->frames, state_->skipped, warnings(),
+                       wall_s, peak_memory_mb);
 }
 
 }  // namespace handmap

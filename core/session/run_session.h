@@ -12,6 +12,7 @@
 
 #include "core/localization/slam_options.h"
 #include "core/perception/perception.h"
+#include "core/session/run_warnings.h"
 #include "core/session/snapshot.h"
 
 namespace handmap {
@@ -26,7 +27,8 @@ struct RunSettings {
   bool free_scale = false;  ///< the drawing as a whole may have another scale
   bool free_turn = false;   ///< or be turned; Method::Handmap
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: as many as the machine has
+  int threads = 0;                    ///< 0: as many as the machine has
+  std::string odometry = "recorded";  ///< what the source's odometry comes from, for the report
 };
 
 struct SkippedFrame {
@@ -47,11 +49,13 @@ class RunSession {
   /// Takes the next observation that can be read and works it in. At the end of the source the
   /// method may smooth once more: one more snapshot. nullptr after that, and when `stop` was
   /// requested: the observation is then dropped and the state is the one before it. `progress` is
-  /// told the share done of the step, 0 … 1, from this thread.
+  /// told the share done of the step, 0 … 1, from this thread; it may wait there.
   std::shared_ptr<const Snapshot> step(const std::stop_token& stop = {},
                                        const std::function<void(double)>& progress = {});
 
   const std::vector<SkippedFrame>& skipped() const;
+  /// Of what was worked in so far: to be told at the end.
+  std::vector<RunWarning> warnings() const;
   const std::vector<FrameReport>& frames() const;
 
   /// The best map with estimates and the "refinement" object: enough to make it again.

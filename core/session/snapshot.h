@@ -50,14 +50,16 @@ struct Snapshot {
   FrameReport report;
   std::vector<ParticleView> particles;
   std::vector<SwarmView> swarms;
-  Map map;  ///< best so far; every refined building has its estimate
+  /// Best so far, ready to be saved: with the "refinement" object; every refined building has its
+  /// estimate.
+  std::shared_ptr<const Map> map;
   std::shared_ptr<const std::vector<StampedPose>> trajectory;  ///< best so far, map frame
   std::shared_ptr<const std::vector<StampedPose>> odometry;    ///< alone, from the same start
-  std::optional<Pose2> truth;                 ///< for drawing; never read by the estimator
-  std::shared_ptr<const LocalMap> local_map;  ///< around report.pose
-  cv::Mat image;        ///< left image, not to be written to; empty without a camera
-  cv::Mat1f disparity;  ///< the same
-  cv::Mat1f buildings;  ///< probability of each of its 16×16 windows, see StereoResult
+  std::optional<Pose2> truth;  ///< for drawing; never read by the estimator
+  LazyLocalMap local_map;      ///< around report.pose
+  cv::Mat image;               ///< left image, not to be written to; empty without a camera
+  cv::Mat1f disparity;         ///< the same
+  cv::Mat1f buildings;         ///< probability of each of its 16×16 windows, see StereoResult
 };
 
 }  // namespace handmap

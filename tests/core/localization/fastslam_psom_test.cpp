@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "tests/core/localization/direct_fastslam.h"
 
 namespace handmap {
@@ -96,7 +96,7 @@ std::string bytesOf(const FastSlamPsom& slam) {
 
 std::string bytesOfRun(int threads) {
   FastSlamPsom slam(drawnWrong(street()), {}, few(), 4);
-  tbb::task_arena arena(threads);
+  Arena arena(threads);
   for (int i = 0; i < 4; ++i) {
     const Pose2 pose{4.0 * i, 0.0, 0.0};
     const LocalMap local_map = seen(street(), pose);

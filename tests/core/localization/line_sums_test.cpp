@@ -1,8 +1,8 @@
 #include "core/localization/line_sums.h"
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
+#include "core/base/parallel.h"
 #include "core/base/random.h"
 
 namespace handmap {
@@ -153,7 +153,7 @@ TEST(LineSums, AreTheSameWhicheverThreadReadsFirst) {
       found[i] = read(sums, static_cast<int>(i % 3), static_cast<int>(i / 3 % 40), -80, 80).sum;
     };
     if (parallel) {
-      tbb::parallel_for(std::size_t{0}, found.size(), one);
+      parallelFor(found.size(), one);
     } else {
       for (std::size_t i = 0; i < found.size(); ++i) one(i);
     }

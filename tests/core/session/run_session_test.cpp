@@ -1,5 +1,7 @@
 #include "core/session/run_session.h"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -120,6 +122,18 @@ TEST(RunSession, BadFramesAreReportedAndSkipped) {
   EXPECT_EQ(report["frames"].size(), 3U);
 }
 
+TEST(RunSession, StopsBetweenFramesThatCannotBeRead) {
+  std::vector<int> all(1000);
+  std::iota(all.begin(), all.end(), 0);
+  RunSession session(street(), std::make_unique<FrontsSource>(1000, all), settings());
+  std::stop_source stop;
+  int heard = 0;
+  EXPECT_FALSE(session.step(stop.get_token(), [&](double) {
+    if (++heard == 3) stop.request_stop();
+  }));
+  EXPECT_EQ(session.skipped().size(), 3U);
+}
+
 TEST(RunSession, FailsWhenNoFrameCanBeRead) {
   RunSession session(street(), std::make_unique<FrontsSource>(2, std::vector{0, 1}), settings());
   try {
@@ -141,6 +155,23 @@ TEST(RunSession, AStopRequestEndsTheStep) {
   std::stop_source stop;
   EXPECT_FALSE(session.step(stop.get_token(), [&](double) { stop.request_stop(); }));
   EXPECT_EQ(session.frames().size(), 1U);
+}
+
+TEST(RunSession, WarnsWhenNoDrawnBuildingIsNear) {
+  Map far = street();
+  far.start = Pose2{500.0, 0.0, 0.0};
+  RunSettings ours;
+  ours.threads = 1;
+  RunSession session(far, std::make_unique<FrontsSource>(4), ours);
+  while (session.step()) {
+  }
+  ASSERT_EQ(session.warnings().size(), 1U);
+  EXPECT_EQ(session.warnings()[0].code, "nothing_corrected");
+  EXPECT_NE(session.warnings()[0].message.find("no nearer than 479 m"), std::string::npos)
+      << session.warnings()[0].message;
+  const auto report = nlohmann::json::parse(session.reportJson());
+  ASSERT_EQ(report["warnings"].size(), 1U);
+  EXPECT_EQ(report["warnings"][0]["code"], "nothing_corrected");
 }
 
 TEST(RunSession, SameSeedSameBytesOnAnyNumberOfThreads) {
@@ -192,7 +223,8 @@ TEST(RunSession, ReportHasWhatTheFormatSays) {
   while (session.step()) {
   }
   const auto report = nlohmann::json::parse(session.reportJson());
-  for (const char* key : {"program", "settings", "wall_s", "peak_memory_mb", "skipped", "frames"}) {
+  for (const char* key :
+       {"program", "settings", "wall_s", "peak_memory_mb", "warnings", "skipped", "frames"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   const auto& frame = report["frames"][0];

@@ -1,0 +1,89 @@
+// What the estimator knows; for its own files only.
+#pragma once
+
+#include <deque>
+
+#include "core/estimation/active_directions.h"
+#include "core/estimation/clutter_estimate.h"
+#include "core/estimation/estimator.h"
+#include "core/estimation/evidence_window.h"
+#include "core/estimation/labels.h"
+#include "core/estimation/landmarks.h"
+#include "core/estimation/map_correction.h"
+#include "core/estimation/noise_estimate.h"
+#include "core/estimation/odometry_estimate.h"
+#include "core/estimation/outline_fit.h"
+
+namespace handmap {
+
+struct HandmapEstimator::State {
+  State(const Map& map, const EstimatorOptions& with, std::uint64_t random_seed)
+      : drawing(map),
+        options(with),
+        seed(random_seed),
+        sensor(with.sensor, with.range_limit_m),
+        evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m), with.active_m,
+                 static_cast<std::size_t>(with.most_active)),
+        finder(with.finder),
+        smoother(with.odometry, sensor),
+        odometry_estimate(with.odometry.heading_variance_per_m),
+        labels(drawing, with.assignment),
+        correction(drawing, labels) {
+    for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
+  }
+
+  void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
+  void smoothWindow();
+  void updateDirections();
+  void updateNoise();
+  void findBuildings();
+  void followBuildings();
+  bool closeLoop(const std::stop_token& stop);
+  bool smoothNowAndThen(const std::stop_token& stop);
+  void smoothAll(std::span<const double> slacks, int iterations, std::span<const SameBuilding> same,
+                 const std::stop_token& stop);
+  std::vector<FoundBox> allFound() const;
+  void setAllFound(const std::vector<FoundBox>& all);
+  void labelBuildings(double near_m);
+  bool fitOutlines();
+  /// Buildings farther from the robot keep the labels that they have: no frame that is worked on
+  /// sees them.
+  double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
+  std::size_t firstWorkedOn() const;
+  std::size_t firstKept() const;
+  std::vector<Frame*> framesFrom(std::size_t first);
+  bool isInReach(const FoundBox& found) const;
+  bool isInSight(const FoundBox& found) const;
+  MapCorrection::HasReached hasReached() const;
+
+  Map drawing;
+  EstimatorOptions options;
+  std::uint64_t seed;
+  SensorModel sensor;
+  EvidenceWindow evidence;
+  ActiveDirections directions;
+  BoxFinder finder;
+  Smoother smoother;
+
+  std::deque<Frame> frames;  ///< key frames, in order of time
+  std::vector<FoundBox> found;
+  Landmarks landmarks;
+  NoiseEstimate noise;
+  ClutterEstimate clutter;
+  OdometryEstimate odometry_estimate;
+  Labels labels;
+  std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
+  MapCorrection correction;
+  std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
+  struct Passing {              ///< an observation: its pose relative to a key frame
+    double time_s;
+    std::size_t frame;
+    Pose2 offset;
+  };
+  std::vector<Passing> observations;
+  double odometry_noise = 1.0;
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+}  // namespace handmap

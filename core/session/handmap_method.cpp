@@ -1,0 +1,134 @@
+#include "core/session/handmap_method.h"
+
+#include "core/estimation/estimator.h"
+#include "core/outlines/refinement.h"
+#include "core/trajectory/scan_trajectory.h"
+
+namespace handmap {
+
+namespace {
+
+EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& settings) {
+  EstimatorOptions options;
+  options.range_limit_m = source.range_limit_m;
+  options.particles = settings.slam.slam_particles;
+  options.assignment.free_scale = settings.free_scale;
+  options.assignment.free_turn = settings.free_turn;
+  return options;
+}
+
+/// A way of the robot that is thought of: poses of all observations, map frame.
+struct Way {
+  enum class By { Buildings, Odometry, Scans };
+  By by;
+  std::vector<Pose2> poses;
+};
+
+class HandmapMethod : public EstimationMethod {
+ public:
+  HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
+      : drawing_(drawing),
+        start_(*drawing.start * inverse(source.start_odometry)),
+        seed_(settings.seed),
+        seen_(source.range_limit_m),
+        trajectory_({.range_limit_m = source.range_limit_m}),
+        estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
+    estimator_.startFrom(source.start_odometry);
+  }
+
+  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+            const std::stop_token& stop, const std::function<void(double)>& progress) override {
+    if (stop.stop_requested()) return false;
+    trajectory_.add(time_s, odometry, percept.points, stop);
+    followTrajectory();
+    const Pose2& here = trajectory_.poses().back();
+    estimator_.step(time_s, here, percept.scan, stop, progress);
+    seen_.add(observations_++, odometry, percept.scan, percept.points);
+    return true;
+  }
+
+  bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
+    estimator_.finish(stop);
+    if (stop.stop_requested()) return true;
+    Way way = chosenWay();
+    const Map found_map = estimator_.refinedMap();
+    std::optional<FoundMap> found;
+    if (way.by == Way::By::Buildings) found.emplace(found_map, estimator_.drawingMotion());
+    refined_ = refine(drawing_, found, seen_, way.poses, seed_, stop, progress);
+    if (refined_) way_ = std::move(way);
+    return true;
+  }
+
+  void describe(FrameReport& report) const override {
+    report.effective_sample_size = estimator_.effectiveSampleSize();
+    report.visible_buildings = estimator_.visibleBuildings();
+    report.pose = way_ ? way_->poses.back() : estimator_.pose();
+    const Eigen::Array3d sigma = estimator_.poseCovariance().diagonal().array().max(0.0).sqrt();
+    report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
+  }
+  std::vector<ParticleView> particles() const override {
+    std::vector<ParticleView> views;
+    for (const PoseParticle& particle : estimator_.particles()) {
+      views.push_back({particle.pose, particle.weight});
+    }
+    return views;
+  }
+  std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
+  std::vector<StampedPose> trajectory() const override {
+    std::vector<StampedPose> poses = estimator_.trajectory();
+    if (!way_) return poses;
+    for (std::size_t i = 0; i < poses.size(); ++i) poses[i].pose = way_->poses[i];
+    return poses;
+  }
+  Map refinedMap() const override { return refined_ ? *refined_ : estimator_.refinedMap(); }
+
+ private:
+  /// Where matched scans tell the way the buildings are found along that, and laid anew with it
+  /// where a loop was closed.
+  void followTrajectory() {
+    const bool changed = trajectory_.usable() != by_scans_ || trajectory_.loops() != loops_;
+    if (!changed) return;
+    by_scans_ = trajectory_.usable();
+    loops_ = trajectory_.loops();
+    std::vector<Pose2> before = trajectory_.poses();
+    before.pop_back();  // the newest is not with the estimator yet
+    estimator_.reviseOdometry(before, trajectory_.noiseScale());
+  }
+
+  /// The odometry, matched scans and the buildings each tell a way. That of the buildings is
+  /// dropped where it makes what was seen less sharp.
+  Way chosenWay() const {
+    constexpr double kMargin = 0.015;  // of sharpness: less is chance
+    const bool scans = trajectory_.usable();
+    Way alone{scans ? Way::By::Scans : Way::By::Odometry, {}};
+    for (const Pose2& pose : scans ? trajectory_.poses() : trajectory_.recorded()) {
+      alone.poses.push_back(start_ * pose);
+    }
+    Way buildings{Way::By::Buildings, {}};
+    for (const StampedPose& pose : estimator_.trajectory()) buildings.poses.push_back(pose.pose);
+    const bool blurs =
+        trajectory_.sharpness(buildings.poses) < trajectory_.sharpness(alone.poses) - kMargin;
+    return blurs ? alone : buildings;
+  }
+
+  Map drawing_;
+  Pose2 start_;  ///< of the odometry frame, map frame
+  std::uint64_t seed_;
+  SeenFrames seen_;
+  std::size_t observations_ = 0;
+  ScanTrajectory trajectory_;
+  bool by_scans_ = false;
+  int loops_ = 0;
+  HandmapEstimator estimator_;
+  std::optional<Way> way_;      ///< after the end of the run, and
+  std::optional<Map> refined_;  ///< the drawing on it
+};
+
+}  // namespace
+
+std::unique_ptr<EstimationMethod> makeHandmapMethod(const Map& drawing, const SourceInfo& source,
+                                                    const RunSettings& settings) {
+  return std::make_unique<HandmapMethod>(drawing, source, settings);
+}
+
+}  // namespace handmap

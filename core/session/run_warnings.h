@@ -1,0 +1,46 @@
+// What went wrong without ending a run: it has an end and a map, and nobody was helped by it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/map/map.h"
+#include "core/perception/perception.h"
+#include "core/recording/trajectory.h"
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+struct RunWarning {
+  std::string code;     ///< stable, for programs: see runWarnings()
+  std::string message;  ///< what was looked at, and what was missing
+  std::string hint;     ///< what to try
+};
+
+/// What a run has looked at, added up over its observations.
+struct RunCounts {
+  int observations = 0;
+  int with_building = 0;    ///< observations with a building in sight
+  bool images = false;      ///< seen by cameras, not by ranges
+  std::size_t points = 0;   ///< ranges that came back, of a range sensor
+  std::size_t walls = 0;    ///< directions in which something was taken for a wall
+  double farthest_m = 0.0;  ///< of the walls
+
+  void add(const Observation& observation, const Percept& percept, const FrameReport& report);
+};
+
+/// What the warnings are drawn from; `way` and `refined` as at the end of the run.
+struct RunOutcome {
+  const RunCounts& counts;
+  double range_limit_m;
+  const Map& drawing;
+  const Map& refined;
+  const std::vector<StampedPose>& way;
+  bool refine;  ///< buildings were to be corrected
+};
+
+/// At most one of the codes nothing_recognised, nothing_corrected and way_from_odometry: the first
+/// that holds says what follows from it too.
+std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
+
+}  // namespace handmap

@@ -1,0 +1,86 @@
+#include "core/session/run_warnings.h"
+
+#include <gtest/gtest.h>
+
+namespace handmap {
+namespace {
+
+Map street() {
+  Map map;
+  map.start = Pose2{};
+  Building north;
+  north.id = "N";
+  north.shape = Rectangle{{10.0, 60.0}, 20.0, 10.0, 0.0};
+  map.buildings = {north};
+  return map;
+}
+
+Map corrected(int observations) {
+  Map map = street();
+  map.buildings[0].estimate = Estimate{1.0, 1.0, 1.0, observations};
+  return map;
+}
+
+std::vector<RunWarning> warningsOf(const RunCounts& counts, const Map& refined = corrected(0),
+                                   double range_limit_m = 80.0, bool refine = true) {
+  const std::vector<StampedPose> way{{0.0, {0.0, 0.0, 0.0}}, {1.0, {20.0, 0.0, 0.0}}};
+  return runWarnings({counts, range_limit_m, street(), refined, way, refine});
+}
+
+bool says(const std::vector<RunWarning>& warnings, const std::string& code,
+          const std::string& words) {
+  return warnings.size() == 1 && warnings[0].code == code && !warnings[0].hint.empty() &&
+         warnings[0].message.find(words) != std::string::npos;
+}
+
+TEST(RunWarnings, AGoodRunHasNone) {
+  EXPECT_TRUE(warningsOf({10, 8, false, 1000, 300, 20.0}, corrected(5)).empty());
+}
+
+TEST(RunWarnings, TellsWhyNothingWasRecognised) {
+  EXPECT_TRUE(says(warningsOf({10, 0, false, 0, 0, 0.0}), "nothing_recognised",
+                   "Nothing came back from within 80 m"));
+  EXPECT_TRUE(
+      says(warningsOf({10, 0, false, 1234, 0, 0.0}), "nothing_recognised", "None of 1234 returns"));
+  EXPECT_TRUE(says(warningsOf({10, 0, true, 0, 0, 0.0}), "nothing_recognised", "images"));
+  EXPECT_TRUE(says(warningsOf({10, 0, false, 1234, 99, 31.0}, corrected(0), 40.0),
+                   "nothing_recognised", "no nearer than 55 m to a drawn building"));
+  EXPECT_TRUE(says(warningsOf({10, 0, false, 1234, 99, 31.0}), "nothing_recognised",
+                   "Walls were seen in 99 directions, up to 31 m away"));
+}
+
+TEST(RunWarnings, TellsThatNothingWasCorrected) {
+  const RunCounts seen{10, 8, false, 1000, 300, 20.0};
+  EXPECT_TRUE(says(warningsOf(seen), "nothing_corrected", "8 of 10 observations"));
+  EXPECT_TRUE(warningsOf(seen, corrected(0), 80.0, false).empty()) << "nothing was to be corrected";
+}
+
+TEST(RunWarnings, TellsThatTheWayIsMostlyTheOdometrys) {
+  EXPECT_TRUE(says(warningsOf({10, 4, false, 1000, 300, 20.0}, corrected(4)), "way_from_odometry",
+                   "in 6 of 10 observations"));
+  EXPECT_TRUE(warningsOf({10, 5, false, 1000, 300, 20.0}, corrected(4)).empty());
+}
+
+TEST(RunWarnings, CountsWhatComesBack) {
+  RunCounts counts;
+  Observation observation;
+  observation.views.resize(1);
+  observation.views[0].points.emplace(7);
+  Percept percept;
+  percept.scan.rays = {{0.0F, 5.0F, 0.1F, 0.9F, true},
+                       {0.1F, 30.0F, 0.1F, 0.9F, false},  // nothing came back
+                       {0.2F, 40.0F, 0.1F, 0.1F, true}};  // hardly a wall
+  FrameReport report;
+  counts.add(observation, percept, report);
+  report.visible_buildings = 2;
+  counts.add(observation, percept, report);
+  EXPECT_EQ(counts.observations, 2);
+  EXPECT_EQ(counts.with_building, 1);
+  EXPECT_EQ(counts.points, 14U);
+  EXPECT_EQ(counts.walls, 2U);
+  EXPECT_EQ(counts.farthest_m, 5.0);
+  EXPECT_FALSE(counts.images);
+}
+
+}  // namespace
+}  // namespace handmap
