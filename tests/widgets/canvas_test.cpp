@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QWheelEvent>
 #include <memory>
 
@@ -213,6 +214,23 @@ class CanvasTest : public QObject {
     QVERIFY(paintedAt({10.0, 22.0}) != ground);
     canvas_->setDrawingVisible(false);
     QCOMPARE(paintedAt({10.0, 22.0}), ground);
+  }
+
+  void picturesOutsideOfTheFolderAreShownWhenTheyAreTrusted() {
+    QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir("maps"));
+    QImage red(40, 20, QImage::Format_RGB32);
+    red.fill(Qt::red);
+    QVERIFY(red.save(folder.filePath("red.png")));
+    Map map;
+    map.underlays = {{"../red.png", -40.0, -20.0, 0.5, 0.0, 1.0, {}}};
+    document_->reset(map, folder.filePath("maps/m.handmap"));
+    canvas_->zoomToFit();
+    QVERIFY(QThreadPool::globalInstance()->waitForDone());
+    QTest::qWait(1);
+    QVERIFY(paintedAt({-30.0, -25.0}) != QColor(Qt::red).rgb());
+    document_->setTrustsReferences(true);
+    QTRY_COMPARE(paintedAt({-30.0, -25.0}), QColor(Qt::red).rgb());
   }
 
   void picturesAppearAndMissingOnesAreMarked() {

@@ -306,14 +306,66 @@ class DocumentTest : public QObject {
   void picturesAreStillFoundFromAnotherFolder() {
     QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkpath("a") && QDir(folder.path()).mkpath("b"));
+    const std::string saved = folder.filePath("b/m.handmap").toStdString();
+    const std::vector<Underlay> drawn = {{"aerial.jpg", 0, 0, 0.2, 0, 1, {}},
+                                         {"/abs.png", 0, 0, 0.2, 0, 1, {}}};
     Map map = sampleMap();
-    map.underlays = {{"aerial.jpg", 0, 0, 0.2, 0, 1, {}}, {"/abs.png", 0, 0, 0.2, 0, 1, {}}};
+    map.underlays = drawn;
     document_->reset(map, folder.filePath("a/m.handmap"));
+    std::vector<Underlay> faint = drawn;
+    faint[0].opacity = 0.5;
+    document_->setUnderlays(faint, "Fade");
     document_->save(folder.filePath("b/m.handmap"));
-    QCOMPARE(document_->map().underlays[0].image, "../a/aerial.jpg");
-    QCOMPARE(document_->map().underlays[1].image, "/abs.png");
     QVERIFY(!document_->isModified());
-    QCOMPARE(readMap(folder.filePath("b/m.handmap").toStdString()), document_->map());
+    QCOMPARE(readMap(saved).underlays[0].image, "../a/aerial.jpg");
+    QCOMPARE(readMap(saved).underlays[1].image, "/abs.png");
+
+    // A step from before the drawing moved still means the same picture.
+    document_->undoStack().undo();
+    QVERIFY(document_->isModified());
+    document_->save(folder.filePath("b/m.handmap"));
+    QCOMPARE(readMap(saved).underlays[0].image, "../a/aerial.jpg");
+    QCOMPARE(readMap(saved).underlays[0].opacity, 1.0);
+    document_->save(folder.filePath("a/m.handmap"));
+    QCOMPARE(readMap(folder.filePath("a/m.handmap").toStdString()).underlays, drawn);
+  }
+
+  void whatWasEditedDuringARunIsKnownAndCanBeKept() {
+    document_->reset(sampleMap());
+    const Map given = document_->map();
+    Map refined = given;
+    for (Building& corrected : refined.buildings) {
+      corrected = moved(corrected, Vec2(2.0, 0.0));
+      corrected.estimate = Estimate{0.1, 0.1, 0.1, 5};
+    }
+    Building edited = moved(building(*document_, "N1"), Vec2(0.0, 7.0));
+    document_->changeBuilding("N1", edited, "Move");
+    QCOMPARE(document_->editedSince(given), QStringList{"N1"});
+    document_->acceptRefinement(refined, document_->editedSince(given));
+    QCOMPARE(building(*document_, "N1").shape, edited.shape);
+    QCOMPARE(building(*document_, "N2").shape, refined.find("N2")->shape);
+    QCOMPARE(document_->editedSince(given), QStringList{"N1"});
+    document_->acceptRefinement(refined);
+    QCOMPARE(building(*document_, "N1").shape, refined.find("N1")->shape);
+    QVERIFY2(document_->editedSince(given).isEmpty(), "what a run corrected nobody has edited");
+  }
+
+  void aDoubtGoesWithItsShape() {
+    Map map = sampleMap();
+    map.buildings[0].unknown["doubtful"] = "0.40";
+    map.buildings[1].unknown["doubtful"] = "0.50";
+    document_->reset(map);
+    Map refined = map;
+    refined.buildings[0].unknown.erase("doubtful");
+    refined.buildings[1].unknown["doubtful"] = "0.90";
+    document_->acceptRefinement(refined);
+    QVERIFY(!building(*document_, "N1").unknown.contains("doubtful"));
+    QCOMPARE(building(*document_, "N2").unknown.at("doubtful"), "0.90");
+    document_->changeBuilding("N2", moved(building(*document_, "N2"), Vec2(1.0, 0.0)), "Move");
+    QVERIFY(!building(*document_, "N2").unknown.contains("doubtful"));
+    document_->undoStack().undo();
+    document_->undoStack().undo();
+    QCOMPARE(document_->map(), map);
   }
 
  private:

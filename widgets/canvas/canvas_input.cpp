@@ -47,6 +47,7 @@ void MapCanvas::updateCursor() {
 }
 
 void MapCanvas::mousePressEvent(QMouseEvent* event) {
+  fitted_ = false;  // whoever works on it keeps it where it is
   if (event->button() == Qt::MiddleButton || (space_held_ && event->button() == Qt::LeftButton)) {
     pan_from_ = event->position();
     updateCursor();
@@ -143,7 +144,12 @@ void MapCanvas::focusOutEvent(QFocusEvent* event) {
 
 void MapCanvas::showEvent(QShowEvent* event) {
   QGraphicsView::showEvent(event);
-  if (std::exchange(fit_when_shown_, false)) zoomToFit();
+  if (fitted_) zoomToFit();
+}
+
+void MapCanvas::resizeEvent(QResizeEvent* event) {
+  QGraphicsView::resizeEvent(event);
+  if (fitted_ && isVisible()) zoomToFit();
 }
 
 void MapCanvas::changeEvent(QEvent* event) {

@@ -103,7 +103,6 @@ void DrawingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* optio
   painter->setRenderHint(QPainter::Antialiasing);
   const std::vector<Placed> placed = place(to_device, option->exposedRect);
   paintBuildings(*painter, placed);
-  paintLabels(*painter, to_device, placed);
   paintSigns(*painter, to_device);
   painter->restore();
 }
@@ -151,7 +150,9 @@ void DrawingItem::paintBuildings(QPainter& painter, const std::vector<Placed>& p
 }
 
 void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
-                              const std::vector<Placed>& placed) const {
+                              const QRectF& exposed) const {
+  paintLandmarkLabels(painter, to_device);
+  const std::vector<Placed> placed = place(to_device, exposed);
   const double line = painter.fontMetrics().height();
   const bool on_ground = !document_.map().underlays.empty();
   for (const auto& [shape, outline, bounds] : placed) {
@@ -182,6 +183,23 @@ void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
   }
 }
 
+const Landmark& DrawingItem::shown(const Landmark& on_map) const {
+  const auto moved = std::ranges::find(preview_.landmarks, on_map.id, &Landmark::id);
+  return moved == preview_.landmarks.end() ? on_map : *moved;
+}
+
+void DrawingItem::paintLandmarkLabels(QPainter& painter, const QTransform& to_device) const {
+  for (const Landmark& on_map : document_.map().landmarks) {
+    const Landmark& landmark = shown(on_map);
+    const QString text =
+        QString::fromStdString(landmark.name.empty() ? landmark.id : landmark.name);
+    const int width = painter.fontMetrics().horizontalAdvance(text);
+    paintLabel(painter,
+               to_device.map(toScene(landmark.position)) + QPointF(12.0 + width / 2.0, 0.0), text,
+               *colours_, true);
+  }
+}
+
 void DrawingItem::paintSigns(QPainter& painter, const QTransform& to_device) const {
   const Map& map = document_.map();
   const auto device = [&](const Vec2& point) { return to_device.map(toScene(point)); };
@@ -196,15 +214,9 @@ void DrawingItem::paintSigns(QPainter& painter, const QTransform& to_device) con
   route_pen.setColor(ink(kRouteKey, Role::Route));
   if (!route.isEmpty()) paintRoute(painter, route, route_pen, ground);
 
-  for (const Landmark& on_map : map.landmarks) {
-    const auto moved = std::ranges::find(preview_.landmarks, on_map.id, &Landmark::id);
-    const Landmark& landmark = moved == preview_.landmarks.end() ? on_map : *moved;
+  for (const Landmark& landmark : map.landmarks) {
     const QString id = QString::fromStdString(landmark.id);
-    const QPointF at = device(landmark.position);
-    paintLandmarkSymbol(painter, at, ink(id, Role::Landmark), ground);
-    const QString text = landmark.name.empty() ? id : QString::fromStdString(landmark.name);
-    const int width = painter.fontMetrics().horizontalAdvance(text);
-    paintLabel(painter, at + QPointF(12.0 + width / 2.0, 0.0), text, *colours_, true);
+    paintLandmarkSymbol(painter, device(shown(landmark).position), ink(id, Role::Landmark), ground);
   }
 
   if (const auto& start = preview_.start ? preview_.start : map.start) {

@@ -22,6 +22,9 @@ class DrawingItem : public QGraphicsItem {
 
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  /// Ids and names, over whatever else is shown. The painter is in device pixels; `exposed` in
+  /// metres.
+  void paintLabels(QPainter& painter, const QTransform& to_device, const QRectF& exposed) const;
 
  private:
   struct Shape {
@@ -44,8 +47,8 @@ class DrawingItem : public QGraphicsItem {
   void updateBounds();
   std::vector<Placed> place(const QTransform& to_device, const QRectF& exposed) const;
   void paintBuildings(QPainter& painter, const std::vector<Placed>& placed) const;
-  void paintLabels(QPainter& painter, const QTransform& to_device,
-                   const std::vector<Placed>& placed) const;
+  void paintLandmarkLabels(QPainter& painter, const QTransform& to_device) const;
+  const Landmark& shown(const Landmark& on_map) const;
   void paintSigns(QPainter& painter, const QTransform& to_device) const;
 
   const MapDocument& document_;

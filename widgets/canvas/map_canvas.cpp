@@ -66,6 +66,7 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
     drawing_->rebuild();
     onToolChanged();
   });
+  connect(&document_, &MapDocument::trustChanged, this, [this] { underlays_->reload(); });
   connect(&document_, &MapDocument::selectionChanged, this, [this] {
     drawing_->rebuild();
     onToolChanged();
@@ -128,7 +129,7 @@ void MapCanvas::setView(double pixels_per_metre, QPointF metres, QPointF viewpor
 }
 
 void MapCanvas::panBy(QPointF pixels) {
-  fit_when_shown_ = false;
+  fitted_ = false;
   const auto shift = [](QScrollBar* bar, double by) {
     bar->setValue(bar->value() - static_cast<int>(std::lround(by)));
   };
@@ -149,6 +150,7 @@ void MapCanvas::zoomToFit() {
   QRectF all = underlays_->boundingRect();
   if (const auto drawn = boundsOf(document_.map())) all |= toRect(*drawn).adjusted(-2, -2, 2, 2);
   zoomToRect(all.isEmpty() ? kNothingDrawn : all);
+  fitted_ = true;
 }
 
 void MapCanvas::zoomToRect(const QRectF& metres) {
@@ -197,6 +199,8 @@ void MapCanvas::drawForeground(QPainter* painter, const QRectF&) {
   const QTransform to_device = painter->worldTransform();
   painter->setWorldTransform({});
   painter->setRenderHint(QPainter::Antialiasing);
+  // What a run shows lies over the drawing, but not over the words.
+  if (drawing_->isVisible()) drawing_->paintLabels(*painter, to_device, visibleMetres());
   ToolPaint canvas{*painter, to_device, *colours_};
   tool_->paint(canvas);
   paintScaleBar(*painter, to_device.m11(), to_device.mapRect(visibleMetres()), *colours_);

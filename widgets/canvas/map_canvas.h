@@ -67,6 +67,7 @@ class MapCanvas : public QGraphicsView {
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
@@ -91,7 +92,7 @@ class MapCanvas : public QGraphicsView {
   double snap_step_ = 0.0;
   bool grid_visible_ = true;
   bool space_held_ = false;
-  bool fit_when_shown_ = true;
+  bool fitted_ = true;  ///< as zoomToFit() left it: stays so when the canvas gets another size
   std::optional<QPointF> pan_from_;
 };
 

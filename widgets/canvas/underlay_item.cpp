@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QThreadPool>
 
+#include "core/map/references.h"
 #include "widgets/canvas/symbols.h"
 
 namespace handmap {
@@ -35,7 +36,7 @@ void UnderlayItem::setColours(const Colours& colours) {
 }
 
 QString UnderlayItem::pathOf(const Underlay& underlay) const {
-  return QFileInfo(document_.filePath())
+  return QFileInfo(document_.origin())
       .absoluteDir()
       .absoluteFilePath(QString::fromStdString(underlay.image));
 }
@@ -52,23 +53,41 @@ void UnderlayItem::rebuild() {
   updateBounds();
 }
 
+void UnderlayItem::reload() {
+  pictures_.clear();
+  rebuild();
+}
+
 void UnderlayItem::load(const QString& path) {
-  QThreadPool::globalInstance()->start([path, item = QPointer<UnderlayItem>(this)] {
-    Picture picture;
-    picture.loading = false;
-    QImageReader reader(path);
-    picture.size = reader.size();
-    if (picture.size.width() > kMaxSide || picture.size.height() > kMaxSide)
-      reader.setScaledSize(picture.size.scaled(kMaxSide, kMaxSide, Qt::KeepAspectRatio));
-    picture.image = reader.read().convertToFormat(QImage::Format_ARGB32_Premultiplied);
-    if (picture.image.isNull()) picture.problem = reader.errorString();
-    if (!picture.size.isValid()) picture.size = picture.image.size();
+  QThreadPool::globalInstance()->start([path, map_file = document_.origin().toStdString(),
+                                        anywhere = document_.trustsReferences(),
+                                        item = QPointer<UnderlayItem>(this)] {
+    Picture picture = anywhere || staysInside({{}, path.toStdString()}, map_file)
+                          ? read(path)
+                          : Picture{{}, {}, tr("outside of the folder of the drawing"), false};
     QMetaObject::invokeMethod(qApp, [path, item, picture = std::move(picture)] {
       if (!item || !item->pictures_.contains(path)) return;
       item->pictures_[path] = picture;
       item->updateBounds();
     });
   });
+}
+
+UnderlayItem::Picture UnderlayItem::read(const QString& path) {
+  Picture picture;
+  picture.loading = false;
+  if (!QFileInfo(path).isFile()) {  // one could wait for a pipe for ever
+    picture.problem = QFileInfo::exists(path) ? tr("not a file") : tr("no such file");
+    return picture;
+  }
+  QImageReader reader(path);
+  picture.size = reader.size();
+  if (picture.size.width() > kMaxSide || picture.size.height() > kMaxSide)
+    reader.setScaledSize(picture.size.scaled(kMaxSide, kMaxSide, Qt::KeepAspectRatio));
+  picture.image = reader.read().convertToFormat(QImage::Format_ARGB32_Premultiplied);
+  if (picture.image.isNull()) picture.problem = reader.errorString();
+  if (!picture.size.isValid()) picture.size = picture.image.size();
+  return picture;
 }
 
 void UnderlayItem::updateBounds() {

@@ -17,6 +17,7 @@ class UnderlayItem : public QGraphicsObject {
   explicit UnderlayItem(const MapDocument& document);
 
   void rebuild();
+  void reload();  ///< all pictures, also those that were read
   void setColours(const Colours& colours);
 
   QRectF boundingRect() const override { return bounds_; }
@@ -32,6 +33,7 @@ class UnderlayItem : public QGraphicsObject {
 
   QString pathOf(const Underlay& underlay) const;
   void load(const QString& path);
+  static Picture read(const QString& path);
   void updateBounds();
   void paintPlaceholder(QPainter& painter, const QRectF& pixels, const Underlay& underlay,
                         const Picture& picture) const;

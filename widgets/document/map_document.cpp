@@ -1,6 +1,6 @@
 #include "widgets/document/map_document.h"
 
-#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QSet>
 #include <QUndoCommand>
@@ -11,6 +11,7 @@
 
 #include "core/map/map_io.h"
 #include "core/map/map_model.h"
+#include "core/map/references.h"
 
 namespace handmap {
 
@@ -66,15 +67,22 @@ QString mergeMark(char kind, const Placed<Item>& items) {
   return mark;
 }
 
-/// The underlays as seen from another folder.
-std::vector<Underlay> rebased(std::vector<Underlay> underlays, const QString& from,
-                              const QString& to) {
-  for (Underlay& underlay : underlays) {
-    const QString image = QString::fromStdString(underlay.image);
-    if (QDir::isRelativePath(image))
-      underlay.image = QDir(to).relativeFilePath(QDir(from).absoluteFilePath(image)).toStdString();
-  }
-  return underlays;
+constexpr auto kDoubtful = "doubtful";
+
+/// What a run found out about a shape says nothing of another one.
+void forgetFindings(Building& building) {
+  building.estimate.reset();
+  building.unknown.erase(kDoubtful);
+}
+
+/// The building as a run has corrected it.
+Building corrected(Building drawn, const Building& refined) {
+  forgetFindings(drawn);
+  drawn.shape = refined.shape;
+  drawn.estimate = refined.estimate;
+  if (const auto doubt = refined.unknown.find(kDoubtful); doubt != refined.unknown.end())
+    drawn.unknown.insert(*doubt);
+  return drawn;
 }
 
 }  // namespace
@@ -118,42 +126,44 @@ QString MapDocument::displayName() const {
   return map_.name.empty() ? tr("Untitled") : QString::fromStdString(map_.name);
 }
 
-void MapDocument::reset(Map map, QString path) {
+void MapDocument::reset(Map map, QString path, const QString& origin) {
   map_ = std::move(map);
   file_path_ = std::move(path);
+  origin_ = origin.isEmpty() ? file_path_ : origin;
+  if (!origin_.isEmpty()) origin_ = QFileInfo(origin_).absoluteFilePath();
+  trusts_references_ = false;
   const bool had_steps = undo_stack_.count() > 0;
   undo_stack_.clear();
   if (!had_steps) onIndexChanged();
   setSelection({});
   Q_EMIT fileChanged();
+  Q_EMIT trustChanged();
 }
 
 void MapDocument::open(const QString& path) { reset(readMap(nativePath(path)), path); }
 
 void MapDocument::save(const QString& path) {
-  const QString old_folder = QFileInfo(file_path_).absolutePath();
-  const QString new_folder = QFileInfo(path).absolutePath();
-  if (file_path_.isEmpty() || old_folder == new_folder) {
-    writeMap(map_, nativePath(path));
-  } else {
-    Map copy = map_;
-    copy.underlays = rebased(map_.underlays, old_folder, new_folder);
-    moveModel(copy, nativePath(file_path_), nativePath(path));
-    writeMap(copy, nativePath(path));
-    file_path_ = path;
-    setUnderlays(copy.underlays, tr("Save in Another Folder"));
-    setMember(&Map::unknown, copy.unknown, tr("Save in Another Folder"), false);
-  }
+  Map copy = map_;
+  moveReferences(copy, nativePath(origin_), nativePath(path));
+  writeMap(copy, nativePath(path));
   file_path_ = path;
+  if (origin_.isEmpty()) origin_ = path;
   undo_stack_.setClean();
   Q_EMIT fileChanged();
 }
 
 void MapDocument::setModel(const QString& model, const QString& map_path) {
+  if (origin_.isEmpty()) origin_ = map_path;
   Map named;
   named.unknown = map_.unknown;
-  handmap::setModel(named, nativePath(model), nativePath(map_path));
+  handmap::setModel(named, nativePath(model), nativePath(origin_));
   setMember(&Map::unknown, named.unknown, tr("Save Model with the Map"), false);
+}
+
+void MapDocument::setTrustsReferences(bool trusts) {
+  if (trusts == trusts_references_) return;
+  trusts_references_ = trusts;
+  Q_EMIT trustChanged();
 }
 
 void MapDocument::setSelection(QStringList keys) {
@@ -189,8 +199,8 @@ void MapDocument::apply(const MapChange& change, const QString& text, bool merge
   std::vector<Toggle> toggles;
   QString key = text + u' ';
   if (auto items = differing(change.buildings, map_.buildings); !items.empty()) {
-    for (auto& [place, building] : items)  // an estimate speaks of the shape that a run found
-      if (building.shape != map_.buildings[place].shape) building.estimate.reset();
+    for (auto& [place, building] : items)
+      if (building.shape != map_.buildings[place].shape) forgetFindings(building);
     key += mergeMark('b', items);
     toggles.push_back(swapItems(&Map::buildings, std::move(items)));
   }
@@ -284,19 +294,31 @@ void MapDocument::setMember(Value Map::*member, Value value, const QString& text
   push({swapMember(member, std::move(value))}, text, mergeable ? text : QString());
 }
 
-void MapDocument::acceptRefinement(const Map& refined) {
+void MapDocument::acceptRefinement(const Map& refined, const QStringList& kept) {
+  const QSet<QString> keep(kept.begin(), kept.end());
   std::vector<Building> accepted;
   const auto places = placesOf(map_.buildings);
   for (const Building& building : refined.buildings) {
     const auto place = places.find(building.id);
-    if (place == places.end()) continue;
-    accepted.push_back(map_.buildings[place->second]);
-    accepted.back().shape = building.shape;
-    accepted.back().estimate = building.estimate;
+    if (place == places.end() || keep.contains(QString::fromStdString(building.id))) continue;
+    accepted.push_back(corrected(map_.buildings[place->second], building));
   }
   push({swapItems(&Map::buildings, differing(accepted, map_.buildings)),
         swapMember(&Map::refinement, refined.refinement)},
        tr("Accept Refinement"));
+}
+
+QStringList MapDocument::editedSince(const Map& before) const {
+  QStringList edited;
+  const auto places = placesOf(before.buildings);
+  for (const Building& building : map_.buildings) {
+    const auto place = places.find(building.id);
+    // A shape that nobody has touched since a run corrected it still has its estimate.
+    if (place != places.end() && !building.estimate &&
+        building.shape != before.buildings[place->second].shape)
+      edited << QString::fromStdString(building.id);
+  }
+  return edited;
 }
 
 void MapDocument::onIndexChanged() {

@@ -30,13 +30,20 @@ class MapDocument : public QObject {
   QString filePath() const { return file_path_; }  ///< empty: never saved
   bool isModified() const { return !undo_stack_.isClean(); }
   QString displayName() const;  ///< the file's name, else the map's, else "Untitled"
-  /// Takes another map in place of this one; forgets undo steps and selection.
-  void reset(Map map = {}, QString path = {});
+  /// The file beside which the relative paths of map() lie. It stays when the drawing is saved in
+  /// another folder, so that undo steps keep their meaning; what is saved is told anew.
+  QString origin() const { return origin_; }
+  /// Takes another map in place of this one; forgets undo steps and selection. An empty origin is
+  /// the path.
+  void reset(Map map = {}, QString path = {}, const QString& origin = {});
   void open(const QString& path);  ///< throws Error; the document is then as before
   void save(const QString& path);  ///< throws Error; atomic
   /// Names the model that belongs to this map, see core/map/map_model.h; `map_path` is where the
   /// map will be saved.
   void setModel(const QString& model, const QString& map_path);
+  /// Whether pictures from outside of the drawing's folder are shown; not before somebody says so.
+  bool trustsReferences() const { return trusts_references_; }
+  void setTrustsReferences(bool trusts);
 
   // --- Selection: keys of objects that exist, each once
   QStringList selection() const { return selection_; }
@@ -63,9 +70,12 @@ class MapDocument : public QObject {
   void setUncertainty(Uncertainty uncertainty, bool mergeable = false);
   void setUnderlays(std::vector<Underlay> underlays, const QString& text, bool mergeable = false);
   void setGeoreference(std::optional<Georeference> georeference, bool mergeable = false);
-  /// Shapes and estimates of the buildings that `refined` shares with the drawing, and its
-  /// "refinement" object: one undo step.
-  void acceptRefinement(const Map& refined);
+  /// Shapes, estimates and doubts of the buildings that `refined` shares with the drawing, without
+  /// those of `kept`, and its "refinement" object: one undo step.
+  void acceptRefinement(const Map& refined, const QStringList& kept = {});
+  /// Buildings that somebody has given another shape since the drawing was `before`; what a
+  /// refinement did to them does not count.
+  QStringList editedSince(const Map& before) const;
 
   void finishMerging() { ++merge_run_; }
 
@@ -73,6 +83,7 @@ class MapDocument : public QObject {
   void mapChanged();
   void selectionChanged();
   void fileChanged();  ///< path, display name or isModified()
+  void trustChanged();
 
  private:
   class Command;
@@ -86,6 +97,8 @@ class MapDocument : public QObject {
   Map map_;
   QUndoStack undo_stack_;
   QString file_path_;
+  QString origin_;
+  bool trusts_references_ = false;
   QStringList selection_;
   int merge_run_ = 0;
 };

@@ -43,7 +43,7 @@ void LocalMapItem::setColours(const Colours& colours) {
   update();
 }
 
-void LocalMapItem::setLocalMap(std::shared_ptr<const LocalMap> local_map, const Pose2& robot) {
+void LocalMapItem::setLocalMap(LazyLocalMap local_map, const Pose2& robot) {
   prepareGeometryChange();
   if (local_map_ != local_map) image_ = {};
   local_map_ = std::move(local_map);
@@ -53,14 +53,14 @@ void LocalMapItem::setLocalMap(std::shared_ptr<const LocalMap> local_map, const 
 
 QRectF LocalMapItem::boundingRect() const {
   if (!local_map_) return {};
-  const double half = local_map_->range();
+  const double half = local_map_.range();
   return {-half, -half, 2.0 * half, 2.0 * half};
 }
 
 void LocalMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   if (!local_map_) return;
   if (image_.isNull()) {
-    image_ = imageOf(local_map_->cells(), (*colours_)[Role::LocalMap]);
+    image_ = imageOf(local_map_.get().cells(), (*colours_)[Role::LocalMap]);
     averaged_ = {};
   }
   if (lod_ != painter->worldTransform().determinant() || averaged_.isNull()) {

@@ -14,15 +14,15 @@ namespace handmap {
 class LocalMapItem : public QGraphicsItem {
  public:
   void setColours(const Colours& colours);
-  /// nullptr shows nothing.
-  void setLocalMap(std::shared_ptr<const LocalMap> local_map, const Pose2& robot);
+  /// An empty one shows nothing. It is rendered when it is first painted.
+  void setLocalMap(LazyLocalMap local_map, const Pose2& robot);
 
   QRectF boundingRect() const override;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   const Colours* colours_ = &Colours::light();
-  std::shared_ptr<const LocalMap> local_map_;
+  LazyLocalMap local_map_;
   QImage image_;     ///< of local_map_ in the colours; made when first painted
   QImage averaged_;  ///< of image_ for the scale of lod_
   double lod_ = 0.0;

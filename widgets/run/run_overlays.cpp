@@ -76,7 +76,7 @@ void RunOverlays::show(const Snapshot& snapshot) {
   has_true_pose_ = snapshot.truth.has_value();
   local_map_->setLocalMap(snapshot.local_map, snapshot.report.pose);
   swarms_->setSwarms(snapshot.swarms);
-  corrected_->setMap(snapshot.map);
+  if (snapshot.map) corrected_->setMap(*snapshot.map);
   if (snapshot.odometry) odometry_->setPoses(*snapshot.odometry);
   if (snapshot.trajectory) trajectory_->setPoses(*snapshot.trajectory);
   particles_->setParticles(snapshot.particles);
@@ -90,7 +90,7 @@ void RunOverlays::clear() {
   has_true_pose_ = false;
   truth_->setPoses({});
   truth_->setBuildings({});
-  local_map_->setLocalMap(nullptr, {});
+  local_map_->setLocalMap({}, {});
   updateVisibility();
 }
 

@@ -1,6 +1,12 @@
 #include "widgets/run/run_worker.h"
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <new>
+
+#include "widgets/background/background.h"
 
 namespace handmap {
 
@@ -12,29 +18,39 @@ RunFailure failureOf(const Error& error) {
   return {error.code(), QString::fromStdString(error.what()), QString::fromStdString(error.hint())};
 }
 
-RunWorker::RunWorker(RunJob job, QObject* parent)
-    : QObject(parent), job_(std::move(job)), mailbox_(this) {
-  // Who hears that a run stands still or has ended has seen its last snapshot.
-  connect(this, &RunWorker::paused, &mailbox_, &RunMailbox::flush);
-  connect(this, &RunWorker::finished, &mailbox_, &RunMailbox::flush);
-  connect(this, &RunWorker::failed, &mailbox_, &RunMailbox::flush);
-}
+/// What the thread of the run owns.
+class RunWorker::Thread {
+ public:
+  enum class Command { Run, Pause, Step };
 
-void RunWorker::start() {
-  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
-}
+  Thread(RunJob job, RunWorker& worker) : job_(std::move(job)), worker_(worker) {}
 
-std::shared_ptr<const RunResult> RunWorker::result() const {
-  const std::scoped_lock lock(mutex_);
-  return result_;
-}
+  void letGo() { worker_.cut(); }
+  void give(Command command);
+  std::shared_ptr<const RunResult> result() const;
+  void work(const std::stop_token& stop);
 
-void RunWorker::pause() { give(Command::Pause); }
-void RunWorker::resume() { give(Command::Run); }
-void RunWorker::step() { give(Command::Step); }
-void RunWorker::cancel() { thread_.request_stop(); }
+ private:
+  bool run(const std::stop_token& stop);
+  bool mayGoOn(const std::stop_token& stop);
+  void tellProgress(double share);
+  void stepDone(std::shared_ptr<const Snapshot> snapshot);
+  void addWarnings(const RunSession& session);
+  void reportSkipped(const RunSession& session);
+  void tellFailure(const RunFailure& failure);
 
-void RunWorker::give(Command command) {
+  RunJob job_;
+  Lifeline<RunWorker> worker_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any given_;
+  Command command_ = Command::Run;           // under mutex_
+  bool stands_still_ = false;                // under mutex_: paused() was the last that was said
+  std::shared_ptr<const RunResult> result_;  // under mutex_
+  std::atomic<std::chrono::steady_clock::time_point> progress_told_{};
+  std::size_t skipped_reported_ = 0;
+};
+
+void RunWorker::Thread::give(Command command) {
   {
     const std::scoped_lock lock(mutex_);
     command_ = command;
@@ -42,82 +58,128 @@ void RunWorker::give(Command command) {
   given_.notify_all();
 }
 
-// A step calls this from several threads. The signals are queued, so saying them under the mutex
-// costs nothing and keeps them in order.
-bool RunWorker::mayGoOn(const std::stop_token& stop) {
+std::shared_ptr<const RunResult> RunWorker::Thread::result() const {
+  const std::scoped_lock lock(mutex_);
+  return result_;
+}
+
+// A step calls this from several threads. What is said is queued, so saying it under the mutex
+// costs nothing and keeps it in order.
+bool RunWorker::Thread::mayGoOn(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (command_ == Command::Pause && !stop.stop_requested()) {
-    if (!std::exchange(stands_still_, true)) Q_EMIT paused();
+    if (!std::exchange(stands_still_, true)) {
+      worker_.post([](RunWorker& worker) { Q_EMIT worker.paused(); });
+    }
     given_.wait(lock, stop, [this] { return command_ != Command::Pause || !stands_still_; });
   }
   if (stop.stop_requested()) return false;
-  if (std::exchange(stands_still_, false)) Q_EMIT resumed();
+  if (std::exchange(stands_still_, false)) {
+    worker_.post([](RunWorker& worker) { Q_EMIT worker.resumed(); });
+  }
   return true;
 }
 
-void RunWorker::tellProgress(double share) {
+void RunWorker::Thread::tellProgress(double share) {
   const auto now = std::chrono::steady_clock::now();
   auto told = progress_told_.load();
   if (now - told >= kProgressInterval && progress_told_.compare_exchange_strong(told, now)) {
-    Q_EMIT progressed(share);
+    worker_.post([share](RunWorker& worker) { Q_EMIT worker.progressed(share); });
   }
 }
 
-void RunWorker::stepDone(const RunSession& session, std::shared_ptr<const Snapshot> snapshot) {
-  auto result = std::make_shared<RunResult>();
-  result->map = session.refinedMap();
-  result->trajectory = snapshot->trajectory;
+void RunWorker::Thread::stepDone(std::shared_ptr<const Snapshot> snapshot) {
+  auto result = std::make_shared<const RunResult>(snapshot);
   {
     const std::scoped_lock lock(mutex_);
     result_ = std::move(result);
     if (command_ == Command::Step) command_ = Command::Pause;
   }
-  mailbox_.post(std::move(snapshot));
+  worker_.with([&](RunWorker& worker) { worker.mailbox_.post(std::move(snapshot)); });
 }
 
-void RunWorker::reportSkipped(const RunSession& session) {
+void RunWorker::Thread::addWarnings(const RunSession& session) {
+  auto result = std::make_shared<RunResult>(this->result()->last);
+  result->warnings = session.warnings();
+  const std::scoped_lock lock(mutex_);
+  result_ = std::move(result);
+}
+
+void RunWorker::Thread::reportSkipped(const RunSession& session) {
   for (; skipped_reported_ < session.skipped().size(); ++skipped_reported_) {
     const SkippedFrame& skipped = session.skipped()[skipped_reported_];
-    Q_EMIT frameSkipped(skipped.frame, QString::fromStdString(skipped.reason));
+    worker_.post([frame = skipped.frame, reason = QString::fromStdString(skipped.reason)](
+                     RunWorker& worker) { Q_EMIT worker.frameSkipped(frame, reason); });
   }
 }
 
-void RunWorker::run(const std::stop_token& stop) {
+/// True: the source is at its end.
+bool RunWorker::Thread::run(const std::stop_token& stop) {
   auto source = job_.open(stop, [this](double share) { tellProgress(share); });
-  if (!source) {
-    Q_EMIT finished(true);
-    return;
-  }
+  if (!source) return false;
   RunSession session(job_.drawing, std::move(source), job_.settings);
-  Q_EMIT started(std::make_shared<const SourceInfo>(session.source()));
+  worker_.post([info = std::make_shared<const SourceInfo>(session.source())](RunWorker& worker) {
+    Q_EMIT worker.started(info);
+  });
   const auto progress = [this, &stop](double share) {
     if (mayGoOn(stop)) tellProgress(share);
   };
-  bool at_end = false;
-  while (!at_end && mayGoOn(stop)) {
+  while (mayGoOn(stop)) {
     auto snapshot = session.step(stop, progress);
     reportSkipped(session);
-    at_end = !snapshot && !stop.stop_requested();
-    if (snapshot) stepDone(session, std::move(snapshot));
+    if (!snapshot) {
+      if (stop.stop_requested()) return false;
+      addWarnings(session);
+      return true;
+    }
+    stepDone(std::move(snapshot));
   }
-  Q_EMIT finished(!at_end);
+  return false;
 }
 
-void RunWorker::work(const std::stop_token& stop) {
-  RunFailure failure;
-  try {
-    run(stop);
-    return;
-  } catch (const Error& error) {
-    failure = failureOf(error);
-  } catch (const std::bad_alloc&) {
-    failure.message = tr("The run needs more memory than there is.");
-    failure.hint = tr("Fewer particles in the run settings need less.");
-  } catch (const std::exception& error) {
-    failure.message =
-        tr("The run ended with an unexpected error: %1").arg(QString::fromUtf8(error.what()));
-  }
-  Q_EMIT failed(failure);
+void RunWorker::Thread::tellFailure(const RunFailure& failure) {
+  worker_.post([failure](RunWorker& worker) { Q_EMIT worker.failed(failure); });
 }
+
+void RunWorker::Thread::work(const std::stop_token& stop) {
+  try {
+    const bool at_end = run(stop);
+    worker_.post([at_end](RunWorker& worker) { Q_EMIT worker.finished(!at_end); });
+  } catch (const Error& error) {
+    tellFailure(failureOf(error));
+  } catch (const std::bad_alloc&) {
+    tellFailure({ErrorCode::RunFailed, tr("The run needs more memory than there is."),
+                 tr("Fewer particles in the run settings need less.")});
+  } catch (const std::exception& error) {
+    tellFailure(
+        {ErrorCode::RunFailed,
+         tr("The run ended with an unexpected error: %1").arg(QString::fromUtf8(error.what())),
+         {}});
+  }
+}
+
+RunWorker::RunWorker(RunJob job, QObject* parent)
+    : QObject(parent), mailbox_(this), thread_(std::make_shared<Thread>(std::move(job), *this)) {
+  // Who hears that a run stands still or has ended has seen its last snapshot.
+  connect(this, &RunWorker::paused, &mailbox_, &RunMailbox::flush);
+  connect(this, &RunWorker::finished, &mailbox_, &RunMailbox::flush);
+  connect(this, &RunWorker::failed, &mailbox_, &RunMailbox::flush);
+}
+
+RunWorker::~RunWorker() {
+  thread_->letGo();
+  stop_.request_stop();
+}
+
+void RunWorker::start() {
+  startInBackground([thread = thread_, stop = stop_.get_token()] { thread->work(stop); });
+}
+
+std::shared_ptr<const RunResult> RunWorker::result() const { return thread_->result(); }
+
+void RunWorker::pause() { thread_->give(Thread::Command::Pause); }
+void RunWorker::resume() { thread_->give(Thread::Command::Run); }
+void RunWorker::step() { thread_->give(Thread::Command::Step); }
+void RunWorker::cancel() { stop_.request_stop(); }
 
 }  // namespace handmap

@@ -1,18 +1,13 @@
 // A run in a thread of its own. Everything it has to say comes as signals in the thread of this
-// object (the GUI thread) or through the mailbox; nothing here waits for the run, but for the
-// destructor: it cancels and waits for the step to give up, about as long as one stereo pair takes.
+// object (the GUI thread) or through the mailbox. Nothing here waits for the run: a worker that is
+// destroyed requests the stop and is silent at once; its thread ends by itself.
 #pragma once
 
 #include <QObject>
 #include <QString>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <stop_token>
-#include <thread>
 
 #include "core/base/error.h"
 #include "core/session/run_session.h"
@@ -42,14 +37,21 @@ RunFailure failureOf(const Error& error);
 
 /// What a run has found out after its latest whole step.
 struct RunResult {
-  Map map;  ///< refined, ready to be saved
+  explicit RunResult(std::shared_ptr<const Snapshot> snapshot)
+      : last(std::move(snapshot)), map(*last->map), trajectory(last->trajectory) {}
+
+  std::shared_ptr<const Snapshot> last;
+  const Map& map;  ///< refined, ready to be saved; of `last`
   std::shared_ptr<const std::vector<StampedPose>> trajectory;
+  std::vector<RunWarning> warnings;  ///< once the source is at its end
 };
 
 class RunWorker : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RunWorker)
  public:
   explicit RunWorker(RunJob job, QObject* parent = nullptr);
+  ~RunWorker() override;
 
   /// Once, after the signals are connected. After pause() or step() it begins so.
   void start();
@@ -79,26 +81,11 @@ class RunWorker : public QObject {
   void failed(const handmap::RunFailure& failure);
 
  private:
-  enum class Command { Run, Pause, Step };
+  class Thread;
 
-  void give(Command command);
-  void work(const std::stop_token& stop);
-  void run(const std::stop_token& stop);
-  bool mayGoOn(const std::stop_token& stop);
-  void tellProgress(double share);
-  void stepDone(const RunSession& session, std::shared_ptr<const Snapshot> snapshot);
-  void reportSkipped(const RunSession& session);
-
-  RunJob job_;
   RunMailbox mailbox_;
-  mutable std::mutex mutex_;
-  std::condition_variable_any given_;
-  Command command_ = Command::Run;           // under mutex_
-  bool stands_still_ = false;                // under mutex_: paused() was the last that was said
-  std::shared_ptr<const RunResult> result_;  // under mutex_
-  std::atomic<std::chrono::steady_clock::time_point> progress_told_{};
-  std::size_t skipped_reported_ = 0;  // of the worker's thread
-  std::jthread thread_;               // last: ends before what it uses
+  std::stop_source stop_;
+  std::shared_ptr<Thread> thread_;  ///< shared with the thread, which may outlive this object
 };
 
 }  // namespace handmap

@@ -33,9 +33,12 @@ TransportBar::TransportBar(QWidget* parent)
       frame_(new QLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 2);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   tool_bar_->setIconSize({20, 20});
+  tool_bar_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
   for (const Speed& speed : kSpeeds) speed_->addItem(QString::fromUtf8(speed.text), speed.factor);
   speed_->setToolTip(tr("Speed: times the clock of the recording"));
+  source_->setMinimumWidth(fontMetrics().horizontalAdvance("No robot"));
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(10);
   progress_->setMinimumWidth(40);

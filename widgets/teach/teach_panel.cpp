@@ -155,6 +155,29 @@ void TeachPanel::openImages(const QStringList& paths) {
     item->setToolTip(path);
   }
   if (images_->currentRow() < 0 && images_->count() > 0) images_->setCurrentRow(0);
+  Q_EMIT teachingChanged();
+}
+
+Teaching TeachPanel::teaching() const {
+  Teaching teaching;
+  for (int i = 0; i < images_->count(); ++i) {
+    const QString path = images_->item(i)->data(Qt::UserRole).toString();
+    teaching.images.push_back({path, labels_.value(path)});
+  }
+  return teaching;
+}
+
+void TeachPanel::addTeaching(const Teaching& teaching) {
+  if (teaching.isEmpty()) return;
+  QStringList paths;
+  for (const Teaching::Image& image : teaching.images) {
+    paths << image.path;
+    if (!image.labels.empty()) labels_.insert(image.path, image.labels);
+  }
+  ++strokes_;
+  openImages(paths);
+  showImage();
+  updateState();
 }
 
 void TeachPanel::showImage() {
@@ -175,7 +198,9 @@ void TeachPanel::showImage() {
 
 void TeachPanel::keepLabels() {
   labels_.insert(shown_, view_->labels());
+  ++strokes_;
   updateState();
+  Q_EMIT teachingChanged();
 }
 
 void TeachPanel::showFound() {
@@ -205,9 +230,10 @@ void TeachPanel::train() {
   connect(worker_.get(), &TeachWorker::progressed, this,
           [this](double share) { progress_->setValue(static_cast<int>(share * kProgressSteps)); });
   connect(worker_.get(), &TeachWorker::finished, this,
-          [this](const std::shared_ptr<const BuildingClassifier>& classifier) {
+          [this, strokes = strokes_](const std::shared_ptr<const BuildingClassifier>& classifier) {
             trainingEnded();
             unsaved_ = true;
+            trained_strokes_ = strokes;
             setClassifier(classifier);
           });
   connect(worker_.get(), &TeachWorker::cancelled, this, &TeachPanel::trainingEnded);
@@ -235,6 +261,12 @@ void TeachPanel::setClassifier(std::shared_ptr<const BuildingClassifier> classif
   updateState();
   showFound();
   Q_EMIT classifierChanged(classifier_);
+  Q_EMIT teachingChanged();
+}
+
+void TeachPanel::setSaved() {
+  unsaved_ = false;
+  Q_EMIT teachingChanged();
 }
 
 void TeachPanel::setModel(std::shared_ptr<const BuildingClassifier> classifier) {
@@ -246,7 +278,7 @@ bool TeachPanel::saveModel(const QString& path) {
   if (!classifier_) return false;
   try {
     classifier_->save(path.toStdString());
-    unsaved_ = false;
+    setSaved();
     return true;
   } catch (const Error& error) {
     Q_EMIT messageRaised(QString::fromUtf8(error.what()));

@@ -8,6 +8,7 @@
 
 #include "widgets/teach/teach_view.h"
 #include "widgets/teach/teach_worker.h"
+#include "widgets/teach/teaching.h"
 
 class QCheckBox;
 class QComboBox;
@@ -41,14 +42,21 @@ class TeachPanel : public QWidget {
   void setModel(std::shared_ptr<const BuildingClassifier> classifier);
   /// Trained, and in no file yet.
   bool isUnsaved() const { return unsaved_; }
-  void setSaved() { unsaved_ = false; }
+  void setSaved();
   void setUnsaved() { unsaved_ = classifier_ != nullptr; }
+  /// Painted since the last training.
+  bool isUntrained() const { return strokes_ != trained_strokes_; }
+  bool hasUnsavedWork() const { return unsaved_ || isUntrained(); }
+  Teaching teaching() const;
+  /// Adds images and what was painted on them, as untrained.
+  void addTeaching(const Teaching& teaching);
 
   QSize sizeHint() const override { return {860, 620}; }
 
  Q_SIGNALS:
   void messageRaised(const QString& message);
   void saveWithMapRequested();
+  void teachingChanged();  ///< teaching() or hasUnsavedWork()
   /// Trained, loaded or taken away (nullptr).
   void classifierChanged(const std::shared_ptr<const handmap::BuildingClassifier>& classifier);
 
@@ -81,6 +89,8 @@ class TeachPanel : public QWidget {
   cv::Mat image_;                                    ///< that image
   std::shared_ptr<const BuildingClassifier> classifier_;
   bool unsaved_ = false;
+  int strokes_ = 0;          ///< counts up with whatever is painted
+  int trained_strokes_ = 0;  ///< those of the last training
   std::unique_ptr<TeachWorker> worker_;
 };
 

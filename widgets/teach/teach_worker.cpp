@@ -4,38 +4,55 @@
 
 namespace handmap {
 
-TeachWorker::TeachWorker(TeachJob job, QObject* parent) : QObject(parent), job_(std::move(job)) {}
+namespace {
 
-void TeachWorker::start() {
-  thread_ = std::jthread([this](const std::stop_token& stop) {
-    try {
-      work(stop);
-    } catch (const std::exception& error) {
-      Q_EMIT failed(QString::fromUtf8(error.what()));
-    }
-  });
-}
-
-void TeachWorker::work(const std::stop_token& stop) {
+/// nullopt when the stop was requested.
+std::optional<BuildingClassifier> train(const TeachJob& job, const std::stop_token& stop,
+                                        const std::function<void(double)>& progress) {
   std::vector<cv::Mat> images;
-  bool colour = job_.colour;
-  for (const TeachJob::Image& image : job_.images) {
-    if (stop.stop_requested()) break;
+  bool colour = job.colour;
+  for (const TeachJob::Image& image : job.images) {
+    if (stop.stop_requested()) return std::nullopt;
     images.push_back(readImage(image.path));
     colour = colour && images.back().channels() == 3;
   }
   TrainingSet set({FeatureFamily::Handmap, colour});
-  for (std::size_t i = 0; i < images.size(); ++i) set.add(images[i], job_.images[i].labels);
-  std::optional<BuildingClassifier> classifier;
-  if (!stop.stop_requested()) {
-    classifier = trainClassifier(set, job_.options, stop,
-                                 [this](double share) { Q_EMIT progressed(share); });
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (stop.stop_requested()) return std::nullopt;
+    set.add(images[i], job.images[i].labels);
   }
-  if (classifier) {
-    Q_EMIT finished(std::make_shared<const BuildingClassifier>(std::move(*classifier)));
-  } else {
-    Q_EMIT cancelled();
-  }
+  return trainClassifier(set, job.options, stop, progress);
+}
+
+}  // namespace
+
+TeachWorker::TeachWorker(TeachJob job, QObject* parent)
+    : QObject(parent),
+      job_(std::move(job)),
+      self_(std::make_shared<Lifeline<TeachWorker>>(*this)) {}
+
+TeachWorker::~TeachWorker() {
+  self_->cut();
+  stop_.request_stop();
+}
+
+void TeachWorker::start() {
+  startInBackground([self = self_, job = job_, stop = stop_.get_token()] {
+    try {
+      auto trained = train(job, stop, [&self](double share) {
+        self->post([share](TeachWorker& worker) { Q_EMIT worker.progressed(share); });
+      });
+      if (!trained) {
+        self->post([](TeachWorker& worker) { Q_EMIT worker.cancelled(); });
+        return;
+      }
+      const auto classifier = std::make_shared<const BuildingClassifier>(std::move(*trained));
+      self->post([classifier](TeachWorker& worker) { Q_EMIT worker.finished(classifier); });
+    } catch (const std::exception& error) {
+      const QString message = QString::fromUtf8(error.what());
+      self->post([message](TeachWorker& worker) { Q_EMIT worker.failed(message); });
+    }
+  });
 }
 
 }  // namespace handmap

@@ -1,5 +1,5 @@
-// Training in a thread of its own. What it has to say comes as queued signals; only the destructor
-// waits: it cancels, and training gives up within a fraction of a second.
+// Training in a thread of its own. What it has to say comes as queued signals. Nothing here waits:
+// a worker that is destroyed requests the stop and is silent at once; its thread ends by itself.
 #pragma once
 
 #include <QObject>
@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <memory>
 #include <stop_token>
-#include <thread>
 #include <vector>
 
 #include "core/classification/training.h"
+#include "widgets/background/background.h"
 
 namespace handmap {
 
@@ -27,12 +27,14 @@ struct TeachJob {
 
 class TeachWorker : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(TeachWorker)
  public:
   explicit TeachWorker(TeachJob job, QObject* parent = nullptr);
+  ~TeachWorker() override;
 
   /// Once, after the signals are connected.
   void start();
-  void cancel() { thread_.request_stop(); }
+  void cancel() { stop_.request_stop(); }
 
  Q_SIGNALS:
   void progressed(double share);
@@ -42,10 +44,9 @@ class TeachWorker : public QObject {
   void failed(const QString& message);
 
  private:
-  void work(const std::stop_token& stop);
-
   TeachJob job_;
-  std::jthread thread_;  // last: ends before what it uses
+  std::stop_source stop_;
+  std::shared_ptr<Lifeline<TeachWorker>> self_;  ///< shared with the thread
 };
 
 }  // namespace handmap

@@ -20,7 +20,9 @@ std::shared_ptr<Snapshot> fullSnapshot() {
   building.id = "N1";
   building.shape = Rectangle{{40.0, 45.0}, 20.0, 10.0, 0.0};
   building.estimate = Estimate{1.0, 1.0, 0.0, 3};
-  snapshot->map.buildings = {building};
+  Map map;
+  map.buildings = {building};
+  snapshot->map = std::make_shared<const Map>(map);
   snapshot->report.pose = {20.0, 30.0, kPi / 2};
   snapshot->particles = {{{10.0, 5.0, 0.0}, 1.0}};
   snapshot->swarms = {{0, {Rectangle{{30.0, 22.0}, 6.0, 4.0, 0.0}.corners()}}};
@@ -28,11 +30,11 @@ std::shared_ptr<Snapshot> fullSnapshot() {
       std::vector<StampedPose>{{0.0, {2.0, 15.0, 0.0}}, {1.0, {12.0, 15.0, 0.0}}});
   snapshot->odometry = std::make_shared<std::vector<StampedPose>>(
       std::vector<StampedPose>{{0.0, {2.0, 20.0, 0.0}}, {1.0, {12.0, 20.0, 0.0}}});
-  auto local_map = std::make_shared<LocalMap>(0.1, 20.0);
+  LocalMap local_map(0.1, 20.0);
   // A patch of wall 10 m ahead and 5 m to the left of the robot.
-  local_map->cells()(
-      cv::Rect(local_map->columnOf(10.0) - 5, local_map->columnOf(5.0) - 5, 10, 10)) = 1.0F;
-  snapshot->local_map = local_map;
+  local_map.cells()(cv::Rect(local_map.columnOf(10.0) - 5, local_map.columnOf(5.0) - 5, 10, 10)) =
+      1.0F;
+  snapshot->local_map = LazyLocalMap(20.0, [local_map] { return local_map; });
   snapshot->truth = Pose2{50.0, 20.0, 0.0};
   return snapshot;
 }

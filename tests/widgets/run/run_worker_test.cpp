@@ -2,11 +2,13 @@
 
 #include <QStringList>
 #include <QTest>
+#include <future>
 
 #include <gtest/gtest.h>
 
 #include "core/map/map_io.h"
 #include "core/simulation/simulated_source.h"
+#include "widgets/background/background.h"
 
 namespace handmap {
 namespace {
@@ -174,6 +176,36 @@ TEST(RunWorker, CanBeDestroyedInsideAStepAndIsSilentThen) {
   const QStringList before = heard.events();
   QTest::qWait(20);
   EXPECT_EQ(heard.events(), before);
+}
+
+TEST(RunWorker, NobodyWaitsForASourceThatDoesNotHear) {
+  RunJob job = jobOf(2, 10);
+  std::promise<void> opened;
+  std::promise<void> go_on;
+  job.open = [&](const std::stop_token&, const std::function<void(double)>&) {
+    opened.set_value();
+    go_on.get_future().wait();
+    return std::unique_ptr<ObservationSource>();
+  };
+  Heard heard(std::move(job));
+  heard.worker().start();
+  opened.get_future().wait();
+  heard.destroyWorker();
+  EXPECT_FALSE(waitForBackground(std::chrono::milliseconds(1)));
+  go_on.set_value();
+  EXPECT_TRUE(waitForBackground(std::chrono::seconds(30)));
+  QTest::qWait(10);
+  EXPECT_TRUE(heard.events().isEmpty());
+}
+
+TEST(RunWorker, WarnsAtTheEndOfARunThatRecognisedNothing) {
+  RunJob job = jobOf(2, 10);
+  job.drawing.start = Pose2{5000.0, 0.0, 0.0};
+  Heard heard(std::move(job));
+  heard.worker().start();
+  ASSERT_TRUE(heard.wait("finished"));
+  ASSERT_EQ(heard.worker().result()->warnings.size(), 1U);
+  EXPECT_EQ(heard.worker().result()->warnings[0].code, "nothing_recognised");
 }
 
 TEST(RunWorker, CanBeDestroyedWhilePausedAndBeforeTheStart) {

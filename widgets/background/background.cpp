@@ -1,0 +1,50 @@
+#include "widgets/background/background.h"
+
+#include <condition_variable>
+#include <thread>
+
+namespace handmap {
+
+namespace {
+
+/// Of the process, as its threads are. Never destroyed: a thread may outlive main().
+struct Running {
+  std::mutex mutex;
+  std::condition_variable one_ended;
+  int count = 0;
+};
+
+Running& running() {
+  static auto* const running = new Running;
+  return *running;
+}
+
+void count(int change) {
+  const std::scoped_lock lock(running().mutex);
+  running().count += change;
+}
+
+}  // namespace
+
+void startInBackground(std::function<void()> work) {
+  count(1);
+  try {
+    std::thread([work = std::move(work)]() mutable {
+      work();
+      work = nullptr;  // what it owns goes before the thread counts as ended
+      std::unique_lock lock(running().mutex);
+      --running().count;
+      std::notify_all_at_thread_exit(running().one_ended, std::move(lock));
+    }).detach();
+  } catch (...) {
+    count(-1);
+    throw;
+  }
+}
+
+bool waitForBackground(std::chrono::milliseconds patience) {
+  std::unique_lock lock(running().mutex);
+  return running().one_ended.wait_for(lock, patience, [] { return running().count == 0; });
+}
+
+}  // namespace handmap
