@@ -12,6 +12,7 @@
 #include "app/gui/run_score.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
+#include "core/map/references.h"
 #include "widgets/canvas/map_canvas.h"
 
 namespace handmap {
@@ -47,7 +48,13 @@ void Batch::writeReport(const QString& folder) {
     throw Error(ErrorCode::RunFailed, (folder + ": cannot be made").toStdString());
   }
   const auto path = [&folder](const char* name) { return QDir(folder).absoluteFilePath(name); };
-  writeMap(result->map, path("refined.handmap").toStdString());
+  for (const RunWarning& warning : result->warnings) {
+    fmt::print(stderr, "handmap: warning: {} {}\n", warning.message, warning.hint);
+  }
+  Map refined = result->map;
+  const std::string refined_file = path("refined.handmap").toStdString();
+  moveReferences(refined, window_.document().origin().toStdString(), refined_file);
+  writeMap(refined, refined_file);
   writeFileAtomically(path("trajectory.tum").toStdString(), formatTum(*result->trajectory));
   window_.canvas().zoomToFit();
   writePicture(pictureOf(window_), path("screenshot.png"));

@@ -1,10 +1,14 @@
 #include "app/gui/docks.h"
 
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScreen>
 #include <QScrollArea>
 #include <QTextBrowser>
+#include <QTimer>
+#include <algorithm>
 
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
@@ -19,6 +23,10 @@ namespace handmap {
 
 namespace {
 
+constexpr QSize kRoomyWindow(1000, 700);
+constexpr QSize kHelpSize(520, 480);
+constexpr QPoint kFloatingAt(160, 240);  // below the messages; where nobody has moved them
+
 /// A panel that may be taller than its dock.
 QScrollArea* scrolled(QWidget* panel) {
   auto* area = new QScrollArea;
@@ -27,6 +35,20 @@ QScrollArea* scrolled(QWidget* panel) {
   area->setWidgetResizable(true);
   area->setWidget(panel);
   return area;
+}
+
+/// A floating panel that is partly on no screen, or larger than it, is moved and made smaller.
+void keepOnScreen(QDockWidget& dock) {
+  const QRect frame = dock.frameGeometry();
+  const QScreen* screen = QGuiApplication::screenAt(frame.center());
+  if (screen == nullptr) screen = dock.parentWidget()->screen();
+  const QRect room = screen->availableGeometry();
+  if (room.contains(frame)) return;
+  const QSize border = frame.size() - dock.size();
+  dock.resize(dock.size().boundedTo(room.size() - border));
+  const QSize size = dock.size() + border;
+  dock.move(std::clamp(frame.x(), room.left(), room.right() - size.width() + 1),
+            std::clamp(frame.y(), room.top(), room.bottom() - size.height() + 1));
 }
 
 }  // namespace
@@ -60,9 +82,12 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
   layers_dock_->raise();
   properties_dock_->raise();
   setup_dock_->hide();
-  for (QDockWidget* dock : {teach_dock_, help_dock_}) {
+  for (const auto& [dock, size] :
+       {std::pair(teach_dock_, teach_->sizeHint()), std::pair(help_dock_, kHelpSize)}) {
     dock->hide();
     dock->setFloating(true);
+    dock->resize(size);
+    dock->move(kFloatingAt);
   }
   for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_}) {
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
@@ -81,6 +106,9 @@ QDockWidget* Docks::add(const QString& name, const QString& title, QWidget* pane
   dock->setObjectName(name);
   dock->setWidget(panel);
   window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+  connect(dock, &QDockWidget::visibilityChanged, this, [dock](bool visible) {
+    if (visible && dock->isFloating()) keepOnScreen(*dock);
+  });
   return dock;
 }
 
@@ -94,7 +122,12 @@ void Docks::showRunDocks(bool run_exists, bool has_camera) {
   show(camera_dock_, run_exists && has_camera);
   if (!run_exists) return;
   (has_camera ? camera_dock_ : charts_dock_)->raise();
-  resize();
+  QTimer::singleShot(0, this, &Docks::resize);  // when they have been laid out
+}
+
+void Docks::showProperties() {
+  properties_dock_->show();
+  properties_dock_->raise();
 }
 
 void Docks::showSetup() {
@@ -103,9 +136,6 @@ void Docks::showSetup() {
 }
 
 void Docks::showTeach() {
-  if (teach_dock_->isFloating() && !teach_dock_->isVisible()) {
-    teach_dock_->resize(teach_->sizeHint());
-  }
   teach_dock_->show();
   teach_dock_->raise();
 }
@@ -113,8 +143,8 @@ void Docks::showTeach() {
 void Docks::showHelp(const QString& title, const QString& html) {
   help_dock_->setWindowTitle(title);
   static_cast<QTextBrowser*>(help_dock_->widget())->setHtml(html);
-  help_dock_->resize(520, 600);
   help_dock_->show();
+  help_dock_->raise();
 }
 
 void Docks::addSwitches(QMenu& menu) const {
@@ -124,11 +154,32 @@ void Docks::addSwitches(QMenu& menu) const {
   }
 }
 
+void Docks::arrange(QSize window) {
+  compact_ = window.width() < kRoomyWindow.width() || window.height() < kRoomyWindow.height();
+  if (compact_) {
+    window_.tabifyDockWidget(layers_dock_, properties_dock_);
+    window_.tabifyDockWidget(properties_dock_, setup_dock_);
+    layers_dock_->raise();
+  }
+  resize();
+}
+
 void Docks::resize() {
-  window_.resizeDocks({objects_dock_, properties_dock_, charts_dock_}, {300, 300, 300},
-                      Qt::Horizontal);
-  window_.resizeDocks({objects_dock_, properties_dock_, charts_dock_}, {250, 150, 290},
-                      Qt::Vertical);
+  const int width = compact_ ? 220 : 300;
+  QList<QDockWidget*> docks;
+  QList<int> heights;
+  const auto add = [&](QDockWidget* dock, int height) {
+    if (dock->isHidden() || dock->isFloating()) return;
+    docks << dock;
+    heights << height;
+  };
+  for (QDockWidget* dock : {objects_dock_, layers_dock_}) add(dock, compact_ ? 200 : 250);
+  for (QDockWidget* dock : {properties_dock_, setup_dock_}) add(dock, compact_ ? 200 : 150);
+  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_}) {
+    add(dock, compact_ ? 240 : 290);
+  }
+  window_.resizeDocks(docks, QList<int>(docks.size(), width), Qt::Horizontal);
+  window_.resizeDocks(docks, heights, Qt::Vertical);
 }
 
 }  // namespace handmap

@@ -37,13 +37,17 @@ class Docks : public QObject {
 
   /// Those of a run come and go with it; what the user has closed stays closed.
   void showRunDocks(bool run_exists, bool has_camera);
+  void showProperties();
   void showSetup();
   void showTeach();
   void showHelp(const QString& title, const QString& html);
   void addSwitches(QMenu& menu) const;
-  void resize();
+  /// As they are at the first start in a window of that size: side by side, or one over another
+  /// where there is little room.
+  void arrange(QSize window);
 
  private:
+  void resize();
   QDockWidget* add(const QString& name, const QString& title, QWidget* panel);
 
   QMainWindow& window_;
@@ -65,6 +69,7 @@ class Docks : public QObject {
   QDockWidget* teach_dock_;
   QDockWidget* help_dock_;
   QSet<QDockWidget*> closed_by_user_;
+  bool compact_ = false;
 };
 
 }  // namespace handmap

@@ -1,10 +1,11 @@
 #include "app/gui/exports.h"
 
+#include <QBuffer>
 #include <QPainter>
-#include <QSaveFile>
 #include <QWidget>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace handmap {
 
@@ -18,12 +19,16 @@ QImage pictureOf(QWidget& widget) {
 }
 
 void writePicture(const QImage& picture, const QString& path) {
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit()) {
-    throw Error(
-        ErrorCode::RunFailed,
-        (path + QStringLiteral(": cannot be written: ") + file.errorString()).toStdString());
+  if (picture.isNull()) {
+    throw Error(ErrorCode::RunFailed, "there is not enough memory for the picture");
   }
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, "PNG")) {
+    throw Error(ErrorCode::RunFailed, path.toStdString() + ": cannot be encoded as PNG");
+  }
+  writeFileAtomically(path.toStdString(), bytes.toStdString());
 }
 
 }  // namespace handmap

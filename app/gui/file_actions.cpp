@@ -1,18 +1,19 @@
 #include "app/gui/file_actions.h"
 
-#include <QFileDialog>
+#include <QDesktopServices>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMessageBox>
 #include <QSettings>
+#include <QUrl>
 
+#include "app/gui/dialogs.h"
 #include "app/gui/exports.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/run_controller.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
-#include "core/map/map_model.h"
+#include "core/map/references.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
@@ -30,10 +31,7 @@ QString mapFilter() { return FileActions::tr("Handmap drawings (*.handmap)"); }
 }  // namespace
 
 FileActions::FileActions(const Parts& parts)
-    : QObject(&parts.window),
-      parts_(parts),
-      recovery_(parts.document, parts.settings),
-      recent_(new QMenu(tr("Open &Recent"), &parts.window)) {
+    : QObject(&parts.window), parts_(parts), recent_(new QMenu(tr("Open Re&cent"), &parts.window)) {
   connectActions();
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
 }
@@ -44,19 +42,20 @@ bool FileActions::guarded(Work work) {
     work();
     return true;
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromStdString(error.what()),
+    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
                          QString::fromStdString(error.hint()));
-    return false;
+  } catch (const std::exception& error) {
+    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()));
   }
+  return false;
 }
 
 void FileActions::connectActions() {
   const ActionSet& actions = parts_.actions;
   actions.on("file.new", this, [this] { replace({}); });
   actions.on("file.open", this, [this] {
-    const QString path =
-        QFileDialog::getOpenFileName(&parts_.window, tr("Open a drawing"),
-                                     parts_.settings.value(kFolderKey).toString(), mapFilter());
+    const QString path = parts_.dialogs.fileToOpen(
+        {tr("Open a drawing"), parts_.settings.value(kFolderKey).toString(), mapFilter(), {}, {}});
     if (!path.isEmpty()) open(path);
   });
   actions.on("file.save", this, [this] { save(); });
@@ -69,29 +68,27 @@ void FileActions::connectActions() {
 
 bool FileActions::mayLeave() {
   if (!parts_.document.isModified()) return true;
-  const auto answer = QMessageBox::question(
-      &parts_.window, tr("Unsaved changes"),
-      tr("Save the changes to “%1”?").arg(parts_.document.displayName()),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  if (answer == QMessageBox::Save) return save();
-  return answer == QMessageBox::Discard;
+  constexpr int kSave = 0;
+  constexpr int kDiscard = 1;
+  const int answer =
+      parts_.dialogs.choose({tr("Unsaved changes"),
+                             tr("Save the changes to “%1”?").arg(parts_.document.displayName()),
+                             {tr("&Save"), tr("&Discard")}});
+  return answer == kSave ? save() : answer == kDiscard;
 }
 
 bool FileActions::open(const QString& path) {
   if (!mayLeave()) return false;
   const QString absolute = QFileInfo(path).absoluteFilePath();
   if (!guarded([&] { parts_.document.open(absolute); })) return false;
-  recovery_.clear();
   remember(absolute);
   Q_EMIT drawingReplaced();
-  offerRecovery();
   return true;
 }
 
 bool FileActions::replace(const Map& map) {
   if (!mayLeave()) return false;
   parts_.document.reset(map);
-  recovery_.clear();
   Q_EMIT drawingReplaced();
   return true;
 }
@@ -113,54 +110,88 @@ bool FileActions::saveTo(const QString& path) {
     parts_.document.save(path);
   };
   if (!guarded(work)) return false;
-  recovery_.clear();
   remember(path);
+  Q_EMIT saved(path);
   return true;
 }
 
 QString FileActions::askPath(const QString& title, const QString& suggestion, const QString& filter,
                              const QString& suffix) {
-  QFileDialog dialog(&parts_.window, title, parts_.settings.value(kFolderKey).toString(), filter);
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(suffix);
-  dialog.selectFile(QFileInfo(suggestion).completeBaseName() + QLatin1Char('.') + suffix);
-  if (dialog.exec() != QDialog::Accepted) return {};
-  QString path = dialog.selectedFiles().value(0);
+  QString path = parts_.dialogs.fileToSave(
+      {title, parts_.settings.value(kFolderKey).toString(), filter,
+       QFileInfo(suggestion).completeBaseName() + QLatin1Char('.') + suffix, suffix});
   if (!path.isEmpty()) parts_.settings.setValue(kFolderKey, QFileInfo(path).path());
   return path;
 }
 
+Map FileActions::refinedMap() const {
+  Map map = parts_.run.result()->map;
+  map.georeference = parts_.document.map().georeference;
+  return map;
+}
+
+std::optional<Map> FileActions::chosenMap(QString& what) {
+  constexpr int kRefined = 0;
+  constexpr int kDrawing = 1;
+  const QStringList names = {tr("The refined map"), tr("The drawing")};
+  const int choice = parts_.run.result() == nullptr
+                         ? kDrawing
+                         : parts_.dialogs.choose({tr("Export"), tr("Which map?"), names});
+  if (choice < 0) return std::nullopt;
+  what = names[choice];
+  return choice == kRefined ? refinedMap() : parts_.document.map();
+}
+
+void FileActions::tellExported(const QString& what, const QString& path) {
+  parts_.messages
+      .show(MessageBar::Kind::Info, tr("%1 is in “%2”.").arg(what, QFileInfo(path).fileName()),
+            path, QStringLiteral("export"))
+      .addAction(tr("Show in folder"), [path] {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
+      });
+}
+
 void FileActions::exportMap() {
-  const auto result = parts_.run.result();
-  if (!result) return;
+  if (!parts_.run.result()) return;
+  Map map = refinedMap();
   const QString path = askPath(tr("Export the refined map"),
                                QFileInfo(parts_.document.displayName()).completeBaseName() +
                                    tr("-refined") + QStringLiteral(".handmap"),
                                mapFilter(), QStringLiteral("handmap"));
   if (path.isEmpty()) return;
-  guarded([&] {
-    Map map = result->map;
-    moveModel(map, parts_.document.filePath().toStdString(), path.toStdString());
+  const auto work = [&] {
+    moveReferences(map, parts_.document.origin().toStdString(), path.toStdString());
     writeMap(map, path.toStdString());
-  });
+  };
+  if (guarded(work)) tellExported(tr("The refined map"), path);
 }
 
 void FileActions::exportGeoJson() {
-  const auto result = parts_.run.result();
-  const Map& map = result ? result->map : parts_.document.map();
-  guarded([&] {
-    const std::string text = formatGeoJson(map);  // before asking: it may have no georeference
-    const QString path = askPath(tr("Export GeoJSON"), parts_.document.displayName(),
-                                 tr("GeoJSON (*.geojson)"), QStringLiteral("geojson"));
-    if (!path.isEmpty()) writeFileAtomically(path.toStdString(), text);
-  });
+  if (!parts_.document.map().georeference) {
+    parts_.messages
+        .show(MessageBar::Kind::Warning, tr("GeoJSON needs to know where the drawing lies."),
+              tr("Its georeference is the latitude and longitude of the origin."))
+        .addAction(tr("Say where"), [this] { Q_EMIT georeferenceWanted(); });
+    return;
+  }
+  QString what;
+  const std::optional<Map> map = chosenMap(what);
+  if (!map) return;
+  const QString path = askPath(tr("Export GeoJSON"), parts_.document.displayName(),
+                               tr("GeoJSON (*.geojson)"), QStringLiteral("geojson"));
+  if (path.isEmpty()) return;
+  const auto work = [&] { writeFileAtomically(path.toStdString(), formatGeoJson(*map)); };
+  if (guarded(work)) tellExported(what, path);
 }
 
 void FileActions::exportPicture() {
   const QImage picture = pictureOf(*parts_.canvas.viewport());
   const QString path = askPath(tr("Export a picture"), parts_.document.displayName(),
                                tr("Pictures (*.png)"), QStringLiteral("png"));
-  if (!path.isEmpty()) guarded([&] { writePicture(picture, path); });
+  if (path.isEmpty()) return;
+  if (guarded([&] { writePicture(picture, path); })) {
+    tellExported(tr("What the canvas shows"), path);
+  }
 }
 
 void FileActions::exportTrajectory() {
@@ -169,21 +200,10 @@ void FileActions::exportTrajectory() {
   const QString path = askPath(tr("Export the trajectory"), parts_.document.displayName(),
                                tr("Trajectories (*.tum)"), QStringLiteral("tum"));
   if (path.isEmpty()) return;
-  guarded([&] { writeFileAtomically(path.toStdString(), formatTum(*result->trajectory)); });
-}
-
-void FileActions::offerRecovery() {
-  const QStringList files = recovery_.leftBehind();
-  if (files.isEmpty()) return;
-  const QString& file = files.front();
-  parts_.messages.show(MessageBar::Kind::Info,
-                       tr("An earlier session ended with unsaved changes to “%1”.")
-                           .arg(QFileInfo(file).completeBaseName()));
-  parts_.messages.addAction(tr("Recover"), [this, file] {
-    if (!mayLeave()) return;
-    if (guarded([&] { recovery_.recover(file); })) Q_EMIT drawingReplaced();
-  });
-  parts_.messages.addAction(tr("Discard"), [this, file] { recovery_.forget(file); });
+  const auto work = [&] {
+    writeFileAtomically(path.toStdString(), formatTum(*result->trajectory));
+  };
+  if (guarded(work)) tellExported(tr("The way of the robot"), path);
 }
 
 void FileActions::remember(const QString& path) {

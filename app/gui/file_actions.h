@@ -4,7 +4,7 @@
 #include <QObject>
 #include <functional>
 
-#include "app/gui/recovery.h"
+#include "core/map/map.h"
 
 class QMenu;
 class QSettings;
@@ -13,11 +13,11 @@ class QWidget;
 namespace handmap {
 
 class ActionSet;
+class Dialogs;
 class MapCanvas;
 class MapDocument;
 class MessageBar;
 class RunController;
-struct Map;
 
 class FileActions : public QObject {
   Q_OBJECT
@@ -31,6 +31,7 @@ class FileActions : public QObject {
     ActionSet& actions;
     MessageBar& messages;
     QSettings& settings;
+    Dialogs& dialogs;
   };
   explicit FileActions(const Parts& parts);
 
@@ -42,20 +43,19 @@ class FileActions : public QObject {
   bool saveAs();
   /// Takes another map in place of the drawing, after mayLeave().
   bool replace(const Map& map);
-  /// Says so if an earlier session has left unsaved work behind.
-  void offerRecovery();
   /// Called with the path before the drawing is saved there; an Error it throws is told, and
   /// nothing is saved.
   void setBeforeSave(std::function<void(const QString& path)> work) {
     before_save_ = std::move(work);
   }
   QMenu& recentMenu() { return *recent_; }
-  /// The session ends as the user wants it.
-  void sessionEnds() { recovery_.clear(); }
 
  Q_SIGNALS:
   /// Another drawing is open now: a run of the one before makes no sense any more.
   void drawingReplaced();
+  void saved(const QString& path);
+  /// Somebody wants to say where the drawing lies.
+  void georeferenceWanted();
 
  private:
   void connectActions();
@@ -64,16 +64,20 @@ class FileActions : public QObject {
   bool saveTo(const QString& path);
   QString askPath(const QString& title, const QString& suggestion, const QString& filter,
                   const QString& suffix);
+  /// The latest run's, with where the drawing is now said to lie.
+  Map refinedMap() const;
+  /// The drawing, or the refined map where there is one and somebody chooses it; nullopt: neither.
+  std::optional<Map> chosenMap(QString& what);
+  void tellExported(const QString& what, const QString& path);
   void exportMap();
   void exportGeoJson();
   void exportPicture();
   void exportTrajectory();
-  /// Runs `work`; an Error goes to the message bar. True: it went well.
+  /// Runs `work`; what it throws goes to the message bar. True: it went well.
   template <typename Work>
   bool guarded(Work work);
 
   Parts parts_;
-  Recovery recovery_;
   QMenu* recent_;
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
 };

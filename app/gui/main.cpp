@@ -1,20 +1,24 @@
 // handmap: the desktop program.
 
-#include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <chrono>
 #include <clocale>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "app/gui/application.h"
 #include "app/gui/batch.h"
 #include "app/gui/command_line.h"
 #include "app/gui/docks.h"
 #include "app/gui/file_actions.h"
 #include "app/gui/main_window.h"
+#include "app/gui/message_bar.h"
 #include "app/gui/narrator.h"
 #include "app/gui/run_actions.h"
 #include "core/base/error.h"
+#include "widgets/background/background.h"
 #include "widgets/run/run_setup_panel.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/style/icons.h"
@@ -71,7 +75,7 @@ void openRobot(MainWindow& window, const CommandLine& line, bool first_start) {
   if (line.isBatch()) window.transport().setSpeed(0.0);
 }
 
-int runProgram(QApplication& app, const CommandLine& line) {
+int runProgram(Application& app, const CommandLine& line) {
   // A batch neither reads nor leaves traces of how somebody likes the window.
   const QTemporaryDir scratch;
   QSettings own;
@@ -81,14 +85,27 @@ int runProgram(QApplication& app, const CommandLine& line) {
 
   MapDocument document;
   MainWindow window(document, settings);
+  QObject::connect(&app, &Application::failed, &window,
+                   [&window](const QString& message, const QString& hint) {
+                     window.messages().show(MessageBar::Kind::Error, message, hint);
+                   });
   applySetup(window, line);
   if (line.verbose) new Narrator(window);
   if (line.isBatch()) new Batch(window, line);
   window.show();
   openDrawing(window, line);
   openRobot(window, line, first_start);
-  if (!line.isBatch()) window.files().offerRecovery();
+  if (!line.isBatch()) window.offerRecovery();
   return app.exec();
+}
+
+/// Longer than any step takes to notice that nobody waits for it.
+constexpr auto kPatience = std::chrono::seconds(10);
+
+/// Threads that were let go may not meet the end of main(): what they use would be gone.
+int ended(int status) {
+  if (!waitForBackground(kPatience)) std::_Exit(status);
+  return status;
 }
 
 }  // namespace
@@ -96,21 +113,25 @@ int runProgram(QApplication& app, const CommandLine& line) {
 int main(int argc, char** argv) {
   try {
     const bool visible = choosePlatform();
-    QApplication app(argc, argv);
+    Application app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");  // files have decimal points
     QApplication::setApplicationName("handmap");
     QApplication::setOrganizationName("handmap");
     QApplication::setApplicationVersion(HANDMAP_VERSION);
-    QApplication::setWindowIcon(icon("building"));
+    QApplication::setDesktopFileName("handmap");
+    QApplication::setWindowIcon(QIcon(":/handmap.svg"));
     const CommandLine line = parseCommandLine(QApplication::arguments());
     if (!visible && !line.isBatch()) {
       throw Error(ErrorCode::Usage, "there is no display to open a window on",
                   "--offscreen-report DIR runs without one.");
     }
-    return runProgram(app, line);
+    return ended(runProgram(app, line));
   } catch (const Error& error) {
     fmt::print(stderr, "handmap: {}\n", error.what());
     if (!error.hint().empty()) fmt::print(stderr, "{}\n", error.hint());
-    return static_cast<int>(error.code());
+    return ended(static_cast<int>(error.code()));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "handmap: {}\n", error.what());
+    return ended(static_cast<int>(ErrorCode::RunFailed));
   }
 }

@@ -15,6 +15,8 @@
 #include "app/gui/file_actions.h"
 #include "app/gui/map_model.h"
 #include "app/gui/message_bar.h"
+#include "app/gui/recovery_offer.h"
+#include "app/gui/reference_trust.h"
 #include "app/gui/run_actions.h"
 #include "app/gui/welcome_strip.h"
 #include "widgets/canvas/map_canvas.h"
@@ -33,7 +35,8 @@ namespace {
 
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
-constexpr int kStateVersion = 2;  // of the set of docks and bars
+constexpr int kStateVersion = 3;  // of the set of docks and bars
+constexpr QSize kFirstSize(1280, 800);
 
 /// The file or folder that is dragged; empty for anything else.
 QString draggedPath(const QMimeData& data) {
@@ -45,9 +48,10 @@ QString draggedPath(const QMimeData& data) {
 
 }  // namespace
 
-MainWindow::MainWindow(MapDocument& document, QSettings& settings)
+MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_ptr<Dialogs> dialogs)
     : document_(document),
       settings_(settings),
+      dialogs_(dialogs ? std::move(dialogs) : systemDialogs(*this)),
       canvas_(new MapCanvas(document_)),
       messages_(new MessageBar),
       welcome_(new WelcomeStrip),
@@ -60,11 +64,15 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings)
   docks_ = new Docks(*this, document_);
   overlays_ = std::make_unique<RunOverlays>(*canvas_->scene(), kOverlayZ);
   overlays_->setColours(Colours::of(palette()));
-  files_ = new FileActions({*this, document_, *canvas_, run_, actions_, *messages_, settings_});
+  files_ = new FileActions(
+      {*this, document_, *canvas_, run_, actions_, *messages_, settings_, *dialogs_});
   runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,
-                          *overlays_, *transport_, docks_->layers(), docks_->setup(),
+                          *dialogs_, *overlays_, *transport_, docks_->layers(), docks_->setup(),
                           docks_->charts(), docks_->camera(), docks_->buildings()});
-  new MapModel({document_, *files_, docks_->teach(), *messages_}, this);
+  auto* trust = new ReferenceTrust({document_, *files_, *messages_, settings_}, this);
+  model_ = new MapModel({document_, *files_, docks_->teach(), *messages_, *dialogs_}, this);
+  connect(trust, &ReferenceTrust::granted, model_, &MapModel::loadOfDrawing);
+  connectRecovery();
   makeBars();
   makeStatusBar();
   connectEditing();
@@ -88,7 +96,6 @@ QWidget* MainWindow::makeCentre() {
   layout->addWidget(welcome_);
   layout->addWidget(messages_);
   layout->addWidget(canvas_, 1);
-  layout->addWidget(transport_);
   return centre;
 }
 
@@ -101,12 +108,7 @@ void MainWindow::makeBars() {
   tool_bar->setObjectName("tool_bar");
   addToolBar(Qt::LeftToolBarArea, tool_bar);
   actions_.fillToolBar(*tool_bar, ToolBar::Tools);
-  QToolBar& transport_bar = transport_->toolBar();
-  actions_.fillToolBar(transport_bar, ToolBar::Transport);
-  for (const char* id : {"run.run", "run.accept"}) {
-    auto* button = qobject_cast<QToolButton*>(transport_bar.widgetForAction(&actions_[id]));
-    if (button != nullptr) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  }
+  addToolBar(Qt::BottomToolBarArea, makeTransport());
 
   for (QAction* top : menuBar()->actions()) {
     QMenu* menu = top->menu();
@@ -120,6 +122,22 @@ void MainWindow::makeBars() {
   }
 }
 
+/// Over the whole width of the window: what a run is doing is never hidden for want of room.
+QToolBar* MainWindow::makeTransport() {
+  QToolBar& buttons = transport_->toolBar();
+  actions_.fillToolBar(buttons, ToolBar::Transport);
+  for (const char* id : {"run.run", "run.accept"}) {
+    auto* button = qobject_cast<QToolButton*>(buttons.widgetForAction(&actions_[id]));
+    if (button != nullptr) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+  auto* bar = new QToolBar(tr("Transport"));
+  bar->setObjectName("transport_bar");
+  bar->setMovable(false);
+  bar->toggleViewAction()->setVisible(false);
+  bar->addWidget(transport_);
+  return bar;
+}
+
 void MainWindow::makeStatusBar() {
   cursor_->setMinimumWidth(fontMetrics().horizontalAdvance("-0000.00, -0000.00 m"));
   scale_->setMinimumWidth(fontMetrics().horizontalAdvance("0.00123 px/m"));
@@ -131,8 +149,13 @@ void MainWindow::makeStatusBar() {
   statusBar()->addPermanentWidget(run_state_);
   run_state_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Running, 000 of 000")));
   run_state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  hint_->setText(canvas_->hint());
-  connect(canvas_, &MapCanvas::hintChanged, hint_, &QLabel::setText);
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // never widens the window
+  const auto show_hint = [this](const QString& hint) {
+    hint_->setText(hint);
+    hint_->setToolTip(hint);
+  };
+  show_hint(canvas_->hint());
+  connect(canvas_, &MapCanvas::hintChanged, this, show_hint);
   connect(canvas_, &MapCanvas::cursorMoved, this, [this](QPointF metres) {
     cursor_->setText(tr("%1, %2 m").arg(metres.x(), 0, 'f', 2).arg(metres.y(), 0, 'f', 2));
   });
@@ -205,6 +228,10 @@ void MainWindow::connectView() {
     canvas_->zoomToObject(id);
   });
   connect(files_, &FileActions::drawingReplaced, canvas_, &MapCanvas::zoomToFit);
+  connect(files_, &FileActions::georeferenceWanted, this, [this] {
+    document_.setSelection({});  // the page of the map itself
+    docks_->showProperties();
+  });
   connect(runs_, &RunActions::runBegan, this,
           [this](bool has_camera) { docks_->showRunDocks(true, has_camera); });
   connect(runs_, &RunActions::runForgotten, this, [this] { docks_->showRunDocks(false, false); });
@@ -223,6 +250,30 @@ void MainWindow::connectWelcome() {
           [this] { settings_.setValue("welcome/closed", true); });
   welcome_->setVisible(!settings_.value("welcome/closed").toBool());
 }
+
+void MainWindow::connectRecovery() {
+  recovery_ = new Recovery({document_, docks_->teach(), settings_}, {}, this);
+  recovery_offer_ = new RecoveryOffer(
+      {*this, *recovery_, *messages_, [this] { return files_->mayLeave(); }}, this);
+  connect(recovery_offer_, &RecoveryOffer::recovered, this, [this](bool with_teaching) {
+    Q_EMIT files_->drawingReplaced();
+    if (with_teaching) docks_->showTeach();
+  });
+  connect(recovery_, &Recovery::cannotKeep, this,
+          [this](const QString& reason, const QString& instead) {
+            if (instead.isEmpty()) {
+              messages_
+                  ->show(MessageBar::Kind::Warning,
+                         tr("Unsaved work would be lost in a crash: %1").arg(reason))
+                  .addAction(tr("Save"), [this] { files_->save(); });
+            } else {
+              messages_->show(MessageBar::Kind::Info, tr("Unsaved work is kept in %1").arg(instead),
+                              reason);
+            }
+          });
+}
+
+void MainWindow::offerRecovery() { recovery_offer_->look(); }
 
 void MainWindow::setLayer(Layer layer, bool on) {
   switch (layer) {
@@ -251,10 +302,15 @@ void MainWindow::updateEditActions() {
 }
 
 void MainWindow::restoreState() {
-  resize(1280, 800);
+  // The screen with room for the frame around the window.
+  const QSize room = screen()->availableSize() - QSize(20, 60);
+  resize(kFirstSize.boundedTo(room));
+  if (room.width() < kFirstSize.width() || room.height() < kFirstSize.height()) {
+    setWindowState(Qt::WindowMaximized);
+  }
   restoreGeometry(settings_.value(kGeometryKey).toByteArray());
   if (!QMainWindow::restoreState(settings_.value(kStateKey).toByteArray(), kStateVersion)) {
-    docks_->resize();
+    docks_->arrange(screen()->availableSize().boundedTo(kFirstSize));
   }
   docks_->showRunDocks(false, false);
   docks_->setup().restore(settings_);
@@ -267,12 +323,12 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayLeave()) {
+  if (!files_->mayLeave() || !model_->mayClose()) {
     event->ignore();
     return;
   }
   run_.discard();
-  files_->sessionEnds();
+  recovery_->clear();
   saveState();
   event->accept();
 }

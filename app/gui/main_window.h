@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "app/gui/dialogs.h"
 #include "app/gui/run_controller.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
@@ -12,13 +13,17 @@
 
 class QLabel;
 class QSettings;
+class QToolBar;
 
 namespace handmap {
 
 class Docks;
 class FileActions;
 class MapCanvas;
+class MapModel;
 class MessageBar;
+class Recovery;
+class RecoveryOffer;
 class RunActions;
 class RunOverlays;
 class TransportBar;
@@ -28,8 +33,9 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
   Q_DISABLE_COPY(MainWindow)
  public:
-  /// Both must outlive the window.
-  MainWindow(MapDocument& document, QSettings& settings);
+  /// Both must outlive the window. Without dialogs: the system's.
+  MainWindow(MapDocument& document, QSettings& settings,
+             std::unique_ptr<Dialogs> dialogs = nullptr);
   ~MainWindow() override;
 
   MapDocument& document() { return document_; }
@@ -41,6 +47,9 @@ class MainWindow : public QMainWindow {
   TransportBar& transport() { return *transport_; }
   MessageBar& messages() { return *messages_; }
 
+  /// Says so if earlier sessions have left unsaved work behind.
+  void offerRecovery();
+
  protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -50,10 +59,12 @@ class MainWindow : public QMainWindow {
  private:
   QWidget* makeCentre();
   void makeBars();
+  QToolBar* makeTransport();
   void makeStatusBar();
   void connectEditing();
   void connectView();
   void connectWelcome();
+  void connectRecovery();
   void setLayer(Layer layer, bool on);
   void updateTitle();
   void updateEditActions();
@@ -62,6 +73,7 @@ class MainWindow : public QMainWindow {
 
   MapDocument& document_;
   QSettings& settings_;
+  std::unique_ptr<Dialogs> dialogs_;
   ActionSet actions_{this};
   RunController run_;
   MapCanvas* canvas_;
@@ -76,6 +88,9 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
   FileActions* files_;
   RunActions* runs_;
+  MapModel* model_;
+  Recovery* recovery_;
+  RecoveryOffer* recovery_offer_;
 };
 
 }  // namespace handmap

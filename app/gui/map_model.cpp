@@ -1,9 +1,11 @@
 #include "app/gui/map_model.h"
 
+#include "app/gui/dialogs.h"
 #include "app/gui/file_actions.h"
 #include "app/gui/message_bar.h"
 #include "core/base/error.h"
 #include "core/map/map_model.h"
+#include "core/map/references.h"
 #include "widgets/document/map_document.h"
 #include "widgets/teach/teach_panel.h"
 
@@ -34,8 +36,7 @@ void MapModel::writeBeside(const QString& map_path) {
 
 void MapModel::loadOfDrawing() {
   try {
-    const auto path = modelOf(parts_.document.map(), nativePath(parts_.document.filePath()));
-    if (path) {
+    if (const auto path = modelToRead()) {
       parts_.teach.setModel(
           std::make_shared<const BuildingClassifier>(BuildingClassifier::load(*path)));
       of_drawing_ = true;
@@ -50,6 +51,45 @@ void MapModel::loadOfDrawing() {
   // What belonged to the drawing before goes with it; what is taught and not yet saved stays.
   if (of_drawing_ && !parts_.teach.isUnsaved()) parts_.teach.setModel(nullptr);
   of_drawing_ = false;
+}
+
+std::optional<std::filesystem::path> MapModel::modelToRead() const {
+  const std::filesystem::path file = nativePath(parts_.document.origin());
+  const auto reference = modelReference(parts_.document.map(), file);
+  // Whether one that lies elsewhere is wanted is asked by ReferenceTrust.
+  if (!reference || (!parts_.document.trustsReferences() && !staysInside(*reference, file))) {
+    return std::nullopt;
+  }
+  checkReference(*reference, file, Outside::Allowed);
+  return targetOf(*reference, file);
+}
+
+bool MapModel::mayClose() {
+  const TeachPanel& teach = parts_.teach;
+  if (!teach.hasUnsavedWork()) return true;
+  constexpr int kSave = 0;
+  constexpr int kDiscard = 1;
+  if (!teach.isUnsaved()) {
+    const int answer = parts_.dialogs.choose(
+        {tr("Untrained painting"),
+         tr("What was painted in “Teach buildings” is in no model yet. Leave it?"),
+         {tr("&Stay"), tr("&Leave")}});
+    return answer == kDiscard;
+  }
+  const int answer =
+      parts_.dialogs.choose({tr("Unsaved model"),
+                             tr("The model that was taught in “Teach buildings” is in no file."),
+                             {tr("&Save model…"), tr("&Discard")}});
+  return answer == kSave ? saveModel() : answer == kDiscard;
+}
+
+bool MapModel::saveModel() {
+  const QString path = parts_.dialogs.fileToSave({tr("Save the model"),
+                                                  {},
+                                                  tr("Models (*.json)"),
+                                                  QStringLiteral("buildings.json"),
+                                                  QStringLiteral("json")});
+  return !path.isEmpty() && parts_.teach.saveModel(path);
 }
 
 void MapModel::saveWithMap() {

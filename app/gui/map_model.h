@@ -3,9 +3,12 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
+#include <optional>
 
 namespace handmap {
 
+class Dialogs;
 class FileActions;
 class MapDocument;
 class MessageBar;
@@ -20,13 +23,20 @@ class MapModel : public QObject {
     FileActions& files;
     TeachPanel& teach;
     MessageBar& messages;
+    Dialogs& dialogs;
   };
   MapModel(const Parts& parts, QObject* parent);
+
+  /// Asks when something was taught and is in no file. False: somebody wants to stay.
+  bool mayClose();
+  void loadOfDrawing();
 
  private:
   /// Throws Error.
   void writeBeside(const QString& map_path);
-  void loadOfDrawing();
+  bool saveModel();
+  /// nullopt: none, or one that may not be read. Throws Error.
+  std::optional<std::filesystem::path> modelToRead() const;
   void saveWithMap();
 
   Parts parts_;

@@ -1,108 +1,87 @@
 #include "app/gui/message_bar.h"
 
-#include <QEvent>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QStyle>
-#include <QTimer>
-#include <QToolButton>
+#include <QVBoxLayout>
 
 namespace handmap {
 
 namespace {
-
-constexpr int kInfoStaysMs = 12'000;
-
-QStyle::StandardPixmap pictureOf(MessageBar::Kind kind) {
-  switch (kind) {
-    case MessageBar::Kind::Info:
-      return QStyle::SP_MessageBoxInformation;
-    case MessageBar::Kind::Warning:
-      return QStyle::SP_MessageBoxWarning;
-    case MessageBar::Kind::Error:
-      return QStyle::SP_MessageBoxCritical;
-  }
-  return QStyle::SP_MessageBoxInformation;
+constexpr qsizetype kMostMessages = 4;
 }
 
-QColor tintOf(MessageBar::Kind kind) {
-  switch (kind) {
-    case MessageBar::Kind::Info:
-      return QColor(0, 114, 178);
-    case MessageBar::Kind::Warning:
-      return QColor(230, 159, 0);
-    case MessageBar::Kind::Error:
-      return QColor(204, 51, 17);
-  }
-  return {};
-}
-
-}  // namespace
-
-MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), icon_(new QLabel), text_(new QLabel), timer_(new QTimer(this)) {
-  setAutoFillBackground(true);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(10, 4, 6, 4);
-  text_->setWordWrap(true);
-  text_->setTextFormat(Qt::PlainText);
-  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  buttons_ = new QHBoxLayout;
-  auto* close = new QToolButton;
-  close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
-  close->setAutoRaise(true);
-  close->setToolTip(tr("Close this message"));
-  layout->addWidget(icon_);
-  layout->addWidget(text_, 1);
-  layout->addLayout(buttons_);
-  layout->addWidget(close);
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  timer_->setSingleShot(true);
-  timer_->setInterval(kInfoStaysMs);
-  connect(timer_, &QTimer::timeout, this, &QWidget::hide);
+MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(1);
   hide();
 }
 
-void MessageBar::show(Kind kind, const QString& message, const QString& hint) {
-  kind_ = kind;
-  text_->setText(hint.isEmpty() ? message : message + QLatin1Char('\n') + hint);
-  while (const QLayoutItem* item = buttons_->takeAt(0)) {
-    item->widget()->deleteLater();
-    delete item;
-  }
-  icon_->setPixmap(style()->standardIcon(pictureOf(kind)).pixmap(18, 18));
-  applyColours();
-  kind == Kind::Info ? timer_->start() : timer_->stop();
-  setVisible(true);
+Message& MessageBar::show(Kind kind, const QString& text, const QString& hint,
+                          const QString& topic) {
+  Message& message = add(topic.isEmpty() ? text : topic);
+  message.setText(kind, text, hint);
+  Q_EMIT shown(text);
+  return message;
+}
+
+Message& MessageBar::ask(const QString& text, const QString& hint, const QString& topic) {
+  Message& message = show(Kind::Info, text, hint, topic);
+  message.setQuestion();
+  return message;
 }
 
 void MessageBar::addAction(const QString& text, std::function<void()> action) {
-  auto* button = new QPushButton(text);
-  buttons_->addWidget(button);
-  connect(button, &QPushButton::clicked, this, [this, action = std::move(action)] {
-    hide();
-    action();
-  });
-  timer_->stop();
+  if (latest_) latest_->addAction(text, std::move(action));
 }
 
-void MessageBar::applyColours() {
-  // A tint of the window's own colour keeps the text readable in light and dark.
-  const QColor base = parentWidget() != nullptr ? parentWidget()->palette().window().color()
-                                                : palette().window().color();
-  const QColor tint = tintOf(kind_);
-  const auto mixed = [](int a, int b) { return (3 * a + b) / 4; };
-  QPalette tinted = palette();
-  tinted.setColor(QPalette::Window,
-                  QColor(mixed(base.red(), tint.red()), mixed(base.green(), tint.green()),
-                         mixed(base.blue(), tint.blue())));
-  setPalette(tinted);
+void MessageBar::clear() {
+  for (Message* message : messages()) {
+    if (!message->isQuestion()) remove(*message);
+  }
 }
 
-void MessageBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::ParentChange) applyColours();
-  QFrame::changeEvent(event);
+void MessageBar::withdraw(const QString& topic) {
+  for (Message* message : messages()) {
+    if (message->topic() == topic) remove(*message);
+  }
+}
+
+QList<Message*> MessageBar::messages() const {
+  QList<Message*> messages;
+  for (int i = 0; i < layout_->count(); ++i) {
+    messages << static_cast<Message*>(layout_->itemAt(i)->widget());
+  }
+  return messages;
+}
+
+Message& MessageBar::add(const QString& topic) {
+  for (Message* message : messages()) {
+    if (message->topic() != topic) continue;
+    latest_ = message;
+    return *message;
+  }
+  auto* message = new Message(topic);
+  connect(message, &Message::dismissed, this, [this, message] { remove(*message); });
+  layout_->insertWidget(0, message);
+  latest_ = message;
+  keepBounded();
+  setVisible(true);
+  return *message;
+}
+
+void MessageBar::keepBounded() {
+  const QList<Message*> all = messages();
+  qsizetype too_many = all.size() - kMostMessages;
+  for (qsizetype i = all.size() - 1; i > 0 && too_many > 0; --i) {
+    if (all[i]->isQuestion()) continue;
+    remove(*all[i]);
+    --too_many;
+  }
+}
+
+void MessageBar::remove(Message& message) {
+  layout_->removeWidget(&message);
+  message.setParent(nullptr);  // found no more, though the slot of its button may still work
+  message.deleteLater();
+  setVisible(layout_->count() > 0);
 }
 
 }  // namespace handmap

@@ -1,39 +1,50 @@
-// One message above the canvas, with what can be done about it. Never a dialog.
+// The messages above the canvas, the newest on top. Never a dialog.
 #pragma once
 
-#include <QFrame>
+#include <QPointer>
+#include <QWidget>
 #include <functional>
 
-class QHBoxLayout;
-class QLabel;
-class QTimer;
-class QToolButton;
+#include "app/gui/message.h"
+
+class QVBoxLayout;
 
 namespace handmap {
 
-class MessageBar : public QFrame {
+class MessageBar : public QWidget {
   Q_OBJECT
  public:
-  enum class Kind { Info, Warning, Error };
+  using Kind = Message::Kind;
 
   explicit MessageBar(QWidget* parent = nullptr);
 
-  /// In place of what was shown. Infos go by themselves, unless they have an action.
-  void show(Kind kind, const QString& message, const QString& hint = {});
-  /// Adds a button to the message that is shown; it closes the message.
+  /// Infos go by themselves, unless they have a button. In place of the message of the same topic,
+  /// where there is one; without a topic, the same text again counts up. The reference is for the
+  /// moment: the message is gone when it is closed.
+  Message& show(Kind kind, const QString& text, const QString& hint = {},
+                const QString& topic = {});
+  /// A message that no other takes the place of and that stays until it is answered.
+  Message& ask(const QString& text, const QString& hint = {}, const QString& topic = {});
+  /// A button of the latest message.
   void addAction(const QString& text, std::function<void()> action);
+  /// Takes away all but unanswered questions.
+  void clear();
 
- protected:
-  void changeEvent(QEvent* event) override;
+  /// Takes away what nobody needs to answer any more.
+  void withdraw(const QString& topic);
+
+  QList<Message*> messages() const;  ///< the newest first
+
+ Q_SIGNALS:
+  void shown(const QString& text);
 
  private:
-  void applyColours();
+  Message& add(const QString& topic);
+  void remove(Message& message);
+  void keepBounded();
 
-  Kind kind_ = Kind::Info;
-  QLabel* icon_;
-  QLabel* text_;
-  QHBoxLayout* buttons_;
-  QTimer* timer_;
+  QVBoxLayout* layout_;
+  QPointer<Message> latest_;
 };
 
 }  // namespace handmap

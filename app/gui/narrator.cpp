@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/gui/main_window.h"
+#include "app/gui/message_bar.h"
 #include "app/gui/run_actions.h"
 
 namespace handmap {
@@ -18,10 +19,13 @@ Narrator::Narrator(MainWindow& window) : QObject(&window) {
   };
   connect(&window.document(), &MapDocument::mapChanged, this, drawing);
   connect(&window.document(), &MapDocument::fileChanged, this, drawing);
-  connect(&window.runs(), &RunActions::stateChanged, this,
-          [this, &window] { sayChange("run", window.runs().stateInWords()); });
+  const auto run = [this, &window] { sayChange("run", window.runs().stateInWords()); };
+  connect(&window.runs(), &RunActions::stateChanged, this, run);
+  connect(&window.runs(), &RunActions::robotChanged, this, run);
   connect(&window.runs(), &RunActions::failed, this,
           [this](const RunFailure& failure) { sayChange("failed", failure.message); });
+  connect(&window.messages(), &MessageBar::shown, this,
+          [this](const QString& text) { sayChange("message", text); });
   QTimer::singleShot(0, this, [this] { sayChange("window", "ready"); });
 }
 

@@ -1,26 +1,42 @@
 #include "app/gui/recording_opener.h"
 
+#include <variant>
+
 namespace handmap {
+
+namespace {
+
+using Opened = std::shared_ptr<const Recording>;
+using Answer = std::variant<Opened, RunFailure>;
+
+Answer opening(const std::filesystem::path& folder) {
+  try {
+    return std::make_shared<const Recording>(openRecording(folder));
+  } catch (const Error& error) {
+    return failureOf(error);
+  } catch (const std::exception& error) {
+    return RunFailure{ErrorCode::RunFailed, QString::fromUtf8(error.what()), {}};
+  }
+}
+
+}  // namespace
+
+RecordingOpener::RecordingOpener(QObject* parent)
+    : QObject(parent), self_(std::make_shared<Lifeline<RecordingOpener>>(*this)) {}
+
+RecordingOpener::~RecordingOpener() { self_->cut(); }
 
 void RecordingOpener::open(const QString& folder) {
   const int request = ++request_;
-  const auto deliver = [this, request](auto say) {
-    QMetaObject::invokeMethod(
-        this, [this, request, say] { request == request_ ? say() : void(); }, Qt::QueuedConnection);
-  };
-  // The thread before this one ends by itself; a new one waits for it, not the GUI.
-  thread_ = std::jthread([this, deliver, path = std::filesystem::path(folder.toStdString()),
-                          before = std::move(thread_)]() mutable {
-    if (before.joinable()) before.join();
-    try {
-      auto recording = std::make_shared<const Recording>(openRecording(path));
-      deliver([this, recording] { Q_EMIT opened(recording); });
-    } catch (const Error& error) {
-      deliver([this, failure = failureOf(error)] { Q_EMIT failed(failure); });
-    } catch (const std::exception& error) {
-      const RunFailure failure{ErrorCode::RunFailed, QString::fromUtf8(error.what()), {}};
-      deliver([this, failure] { Q_EMIT failed(failure); });
-    }
+  startInBackground([self = self_, request, path = std::filesystem::path(folder.toStdString())] {
+    self->post([request, answer = opening(path)](RecordingOpener& opener) {
+      if (request != opener.request_) return;
+      if (const Opened* recording = std::get_if<Opened>(&answer)) {
+        Q_EMIT opener.opened(*recording);
+      } else {
+        Q_EMIT opener.failed(std::get<RunFailure>(answer));
+      }
+    });
   });
 }
 

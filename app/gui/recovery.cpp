@@ -2,84 +2,176 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QUuid>
 
 #include "core/base/error.h"
-#include "core/map/map_io.h"
+#include "core/base/text.h"
 #include "widgets/document/map_document.h"
+#include "widgets/teach/teach_panel.h"
 
 namespace handmap {
 
 namespace {
-constexpr int kIntervalMs = 15'000;
-constexpr auto kSettingsKey = "recovery/files";
-constexpr QLatin1String kSuffix(".recovery");
+
+constexpr auto kGroup = "recovery_sessions";
+
+QString keyOf(const QString& session) { return QLatin1String(kGroup) + QLatin1Char('/') + session; }
+
+std::shared_ptr<QLockFile> lockOf(const QString& file) {
+  auto lock = std::make_shared<QLockFile>(file + QStringLiteral(".lock"));
+  lock->setStaleLockTime(0);  // by the process that is gone, never by age
+  return lock;
+}
+
 }  // namespace
 
-Recovery::Recovery(MapDocument& document, QSettings& settings, QObject* parent)
-    : QObject(parent), document_(document), settings_(settings) {
-  connect(&document_, &MapDocument::mapChanged, this, [this] { dirty_ = true; });
-  timer_.setInterval(kIntervalMs);
+Recovery::Recovery(const Parts& parts, RecoveryOptions options, QObject* parent)
+    : QObject(parent),
+      parts_(parts),
+      options_(std::move(options)),
+      session_(QUuid::createUuid().toString(QUuid::Id128).left(12)) {
+  pool_.setMaxThreadCount(1);
+  timer_.setSingleShot(true);
+  timer_.setInterval(options_.delay_ms);
   connect(&timer_, &QTimer::timeout, this, &Recovery::write);
-  timer_.start();
+  connect(&parts_.document, &MapDocument::mapChanged, this, &Recovery::onChange);
+  connect(&parts_.document, &MapDocument::fileChanged, this, &Recovery::onChange);
+  connect(&parts_.teach, &TeachPanel::teachingChanged, this, &Recovery::onChange);
 }
 
-QString Recovery::fileFor(const QString& project) {
-  if (!project.isEmpty()) return project + kSuffix;
-  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-         QStringLiteral("/untitled.handmap") + kSuffix;
+Recovery::~Recovery() { pool_.waitForDone(); }
+
+QStringList RecoveryOptions::usualFolders() {
+  return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+              QStringLiteral("/recovery"),
+          QDir::tempPath()};
 }
 
-QStringList Recovery::leftBehind() const {
-  QStringList files = settings_.value(kSettingsKey).toStringList();
-  files.removeIf([this](const QString& file) { return file == written_ || !QFile::exists(file); });
+bool Recovery::hasUnsavedWork() const {
+  return parts_.document.isModified() || parts_.teach.hasUnsavedWork();
+}
+
+void Recovery::onChange() {
+  if (!hasUnsavedWork()) return clear();
+  if (!timer_.isActive()) timer_.start();  // not anew: who draws without a rest is written too
+}
+
+QStringList Recovery::candidates() const {
+  const QFileInfo project(parts_.document.filePath());
+  QStringList folders = options_.folders;
+  if (!project.filePath().isEmpty()) folders.prepend(project.absolutePath());
+  const QString name =
+      project.filePath().isEmpty() ? QStringLiteral("untitled.handmap") : project.fileName();
+  QStringList files;
+  for (const QString& folder : folders) {
+    files << QStringLiteral("%1/%2.%3.recovery").arg(folder, name, session_);
+  }
   return files;
 }
 
-void Recovery::recover(const QString& file) {
-  Map map = readMap(file.toStdString());
-  QString project = file.chopped(kSuffix.size());
-  if (file == fileFor({})) project.clear();
-  document_.reset(std::move(map), project);
-  document_.undoStack().resetClean();
-  written_ = file;
+void Recovery::write() {
+  const MapDocument& document = parts_.document;
+  UnsavedWork work{document.filePath(),   document.origin(), QDateTime::currentDateTimeUtc(),
+                   document.isModified(), document.map(),    parts_.teach.teaching()};
+  kept_ = true;
+  pool_.start([this, files = candidates(), work = std::move(work)] {
+    const Outcome outcome = writeTo(files, work);
+    QMetaObject::invokeMethod(this, [this, outcome] { onWritten(outcome); });
+  });
 }
 
-void Recovery::forget(const QString& file) {
-  QFile::remove(file);
-  QStringList files = settings_.value(kSettingsKey).toStringList();
-  files.removeAll(file);
-  settings_.setValue(kSettingsKey, files);
+Recovery::Outcome Recovery::writeTo(const QStringList& files, const UnsavedWork& work) {
+  Outcome outcome{session_, {}, {}};
+  QStringList in_turn = files;
+  if (!place_.file.isEmpty()) in_turn.prepend(place_.file);
+  for (const QString& file : std::as_const(in_turn)) {
+    try {
+      Place place = place_;
+      if (file != place.file) {
+        // The folder of a project may be on a disk that is gone: it is not made anew there.
+        const QString folder = QFileInfo(file).path();
+        if (options_.folders.contains(folder)) QDir().mkpath(folder);
+        place = {file, lockOf(file)};
+        place.lock->tryLock(0);
+      }
+      writeFileAtomically(QFile::encodeName(file).toStdString(), formatWork(work));
+      if (!place_.file.isEmpty() && file != place_.file) QFile::remove(place_.file);
+      place_ = place;
+      outcome.file = file;
+      return outcome;
+    } catch (const std::exception& error) {
+      if (outcome.problem.isEmpty()) outcome.problem = QString::fromUtf8(error.what());
+    }
+  }
+  return outcome;
+}
+
+void Recovery::onWritten(const Outcome& outcome) {
+  if (kept_ && outcome.session == session_ && !outcome.file.isEmpty()) {
+    parts_.settings.setValue(keyOf(session_), outcome.file);
+    parts_.settings.sync();
+  }
+  if (outcome.problem.isEmpty()) return;
+  if (!std::exchange(outcome.file.isEmpty() ? told_nowhere_ : told_instead_, true)) {
+    Q_EMIT cannotKeep(outcome.problem, outcome.file);
+  }
 }
 
 void Recovery::clear() {
-  if (!written_.isEmpty()) forget(written_);
-  written_.clear();
-  dirty_ = false;
+  timer_.stop();
+  if (!std::exchange(kept_, false)) return;
+  pool_.start([this] {
+    if (!place_.file.isEmpty()) QFile::remove(place_.file);
+    place_ = {};
+  });
+  parts_.settings.remove(keyOf(session_));
+  parts_.settings.sync();
 }
 
-void Recovery::remember(const QString& file) {
-  QStringList files = settings_.value(kSettingsKey).toStringList();
-  files.removeAll(file);
-  files.prepend(file);
-  settings_.setValue(kSettingsKey, files);
-  settings_.sync();
-}
-
-bool Recovery::write() {
-  if (!dirty_ || !document_.isModified()) return true;
-  const QString file = fileFor(document_.filePath());
-  try {
-    QDir().mkpath(QFileInfo(file).path());
-    writeMap(document_.map(), file.toStdString());
-  } catch (const Error&) {
-    return false;  // e.g. a folder without write permission: saving will say so
+std::vector<LeftBehind> Recovery::takeLeftBehind() {
+  QSettings& settings = parts_.settings;
+  settings.sync();
+  std::vector<LeftBehind> result;
+  settings.beginGroup(kGroup);
+  for (const QString& session : settings.childKeys()) {
+    const QString file = settings.value(session).toString();
+    const QFileInfo info(file);
+    if (session == session_ || !info.exists()) {
+      // What lies on a disk that is not there at the moment is not forgotten.
+      if (session != session_ && info.dir().exists()) settings.remove(session);
+      continue;
+    }
+    auto lock = lockOf(file);
+    if (!lock->tryLock(0) && lock->error() == QLockFile::LockFailedError) continue;  // it lives
+    result.push_back({session, file, std::move(lock)});
   }
-  remember(file);
-  written_ = file;
-  dirty_ = false;
-  return true;
+  settings.endGroup();
+  return result;
+}
+
+void Recovery::recover(const LeftBehind& left, const UnsavedWork& work) {
+  MapDocument& document = parts_.document;
+  if (!work.modified && !work.project.isEmpty()) {
+    document.open(work.project);
+  } else {
+    document.reset(work.map, work.project, work.origin);
+    if (work.modified) document.undoStack().resetClean();
+  }
+  clear();  // what was here before has been asked for
+  session_ = left.session;
+  kept_ = true;
+  pool_.start([this, left] { place_ = {left.file, left.lock}; });
+  parts_.teach.addTeaching(work.teaching);
+  onChange();
+}
+
+void Recovery::forget(const LeftBehind& left) {
+  QFile::remove(left.file);
+  parts_.settings.remove(keyOf(left.session));
+  parts_.settings.sync();
 }
 
 }  // namespace handmap

@@ -1,44 +1,94 @@
-// Writes unsaved work beside its project, never into it, and finds it again after a crash.
+// Keeps unsaved work in a file of this session, beside its project and never in it, and finds what
+// sessions that are no more have left behind.
 #pragma once
 
 #include <QObject>
 #include <QStringList>
+#include <QThreadPool>
 #include <QTimer>
+#include <memory>
+#include <vector>
 
+#include "app/gui/unsaved_work.h"
+
+class QLockFile;
 class QSettings;
 
 namespace handmap {
 
 class MapDocument;
+class TeachPanel;
+
+/// What another session has left. Nobody else is offered it as long as this is held.
+struct LeftBehind {
+  QString session;
+  QString file;
+  std::shared_ptr<QLockFile> lock;
+};
+
+struct RecoveryOptions {
+  int delay_ms = 1'500;  ///< from a change to its being written
+  /// Where to write when the folder of the project will not have it, in turn.
+  QStringList folders = usualFolders();
+
+  static QStringList usualFolders();
+};
 
 class Recovery : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(Recovery)
  public:
-  /// `settings` keeps the list of recovery files; both must outlive this object.
-  Recovery(MapDocument& document, QSettings& settings, QObject* parent = nullptr);
+  /// What is watched; all of it must outlive this object. `settings` tells where the files of all
+  /// sessions are.
+  struct Parts {
+    MapDocument& document;
+    TeachPanel& teach;
+    QSettings& settings;
+  };
+  explicit Recovery(const Parts& parts, RecoveryOptions options = {}, QObject* parent = nullptr);
+  ~Recovery() override;
 
-  /// Of a project, or of a drawing that was never saved (empty path).
-  static QString fileFor(const QString& project);
+  /// Of sessions that live no more; unordered.
+  std::vector<LeftBehind> takeLeftBehind();
+  /// Takes the place of what is open, as unsaved, and of this session's file. Throws Error; nothing
+  /// is changed then.
+  void recover(const LeftBehind& left, const UnsavedWork& work);
+  void forget(const LeftBehind& left);
 
-  /// Left behind by an earlier session; the newest first.
-  QStringList leftBehind() const;
-  /// Puts the unsaved work into the document, as modified. Throws Error.
-  void recover(const QString& file);
-  void forget(const QString& file);
-  /// The work was saved, or given up.
+  /// The session ends as somebody wants it: nothing is left behind.
   void clear();
 
-  /// Writes if there is something new; called by a timer. False: it could not be written.
-  bool write();
+ Q_SIGNALS:
+  /// Once each: it is kept somewhere else (`instead`), or nowhere (empty).
+  void cannotKeep(const QString& reason, const QString& instead);
 
  private:
-  void remember(const QString& file);
+  struct Place {  ///< of the file of this session; touched by the thread of pool_ alone
+    QString file;
+    std::shared_ptr<QLockFile> lock;
+  };
+  struct Outcome {
+    QString session;
+    QString file;  ///< empty: nowhere
+    QString problem;
+  };
 
-  MapDocument& document_;
-  QSettings& settings_;
+  bool hasUnsavedWork() const;
+  void onChange();
+  void write();
+  QStringList candidates() const;
+  Outcome writeTo(const QStringList& files, const UnsavedWork& work);
+  void onWritten(const Outcome& outcome);
+
+  Parts parts_;
+  RecoveryOptions options_;
+  QString session_;
   QTimer timer_;
-  QString written_;  ///< the file of this session, empty: none
-  bool dirty_ = false;
+  bool kept_ = false;  ///< there is, or will soon be, a file of this session
+  bool told_instead_ = false;
+  bool told_nowhere_ = false;
+  Place place_;
+  QThreadPool pool_;  ///< of one thread; last: it ends before what it uses
 };
 
 }  // namespace handmap

@@ -1,9 +1,9 @@
 #include "app/gui/run_actions.h"
 
-#include <QFileDialog>
 #include <QMenu>
 #include <QSettings>
 
+#include "app/gui/dialogs.h"
 #include "app/gui/file_actions.h"
 #include "app/gui/message_bar.h"
 #include "core/base/error.h"
@@ -20,7 +20,9 @@ namespace handmap {
 
 namespace {
 constexpr auto kRecordingFolderKey = "files/recording_folder";
-}
+constexpr auto kAcceptTopic = "accept";
+constexpr qsizetype kMostNamed = 8;
+}  // namespace
 
 RunActions::RunActions(const Parts& parts) : QObject(&parts.window), parts_(parts), opener_(this) {
   connectActions();
@@ -59,10 +61,13 @@ void RunActions::addSimulatorMenu() {
   menu->addAction(tr("&Two rows of buildings"), this, &RunActions::openTwoRows);
   menu->addAction(tr("A &campus"), this, [this] { openSimulation(campusSimulation(seed())); });
   menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
-  menu->addAction(tr("&This drawing"), this, &RunActions::simulateDrawing);
+  menu->addAction(tr("T&his drawing"), this, &RunActions::simulateDrawing);
   menu->addSeparator();
   menu->addAction(tr("The &demonstration"), this, &RunActions::openDemonstration);
   parts_.actions["run.simulator"].setMenu(menu);
+  parts_.actions.on("run.simulator", this, [this, menu] {  // by its key
+    menu->popup(parts_.window.mapToGlobal(parts_.window.rect().center()));
+  });
 }
 
 void RunActions::connectRun() {
@@ -90,6 +95,7 @@ void RunActions::fail(const RunFailure& failure) {
 
 void RunActions::setRobot(Robot robot) {
   parts_.run.discard();
+  opener_.forget();
   robot_ = std::move(robot);
   source_ = nullptr;
   last_ = nullptr;
@@ -104,9 +110,8 @@ void RunActions::setRobot(Robot robot) {
 }
 
 void RunActions::askForRecording() {
-  const QString folder =
-      QFileDialog::getExistingDirectory(&parts_.window, tr("Open a recording"),
-                                        parts_.settings.value(kRecordingFolderKey).toString());
+  const QString folder = parts_.dialogs.folderToOpen(
+      tr("Open a recording"), parts_.settings.value(kRecordingFolderKey).toString());
   if (folder.isEmpty()) return;
   parts_.settings.setValue(kRecordingFolderKey, folder);
   openRecording(folder);
@@ -129,6 +134,7 @@ bool RunActions::openDemonstration() {
 bool RunActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 
 void RunActions::simulateDrawing() {
+  if (!isReady(true)) return;
   try {
     setRobot(simulationOfDrawing(parts_.document.map(), seed()));
   } catch (const Error& error) {
@@ -141,10 +147,10 @@ void RunActions::runOrResume() {
 }
 
 void RunActions::start(RunController::Begin begin) {
-  if (!robot_) return;
+  if (!robot_ || !isReady(false)) return;
   last_ = nullptr;
   skipped_ = 0;
-  parts_.messages.hide();
+  parts_.messages.clear();
   parts_.charts.clear();
   parts_.camera.setSnapshot(nullptr);
   parts_.buildings.model().setDrawing(parts_.document.map());
@@ -164,7 +170,7 @@ void RunActions::onNews(const RunNews& news) {
   parts_.overlays.show(*news.newest);
   parts_.charts.add(news.reports);
   parts_.camera.setSnapshot(news.newest);
-  parts_.buildings.model().setRefined(news.newest->map);
+  parts_.buildings.model().setRefined(*news.newest->map);
   parts_.transport.setProgress(news.newest->index, news.newest->count, news.newest->report);
   updateActions();
   Q_EMIT stateChanged();
@@ -176,18 +182,52 @@ void RunActions::onFrameSkipped(int frame, const QString& reason) {
       skipped_ == 1
           ? tr("Frame %1 was skipped: %2").arg(frame).arg(reason)
           : tr("%1 frames were skipped; the latest, %2: %3").arg(skipped_).arg(frame).arg(reason);
-  parts_.messages.show(MessageBar::Kind::Warning, what);
+  parts_.messages.show(MessageBar::Kind::Warning, what, {}, QStringLiteral("skipped"));
 }
 
 void RunActions::onFinished(bool cancelled) {
   updateActions();
   Q_EMIT stateChanged();
-  if (cancelled || skipped_ > 0) return;
+  if (cancelled || warnOfResult() || skipped_ > 0) return;
   const auto result = score();
   if (!result) return;
   parts_.messages.show(MessageBar::Kind::Info,
                        tr("The run is done. %1").arg(scoreInWords(*result)));
-  parts_.messages.addAction(tr("Accept refinement"), [this] { acceptRefinement(); });
+  parts_.messages.addAction(tr("Accept refinement"), [this, run = parts_.run.number()] {
+    if (run == parts_.run.number()) acceptRefinement();
+  });
+}
+
+bool RunActions::warnOfResult() {
+  const auto result = parts_.run.result();
+  if (!result) return false;
+  for (const RunWarning& warning : result->warnings) {
+    parts_.messages.show(MessageBar::Kind::Warning, QString::fromStdString(warning.message),
+                         QString::fromStdString(warning.hint));
+    offer("draw.start", tr("Place the start"));
+  }
+  return !result->warnings.empty();
+}
+
+void RunActions::offer(const QString& action, const QString& text) {
+  parts_.messages.addAction(text, [this, action] { parts_.actions[action].trigger(); });
+}
+
+bool RunActions::isReady(bool may_start_on_route) {
+  const Map& drawing = parts_.document.map();
+  if (drawing.buildings.empty()) {
+    fail({ErrorCode::BadInput, tr("There are no buildings yet to find the robot among."),
+          tr("Draw at least one that the robot comes by.")});
+    offer("draw.rectangle", tr("Draw"));
+    return false;
+  }
+  if (!drawing.start && !(may_start_on_route && !drawing.route.empty())) {
+    fail({ErrorCode::BadInput, tr("The map has no start."),
+          tr("Press where the robot begins, drag to where it looks, release.")});
+    offer("draw.start", tr("Place the start"));
+    return false;
+  }
+  return true;
 }
 
 std::optional<RunScore> RunActions::score() const {
@@ -197,7 +237,20 @@ std::optional<RunScore> RunActions::score() const {
 }
 
 void RunActions::acceptRefinement() {
-  if (const auto result = parts_.run.result()) parts_.document.acceptRefinement(result->map);
+  const auto result = parts_.run.result();
+  if (!result) return;
+  const QStringList edited = parts_.document.editedSince(parts_.run.drawing());
+  if (edited.isEmpty()) return parts_.document.acceptRefinement(result->map);
+  Message& question =
+      parts_.messages.ask(tr("%n building(s) were edited since the run began: %1", nullptr,
+                             static_cast<int>(edited.size()))
+                              .arg(edited.mid(0, 8).join(QStringLiteral(", "))),
+                          tr("Their corrected shapes are of the drawing before."), kAcceptTopic);
+  question.addAction(tr("Take all others"), [this, result, edited] {
+    parts_.document.acceptRefinement(result->map, edited);
+  });
+  question.addAction(tr("Take all"),
+                     [this, result] { parts_.document.acceptRefinement(result->map); });
 }
 
 void RunActions::onDrawingReplaced() {
@@ -206,7 +259,8 @@ void RunActions::onDrawingReplaced() {
   last_ = nullptr;
   parts_.overlays.clear();
   parts_.transport.clearProgress();
-  parts_.messages.hide();
+  parts_.messages.clear();
+  parts_.messages.withdraw(kAcceptTopic);
   if (robot_ && robot_->truth_map) robot_.reset();  // it lived in the drawing before
   parts_.transport.setSource(robot_ ? robot_->name : QString());
   parts_.overlays.setTruth(robot_ ? robot_->truth : std::vector<StampedPose>());

@@ -19,6 +19,7 @@ class ActionSet;
 class BuildingsPanel;
 class CameraPanel;
 class ChartsPanel;
+class Dialogs;
 class FileActions;
 class LayersPanel;
 class MapDocument;
@@ -39,6 +40,7 @@ class RunActions : public QObject {
     ActionSet& actions;
     MessageBar& messages;
     QSettings& settings;
+    Dialogs& dialogs;
     RunOverlays& overlays;
     TransportBar& transport;
     LayersPanel& layers;
@@ -86,6 +88,12 @@ class RunActions : public QObject {
   void onFinished(bool cancelled);
   void onFrameSkipped(int frame, const QString& reason);
   void updateActions();
+  /// False, and the user knows: there is nothing that a robot could be found on.
+  bool isReady(bool may_start_on_route);
+  /// Of a run at its end; true: there was something to tell.
+  bool warnOfResult();
+  /// A button on the latest message.
+  void offer(const QString& action, const QString& text);
   void fail(const RunFailure& failure);
   std::uint64_t seed() const;
 

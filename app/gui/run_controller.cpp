@@ -17,6 +17,7 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   Q_ASSERT(!isActive());
   drawing_ = drawing;
   last_result_ = nullptr;
+  ++number_;
   pace_ = std::make_shared<Pace>(begin == Begin::Running ? speed_ : kAtOnce);
   RunJob job;
   job.drawing = drawing;
@@ -59,8 +60,16 @@ void RunController::listenTo(RunWorker& worker) {
 
 void RunController::end() {
   last_result_ = worker_->result();
-  worker_.release()->deleteLater();  // it is the sender
+  letGo();
   setState(RunState::Idle);
+}
+
+void RunController::letGo() {
+  if (!worker_) return;
+  worker_->disconnect();
+  worker_->mailbox().disconnect();
+  worker_->cancel();
+  worker_.release()->deleteLater();
 }
 
 void RunController::pause() {
@@ -88,7 +97,8 @@ void RunController::stop() {
 }
 
 void RunController::discard() {
-  worker_.reset();
+  letGo();
+  ++number_;
   last_result_ = nullptr;
   drawing_ = {};
   setState(RunState::Idle);

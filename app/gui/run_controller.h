@@ -25,6 +25,9 @@ class RunController : public QObject {
   std::shared_ptr<const RunResult> result() const;
   /// The drawing that the latest run was given.
   const Map& drawing() const { return drawing_; }
+  /// Counts the runs, also those that were discarded: an offer that was made about one is to be
+  /// taken up about the same.
+  int number() const { return number_; }
 
   enum class Begin { Running, WithOneStep };
   /// Only when idle.
@@ -36,7 +39,7 @@ class RunController : public QObject {
   void step();
   /// Takes effect at once; finished() says when it has.
   void stop();
-  /// Ends it here and now, and forgets its result.
+  /// Forgets the run and its result at once: nothing more is heard of it. It ends by itself.
   void discard();
   /// Times the clock of the source; 0: as fast as possible.
   void setSpeed(double speed);
@@ -53,9 +56,12 @@ class RunController : public QObject {
  private:
   void setState(RunState state);
   void end();
+  /// It is silent from here on; it may be the sender, so it goes later.
+  void letGo();
   void listenTo(RunWorker& worker);
 
   RunState state_ = RunState::Idle;
+  int number_ = 0;
   double speed_ = 1.0;
   Map drawing_;
   std::shared_ptr<Pace> pace_;

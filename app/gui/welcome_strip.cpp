@@ -10,19 +10,25 @@
 
 namespace handmap {
 
-WelcomeStrip::WelcomeStrip(QWidget* parent) : QFrame(parent) {
+WelcomeStrip::WelcomeStrip(QWidget* parent)
+    : QFrame(parent),
+      lines_(new QBoxLayout(QBoxLayout::LeftToRight)),
+      buttons_(new QBoxLayout(QBoxLayout::LeftToRight)) {
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(12, 6, 6, 6);
+  layout->addLayout(lines_, 1);
   auto* text = new QLabel(tr(
       "<b>Draw the map you remember</b>; Handmap finds the robot on it and corrects the drawing."));
   text->setWordWrap(true);
-  layout->addWidget(text, 1);
+  lines_->addWidget(text, 1);
+  lines_->addLayout(buttons_);
   addWay("run", tr("Demonstration"), tr("Watch a simulated robot correct a drawing"),
          &WelcomeStrip::demonstrationRequested);
   addWay("rectangle", tr("Draw"), tr("Start with an empty drawing"), &WelcomeStrip::drawRequested);
-  addWay("record", tr("Open a recording"), tr("What a real robot has seen"),
+  addWay("record", tr("Open recording"), tr("What a real robot has seen"),
          &WelcomeStrip::recordingRequested);
   addWay("robot", tr("Simulator"), tr("A robot among buildings that you have a sketch of"),
          &WelcomeStrip::simulatorRequested);
@@ -34,7 +40,14 @@ WelcomeStrip::WelcomeStrip(QWidget* parent) : QFrame(parent) {
     hide();
     Q_EMIT closed();
   });
-  layout->addWidget(close);
+  layout->addWidget(close, 0, Qt::AlignTop);
+}
+
+void WelcomeStrip::resizeEvent(QResizeEvent* event) {
+  constexpr int kLeastText = 300;
+  const bool beside = width() >= buttons_->sizeHint().width() + kLeastText;
+  lines_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  QFrame::resizeEvent(event);
 }
 
 void WelcomeStrip::addWay(const QString& icon_name, const QString& text, const QString& hint,
@@ -42,7 +55,7 @@ void WelcomeStrip::addWay(const QString& icon_name, const QString& text, const Q
   auto* button = new QPushButton(icon(icon_name), text);
   button->setToolTip(hint);
   connect(button, &QPushButton::clicked, this, [this, request] { Q_EMIT(this->*request)(); });
-  layout()->addWidget(button);
+  buttons_->addWidget(button);
 }
 
 }  // namespace handmap

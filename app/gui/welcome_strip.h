@@ -3,6 +3,8 @@
 
 #include <QFrame>
 
+class QBoxLayout;
+
 namespace handmap {
 
 class WelcomeStrip : public QFrame {
@@ -17,9 +19,15 @@ class WelcomeStrip : public QFrame {
   void demonstrationRequested();
   void closed();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   using Request = void (WelcomeStrip::*)();
   void addWay(const QString& icon_name, const QString& text, const QString& hint, Request request);
+
+  QBoxLayout* lines_;  ///< text and buttons, beside or over one another
+  QBoxLayout* buttons_;
 };
 
 }  // namespace handmap
