@@ -3,11 +3,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/odometry_option.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/odometry/visual_odometry_source.h"
 
 namespace handmap {
 
@@ -16,6 +16,7 @@ namespace {
 struct OdometryArguments {
   std::string recording;
   ReplayOptions replay;
+  OdometryKind kind = OdometryKind::Visual;
   std::string out;
 };
 
@@ -70,10 +71,12 @@ std::optional<Drive> driveToEnd(ObservationSource& source) {
 }
 
 int odometry(OdometryArguments arguments) {
-  checkOutputFiles({arguments.out}, {});
-  arguments.replay.visual_odometry = true;
-  arguments.replay.kind = SourceKind::Images;
-  const auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
+  checkOutputFiles({arguments.out}, {arguments.replay.odometry});
+  if (arguments.kind == OdometryKind::Visual) arguments.replay.kind = SourceKind::Images;
+  if (arguments.kind == OdometryKind::Scan) arguments.replay.kind = SourceKind::Points;
+  std::string taken;
+  const auto source =
+      openWithOdometry(arguments.recording, arguments.replay, arguments.kind, taken);
   const std::optional<Drive> drive = driveToEnd(*source);
   if (!drive) return Interrupt::kExitStatus;
   writeFileAtomically(arguments.out, formatTum(drive->poses));
@@ -87,14 +90,15 @@ int odometry(OdometryArguments arguments) {
 void addOdometryCommand(CLI::App& app, ChosenCommand& chosen) {
   const auto arguments = std::make_shared<OdometryArguments>();
   OdometryArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("odometry", "Tell the robot's motion from its images");
+  CLI::App* command = app.add_subcommand("odometry", "Tell the robot's motion from what it sees");
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return odometry(*arguments); }; });
   command->add_option("--recording", a.recording, "What the robot saw (required)")
       ->required()
       ->option_text("DIR");
-  addFrames(*command, a.replay, "Take each Nth pair");
-  command->add_option("--out", a.out, "Poses from the first pair on (required)")
+  addFrames(*command, a.replay, "Take each Nth observation of the source");
+  addOdometry(*command, a.replay, a.kind);
+  command->add_option("--out", a.out, "Poses from the first observation on (required)")
       ->required()
       ->option_text("odometry.tum");
 }

@@ -32,6 +32,10 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, Number& value
 /// --seed.
 CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text);
 
+/// Of --allow-outside.
+inline constexpr auto kAllowOutsideText =
+    "Follow what a map names outside of its folder: only for maps you trust";
+
 /// --from, --to and --every; `every_text` tells what each Nth is taken of.
 void addFrames(CLI::App& command, ReplayOptions& replay, const std::string& every_text);
 

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "core/map/map_io.h"
+#include "core/simulation/redrawn.h"
 #include "core/simulation/world.h"
 
 namespace handmap {
@@ -12,13 +13,15 @@ namespace {
 struct PerturbArguments {
   std::string map;
   std::optional<double> sigma_m;
+  Redrawing redrawing;
   std::uint64_t seed = 1;
   std::string out;
 };
 
 int perturb(const PerturbArguments& arguments) {
   checkOutputFiles({arguments.out}, {arguments.map});
-  writeMap(perturbed(readMap(arguments.map), *arguments.sigma_m, arguments.seed), arguments.out);
+  const Map outlined = redrawn(readMap(arguments.map), arguments.redrawing, arguments.seed);
+  writeMap(perturbed(outlined, *arguments.sigma_m, arguments.seed), arguments.out);
   return 0;
 }
 
@@ -35,6 +38,10 @@ void addPerturbCommand(CLI::App& app, ChosenCommand& chosen) {
   addNumber(*command, "--sigma", a.sigma_m, 0.01, 1000,
             "Error of centres and sizes, metres, required")
       ->required();
+  addNumber(*command, "--corners", a.redrawing.corners_m, 0, 100,
+            "Error of each corner of an outline by itself, metres");
+  addNumber(*command, "--simplify", a.redrawing.simplify_m, 0, 100,
+            "Annexes and recesses less deep are left out, metres");
   addSeed(*command, a.seed, "Of the random numbers");
   command->add_option("--out", a.out, "The sketch (required)")
       ->required()

@@ -4,14 +4,14 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/odometry_option.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/run_summary.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
-#include "core/map/map_model.h"
-#include "core/odometry/visual_odometry_source.h"
+#include "core/map/references.h"
 #include "core/recording/image_file.h"
 #include "core/session/run_session.h"
 #include "drivers/punctual_source.h"
@@ -24,7 +24,7 @@ struct RunArguments {
   std::string map;
   std::string recording;
   ReplayOptions replay;
-  std::string odometry;
+  OdometryKind odometry = OdometryKind::Recorded;
   RunSettings settings;
   std::vector<std::string> free;
   bool localize_only = false;
@@ -34,6 +34,7 @@ struct RunArguments {
   std::string report;
   std::string local_map;
   std::string model;
+  bool allow_outside = false;
 };
 
 void check(const RunArguments& arguments) {
@@ -46,7 +47,7 @@ void check(const RunArguments& arguments) {
     throw Error(ErrorCode::Usage, "--free: not with --method paper or --localize-only");
   }
   checkOutputFiles({arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
-                   {arguments.map, arguments.odometry, arguments.model});
+                   {arguments.map, arguments.replay.odometry, arguments.model});
 }
 
 Map readDrawing(const std::string& path) {
@@ -87,7 +88,12 @@ std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const Interrupt& i
     }
   }
   progress.finish(done());
-  if (!interrupt.requested()) return last;
+  if (!interrupt.requested()) {
+    for (const RunWarning& warning : session.warnings()) {
+      progress.message(fmt::format("warning: {} {}", warning.message, warning.hint));
+    }
+    return last;
+  }
   progress.message("interrupted, nothing written");
   return nullptr;
 }
@@ -95,21 +101,30 @@ std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const Interrupt& i
 void writeOutputs(const RunArguments& arguments, const RunSession& session, const Snapshot& last) {
   if (!arguments.out.empty()) {
     Map refined = session.refinedMap();
-    moveModel(refined, arguments.map, arguments.out);
+    moveReferences(refined, arguments.map, arguments.out);
     writeMap(refined, arguments.out);
   }
   if (!arguments.trajectory.empty()) {
     writeFileAtomically(arguments.trajectory, formatTum(session.trajectory()));
   }
   if (!arguments.report.empty()) writeFileAtomically(arguments.report, session.reportJson());
-  if (!arguments.local_map.empty()) writePng(picture(*last.local_map), arguments.local_map);
+  if (!arguments.local_map.empty()) writePng(picture(last.local_map), arguments.local_map);
 }
 
-/// The one that was asked for, else that of the map; nullptr: the program's own.
+/// The file of the model that was asked for, else of that of the map; empty: the program's own.
+std::filesystem::path modelFile(const RunArguments& arguments, const Map& drawing) {
+  if (!arguments.model.empty()) return arguments.model;
+  const auto reference = modelReference(drawing, arguments.map);
+  if (!reference) return {};
+  checkReference(*reference, arguments.map,
+                 arguments.allow_outside ? Outside::Allowed : Outside::Refused);
+  return targetOf(*reference, arguments.map);
+}
+
+/// nullptr: the program's own.
 std::shared_ptr<const BuildingClassifier> classifierFor(const RunArguments& arguments,
                                                         const Map& drawing) {
-  std::filesystem::path model = arguments.model;
-  if (model.empty()) model = modelOf(drawing, arguments.map).value_or("");
+  const std::filesystem::path model = modelFile(arguments, drawing);
   if (model.empty()) return nullptr;
   try {
     return std::make_shared<const BuildingClassifier>(BuildingClassifier::load(model));
@@ -122,8 +137,6 @@ std::shared_ptr<const BuildingClassifier> classifierFor(const RunArguments& argu
 
 int run(RunArguments arguments) {
   check(arguments);
-  arguments.replay.visual_odometry = arguments.odometry == "visual";
-  if (!arguments.replay.visual_odometry) arguments.replay.odometry = arguments.odometry;
   for (const std::string& what : arguments.free) {
     (what == "scale" ? arguments.settings.free_scale : arguments.settings.free_turn) = true;
   }
@@ -133,7 +146,8 @@ int run(RunArguments arguments) {
   if (arguments.settings.perception.classify) {
     arguments.settings.perception.classifier = classifierFor(arguments, drawing);
   }
-  auto source = replayWithOdometry(openRecording(arguments.recording), arguments.replay);
+  auto source = openWithOdometry(arguments.recording, arguments.replay, arguments.odometry,
+                                 arguments.settings.odometry);
 
   const Interrupt interrupt;
   if (arguments.speed > 0.0) {
@@ -168,16 +182,14 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       *command, "--source", a.replay.kind,
       {{"auto", SourceKind::Auto}, {"images", SourceKind::Images}, {"points", SourceKind::Points}},
       "What to see with; auto takes images where there are any");
-  command
-      ->add_option("--odometry", a.odometry,
-                   "In place of the recording's own; visual: from the images")
-      ->option_text("FILE.tum|visual");
+  addOdometry(*command, a.replay, a.odometry);
   command
       ->add_option(
           "--model", a.model,
           "Tells buildings in images, made by train; none: all walls are (default: that of the "
           "map, else the program's)")
       ->option_text("MODEL|none");
+  command->add_flag("--allow-outside", a.allow_outside, kAllowOutsideText);
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},
             "Ours (handmap) or the published FastSLAM/PSOM (paper)");

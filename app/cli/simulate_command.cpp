@@ -23,6 +23,7 @@ struct SimulateArguments {
   std::uint64_t seed = 1;
   double sigma_m = 5.0;
   double view_deg = 360.0;
+  bool laser = false;
   bool clutter = false;
   bool images = false;
   bool moving = false;
@@ -57,7 +58,8 @@ World worldOf(const SimulateArguments& arguments) {
 std::unique_ptr<ObservationSource> sourceOf(const SimulateArguments& arguments,
                                             const World& world) {
   if (!arguments.images) {
-    SimulationOptions options;
+    SimulationOptions options =
+        arguments.laser ? laserOnTheMove(arguments.step_m) : SimulationOptions{};
     options.view_rad = toRadians(arguments.view_deg);
     return simulate(world, options, arguments.seed);
   }
@@ -115,10 +117,8 @@ void addImageOptions(CLI::App& command, SimulateArguments& a) {
   CLI::Option* images =
       command.add_flag("--images", a.images, "Rendered stereo images in place of range points");
   const auto only = [&](CLI::Option* option) { option->needs(images); };
-  CLI::Option* moving = command.add_flag("--moving", a.moving, "Look ahead, not around at stops");
-  only(moving);
-  addNumber(command, "--step", a.step_m, 0.1, 100, "From view to view when moving, metres")
-      ->needs(moving);
+  only(command.add_flag("--moving", a.moving, "Look ahead, not around at stops"));
+  images->excludes("--laser");
   only(command.add_flag("--labels", a.labels,
                         "Also labels/ (classes of CamVid) and depth/ (centimetres)"));
   only(command.add_flag("--colour", r.colour, "In colour"));
@@ -152,6 +152,9 @@ void addSimulateCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_flag("--clutter", a.clutter, "Parked cars and hedges; the street has them anyway");
   CLI::Option* view = addNumber(*command, "--view", a.view_deg, 10, 360,
                                 "Of the range sensor, around straight ahead, degrees");
+  command->add_flag("--laser", a.laser, "A planar laser on the move, as precise as real ones");
+  addNumber(*command, "--step", a.step_m, 0.1, 100,
+            "From view to view with --laser or --moving, metres");
   addImageOptions(*command, a);
   view->excludes("--images");
   command->add_option("--out", a.out, "A new folder (required)")->required()->option_text("DIR");

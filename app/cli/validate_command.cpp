@@ -3,7 +3,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/messages.h"
+#include "app/cli/options.h"
 #include "core/map/map_io.h"
+#include "core/map/references.h"
 #include "core/recording/validation.h"
 
 namespace handmap {
@@ -21,23 +23,25 @@ int validateRecording(const std::string& path) {
   return 0;
 }
 
-int validateFile(const std::string& path) {
+int validateFile(const std::string& path, Outside outside) {
   if (fs::path(path).extension() == ".tum") {
     fmt::print("ok: {}: trajectory of {} poses\n", path, readTum(path).poses().size());
   } else {
-    fmt::print("ok: {}: map of {} buildings\n", path, readMap(path).buildings.size());
+    const Map map = readMap(path);
+    checkReferences(map, path, outside);
+    fmt::print("ok: {}: map of {} buildings\n", path, map.buildings.size());
   }
   return 0;
 }
 
 /// Goes on after a problem, so that one call tells them all.
-int validate(const std::vector<std::string>& paths) {
+int validate(const std::vector<std::string>& paths, Outside outside) {
   int status = 0;
   for (const std::string& path : paths) {
     try {
       std::error_code error;
       const bool folder = fs::is_directory(path, error);
-      status = std::max(status, folder ? validateRecording(path) : validateFile(path));
+      status = std::max(status, folder ? validateRecording(path) : validateFile(path, outside));
     } catch (const Error& error) {
       status = std::max(status, complain(error));
     }
@@ -48,12 +52,22 @@ int validate(const std::vector<std::string>& paths) {
 }  // namespace
 
 void addValidateCommand(CLI::App& app, ChosenCommand& chosen) {
-  const auto paths = std::make_shared<std::vector<std::string>>();
+  struct Arguments {
+    std::vector<std::string> paths;
+    bool allow_outside = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("validate", "Check maps, trajectories and recordings");
-  command->callback([&chosen, paths] { chosen = [paths] { return validate(*paths); }; });
-  command->add_option("path", *paths, "Maps, .tum files or recording folders")
+  command->callback([&chosen, arguments] {
+    chosen = [arguments] {
+      return validate(arguments->paths,
+                      arguments->allow_outside ? Outside::Allowed : Outside::Refused);
+    };
+  });
+  command->add_option("path", arguments->paths, "Maps, .tum files or recording folders")
       ->required()
       ->option_text("FILE|DIR ...");
+  command->add_flag("--allow-outside", arguments->allow_outside, kAllowOutsideText);
 }
 
 }  // namespace handmap
