@@ -13,8 +13,8 @@
 #include <thread>
 
 #include <benchmark/benchmark.h>
-#include <tbb/task_arena.h>
 
+#include "core/base/parallel.h"
 #include "core/localization/fastslam_psom.h"
 #include "core/map/map_io.h"
 #include "core/perception/range_walls.h"
@@ -117,7 +117,7 @@ void time(const Drive& drive, Slam& slam, Times& best) {
 
 void timeFast(const Drive& drive, const SlamOptions& options, int threads, Times& best) {
   FastSlamPsom fast(drive.drawing, drive.start_odometry, options, 1);
-  tbb::task_arena arena(threads);
+  Arena arena(threads);
   arena.execute([&] {
     const auto step = [&](double time_s, const Pose2& odometry, const LocalMap& map) {
       fast.step(time_s, odometry, map);
@@ -262,7 +262,7 @@ void stopping(benchmark::State& state) {
   const Drive& drive = rows();
   FastSlamPsom slam(drive.drawing, drive.start_odometry, options, 1);
   LocalMapBuilder builder(40.0, {});
-  tbb::task_arena arena(2);
+  Arena arena(2);
   double worst_ms = 0.0;
   for (auto _ : state) {
     const Frame& frame = drive.frames[1];

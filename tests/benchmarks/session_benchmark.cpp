@@ -1,0 +1,136 @@
+// What a run costs beside estimating: its snapshots, and how soon it hears that it shall stop.
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include <benchmark/benchmark.h>
+
+#include "core/session/run_session.h"
+#include "core/simulation/simulated_source.h"
+
+namespace handmap {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// Two rows along the x axis; the robot is at their beginning.
+Map rows(int buildings) {
+  Map map;
+  map.start = Pose2{};
+  for (int i = 0; i < buildings; ++i) {
+    Building building;
+    building.id = std::to_string(i);
+    building.shape = Rectangle{{30.0 * (i / 2), i % 2 == 0 ? 15.0 : -15.0}, 20.0, 10.0, 0.0};
+    map.buildings.push_back(building);
+  }
+  return map;
+}
+
+/// A robot that creeps: most observations only move it, so that many are soon worked in.
+class CreepingSource : public ObservationSource {
+ public:
+  explicit CreepingSource(int count) { info_.observations = count; }
+  const SourceInfo& info() const override { return info_; }
+  std::optional<Observation> next() override {
+    if (next_ == info_.observations) return std::nullopt;
+    Observation observation;
+    observation.frame = next_;
+    observation.time_s = 0.1 * next_;
+    observation.odometry = {1e-4 * next_++, 0.0, 0.0};
+    auto& points = observation.views.emplace_back().points.emplace();
+    for (float x = -10.0F; x < 10.0F; x += 0.2F) {
+      points.push_back({x, 10.0F, 1.0F, 1.0F});
+      points.push_back({x, -10.0F, 1.0F, 1.0F});
+    }
+    return observation;
+  }
+
+ private:
+  SourceInfo info_;
+  int next_ = 0;
+};
+
+/// Of the last of as many frames: all of a step that its report does not count as its own.
+void snapshot(benchmark::State& state) {
+  constexpr int kMeasured = 50;
+  const auto buildings = static_cast<int>(state.range(0));
+  const auto frames = static_cast<int>(state.range(1));
+  RunSettings settings;
+  settings.threads = 1;
+  RunSession session(rows(buildings), std::make_unique<CreepingSource>(frames + kMeasured + 1),
+                     settings);
+  for (int i = 0; i < frames; ++i) session.step();
+  for (auto _ : state) {
+    const auto begin = Clock::now();
+    const auto shown = session.step();
+    state.SetIterationTime((millisecondsSince(begin) - shown->report.ms.total) / 1e3);
+  }
+}
+BENCHMARK(snapshot)
+    ->ArgsProduct({{10, 10'000}, {100, 10'000}})
+    ->ArgNames({"buildings", "frame"})
+    ->Iterations(50)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+
+/// Steps until the end and asks at random moments to stop: milliseconds from each request to the
+/// end of its step.
+std::vector<double> latenciesOf(RunSession& session, std::mt19937& random) {
+  std::vector<double> latencies_ms;
+  double step_ms = 20.0;  // of the latest whole step: within it a stop is to come
+  for (;;) {
+    std::stop_source stop;
+    Clock::time_point asked;
+    const double wait_ms = std::uniform_real_distribution(0.0, 2.0 * step_ms)(random);
+    std::thread asking([&] {
+      std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(wait_ms));
+      asked = Clock::now();
+      stop.request_stop();
+    });
+    const auto begin = Clock::now();
+    const auto shown = session.step(stop.get_token());
+    const auto ended = Clock::now();
+    asking.join();
+    if (asked < ended) {
+      latencies_ms.push_back(std::chrono::duration<double, std::milli>(ended - asked).count());
+    } else if (shown) {
+      step_ms = std::chrono::duration<double, std::milli>(ended - begin).count();
+    } else {
+      return latencies_ms;
+    }
+  }
+}
+
+/// Over drives around campuses, half the steps are asked to stop.
+void stopping(benchmark::State& state) {
+  constexpr std::uint64_t kDrives = 3;
+  std::mt19937 random(1);
+  std::vector<double> latencies_ms;
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= kDrives; ++seed) {
+      const World world = loopWorld(seed);
+      RunSession session(perturbed(world.map, 4.0, seed), simulate(world, {}, seed), {});
+      const auto more = latenciesOf(session, random);
+      latencies_ms.insert(latencies_ms.end(), more.begin(), more.end());
+    }
+  }
+  std::sort(latencies_ms.begin(), latencies_ms.end());
+  const auto quantile = [&](double share) {
+    return latencies_ms.empty() ? 0.0
+                                : latencies_ms[static_cast<std::size_t>(
+                                      share * static_cast<double>(latencies_ms.size() - 1))];
+  };
+  state.counters["stops"] = static_cast<double>(latencies_ms.size());
+  state.counters["p50_ms"] = quantile(0.5);
+  state.counters["p99_ms"] = quantile(0.99);
+  state.counters["worst_ms"] = quantile(1.0);
+}
+BENCHMARK(stopping)->Iterations(1)->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,18 @@
+// A map that is read is written and read again as the same.
+#include "core/map/map_io.h"
+#include "core/map/references.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace handmap;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::takenOrRefused([&] {
+    const Map map = parseMap(fuzz::textOf(data, size), "map");
+    fuzz::require(parseMap(formatMap(map), "again") == map);
+    for (const Building& building : map.buildings) {
+      fuzz::require(building.box().width >= 0.0);
+    }
+    checkReferences(map, "map");
+    formatGeoJson(map);
+  });
+}

@@ -1,0 +1,15 @@
+// Files of range points.
+#include <cmath>
+
+#include "core/recording/recording.h"
+#include "tests/fuzz/fuzz.h"
+
+using namespace handmap;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::takenOrRefused([&] {
+    const auto points = readPoints(fuzz::File(fuzz::textOf(data, size)).path());
+    fuzz::require(points.size() * sizeof(RangePoint) == size);
+    for (const RangePoint& point : points) fuzz::require(std::isfinite(point.x + point.w));
+  });
+}

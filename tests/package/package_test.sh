@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Installs a build into a folder of its own and looks at what a desktop, a shell and another program
+# find there. BUILD-FOLDER WORK-FOLDER
+set -euo pipefail
+build=$1
+work=$2
+here=$(dirname "$(readlink -f "$0")")
+rm -rf "$work"
+mkdir -p "$work"
+cmake --install "$build" --prefix "$work/usr" >"$work/install.log"
+cd "$work"
+share=usr/share
+
+fail() { echo "package test: $*" >&2; exit 1; }
+# Runs a checker that need not be on every machine.
+check() { if command -v "$1" >/dev/null; then "$@" || fail "$*"; else echo "no $1 here: not checked"; fi; }
+
+check desktop-file-validate $share/applications/handmap.desktop
+check appstreamcli validate --no-net $share/metainfo/org.handmap.Handmap.metainfo.xml
+check xmllint --noout $share/mime/packages/handmap.xml $share/icons/hicolor/scalable/apps/handmap.svg
+if command -v update-mime-database >/dev/null; then
+  update-mime-database $share/mime
+  grep -q 'application/x-handmap:\*.handmap' $share/mime/globs || fail "*.handmap has no type"
+fi
+for page in handmap handmap-cli; do
+  if command -v groff >/dev/null; then
+    [ -z "$(groff -man -ww -z $share/man/man1/$page.1 2>&1)" ] || fail "$page.1 is no clean page"
+  fi
+  # Every option that the program tells stands in its page.
+  for word in $(QT_QPA_PLATFORM=offscreen usr/bin/$page --help | grep -oE '^  --[a-z-]+|^  [a-z]{3,} ' | tr -d ' -'); do
+    tr -d '\\-' <$share/man/man1/$page.1 | grep -q "$word" || fail "$page.1 does not tell of $word"
+  done
+done
+
+# Completion asks the installed program.
+(
+  PATH=$work/usr/bin:$PATH
+  # shellcheck disable=SC1090
+  source $share/bash-completion/completions/handmap-cli
+  COMP_WORDS=(handmap-cli val) COMP_CWORD=1
+  _handmap_cli handmap-cli
+  [ "${COMPREPLY[*]}" = validate ] || fail "val is completed to \"${COMPREPLY[*]}\""
+  COMP_WORDS=(handmap-cli run --traj) COMP_CWORD=2
+  _handmap_cli handmap-cli
+  [ "${COMPREPLY[*]}" = --trajectory ] || fail "--traj is completed to \"${COMPREPLY[*]}\""
+)
+
+# Both programs start from there and find what they bring along.
+usr/bin/handmap-cli simulate --seed 1 --out world >/dev/null
+usr/bin/handmap-cli validate world world/sketch.handmap >/dev/null
+QT_QPA_PLATFORM=offscreen XDG_CACHE_HOME=$work/cache XDG_CONFIG_HOME=$work/config \
+  XDG_DATA_HOME=$work/data usr/bin/handmap world/sketch.handmap --recording world \
+  --offscreen-report report >report.txt
+[ -s report/trajectory.tum ] || fail "handmap wrote no trajectory"
+
+cmake -S "$here/example" -B example -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_PREFIX_PATH="$work/usr" >example.log
+cmake --build example >>example.log
+example/example
