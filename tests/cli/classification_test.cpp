@@ -137,14 +137,23 @@ TEST_F(Classification, ARunTakesTheModelThatItsMapNames) {
     return run(more);
   };
   // The rendered images are grey and the model is for colours: so it shows that it is asked.
-  const Outcome taken = one_stop({});
+  const Outcome taken = one_stop({"--allow-outside"});
   EXPECT_NE(taken.err.find("found grey, expected colour"), std::string::npos) << taken.err;
   const Outcome other = one_stop({"--model", "none", "--out", "refined.handmap"});
   EXPECT_EQ(other.status, 0) << other.err;
   EXPECT_NE(contentOf("refined.handmap").find("\"handmap:model\": \"model\""), std::string::npos);
 
+  const std::string refused =
+      "handmap-cli: error: rec/sketch.handmap: handmap:model: found \"../model\", outside of the "
+      "folder of the map, expected a file in that folder\n"
+      "hint: put it beside the map, or allow what lies outside (--allow-outside) if you trust the "
+      "map\n";
+  expectFailed(one_stop({}), 2, refused);
+  expectFailed(run({"validate", "rec/sketch.handmap"}), 2, refused);
+  expectDone(run({"validate", "rec/sketch.handmap", "--allow-outside"}),
+             "ok: rec/sketch.handmap: map of 6 buildings\n");
   fs::remove("model");
-  expectFailed(one_stop({}), 2,
+  expectFailed(one_stop({"--allow-outside"}), 2,
                "handmap-cli: error: rec/../model: found no such file, expected a readable file\n"
                "hint: the map names this model as its own; --model takes another, or none\n");
 }

@@ -43,6 +43,19 @@ TEST_F(Odometry, OfARobotAtRest) {
   EXPECT_EQ(contentOf("out.tum"), first);
 }
 
+TEST_F(Odometry, NeedsReturnsToMatchScans) {
+  expectFailed(run({"odometry", "--recording", "rec", "--odometry", "scan", "--out", "out.tum"}), 2,
+               "handmap-cli: error: rec: found no frame with points from 0 to the end, expected "
+               "at least one\n");
+}
+
+TEST_F(Odometry, AutoTellsWhatItTook) {
+  const Outcome outcome =
+      run({"odometry", "--recording", "rec", "--odometry", "auto", "--out", "out.tum"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.find("odometry: visual taken: nothing recorded\n"), 0U) << outcome.err;
+}
+
 TEST_F(Odometry, IsTakenByARunOnRequestAndWhereThereIsNoOther) {
   const std::vector<std::string> arguments{"run", "--map", "row-drawn.handmap", "--recording",
                                            "rec", "--out", "a.handmap"};
@@ -74,7 +87,11 @@ TEST_F(Odometry, GuessesAndSaysSo) {
   EXPECT_EQ(outcome.err, "handmap-cli: frame 1: motion guessed\n");
   const Outcome localized =
       run({"run", "--map", "row-drawn.handmap", "--recording", "rec", "--report", "report.json"});
-  EXPECT_EQ(localized.err, "handmap-cli: frame 1: motion guessed\n");
+  EXPECT_EQ(localized.err.find("handmap-cli: frame 1: motion guessed\n"
+                               "handmap-cli: warning: No building was recognised in 3 "
+                               "observations: "),
+            0U)
+      << localized.err;
   const auto report = nlohmann::json::parse(contentOf("report.json"));
   EXPECT_EQ(report["frames"][1]["odometry_guessed"], true);
   EXPECT_FALSE(report["frames"][2].contains("odometry_guessed"));

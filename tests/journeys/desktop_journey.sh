@@ -6,74 +6,7 @@ program=$1
 demo=$2
 out=$3
 
-for tool in Xvfb openbox xdotool import; do
-  if ! command -v $tool >/dev/null; then
-    echo "SKIPPED: $tool is not installed"
-    exit 77
-  fi
-done
-
-rm -rf "$out"
-mkdir -p "$out/home" "$out/runtime"
-chmod 700 "$out/runtime"
-export HOME=$out/home XDG_CONFIG_HOME=$out/home XDG_DATA_HOME=$out/home XDG_RUNTIME_DIR=$out/runtime
-unset QT_QPA_PLATFORM WAYLAND_DISPLAY XDG_CURRENT_DESKTOP
-export LC_ALL=C.UTF-8  # xdotool reads titles by it
-
-fail() {
-  echo "FAILED: $*" >&2
-  sed 's/^/  program: /' "$log" >&2
-  exit 1
-}
-# Runs a command until it succeeds.
-wait_until() {
-  local what=$1 tries=600
-  shift
-  until "$@"; do
-    tries=$((tries - 1))
-    [ $tries -gt 0 ] || fail "waited in vain for $what"
-    sleep 0.1
-  done
-}
-said() { grep -Eq "$1" "$log"; }
-last_said() { grep -E "^$1: " "$log" | tail -1; }
-# What the program last said of a subject: expect SUBJECT PATTERN
-is_now() { last_said "$1" | grep -Eq "$2"; }
-expect() { wait_until "$1 to be \"$2\"" is_now "$1" "$2"; }
-key() { xdotool key --clearmodifiers "$1"; }
-picture() { import -window root "$out/$1.png"; }
-has_window() { xdotool search --onlyvisible --name "$1" >/dev/null 2>&1; }
-
-start_program() {
-  log=$out/$1.log
-  shift
-  "$program" --verbose "$@" 2>"$log" &
-  program_id=$!
-  wait_until "the window" has_window ' — Handmap'
-  wait_until "the program" said '^window: ready'
-  window=$(xdotool search --onlyvisible --name ' — Handmap' | head -1)
-  wait_until "the focus" xdotool windowactivate --sync "$window"
-}
-# A stroke in the lower left of the canvas, where the demonstration has nothing.
-draw_rectangle() {
-  key r
-  xdotool mousemove --window "$window" 200 620 mousedown 1
-  for x in 220 240 260 280 300; do xdotool mousemove --window "$window" $x $((620 + (x - 200) / 3)); done
-  xdotool mouseup 1
-}
-leave() {
-  key ctrl+q
-  wait "$program_id" || fail "left with status $?"
-}
-
-exec 3<>"$out/display"
-Xvfb -displayfd 3 -screen 0 1400x900x24 >/dev/null 2>&1 &
-x_id=$!
-trap 'kill $x_id 2>/dev/null || true' EXIT
-log=/dev/null
-wait_until "the X server" test -s "$out/display"
-export DISPLAY=:$(tr -d '\n' <"$out/display")
-openbox >/dev/null 2>&1 &
+. "$(dirname "$0")/desktop.sh"
 
 # Watching: the demonstration runs, pauses, steps and stops.
 start_program watching --demo
@@ -97,7 +30,7 @@ key ctrl+z
 expect drawing '^drawing: 6 buildings, saved'
 
 # Drawing: a rectangle, back and forth, saved under a name.
-draw_rectangle
+draw_rectangle 200 620  # where the demonstration has nothing
 expect drawing '^drawing: 7 buildings, modified'
 key ctrl+z
 expect drawing '^drawing: 6 buildings, saved'

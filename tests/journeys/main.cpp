@@ -1,12 +1,13 @@
-#include <QApplication>
 #include <QStandardPaths>
 
 #include <gtest/gtest.h>
 
+#include "app/gui/application.h"
+
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   testing::InitGoogleTest(&argc, argv);
-  const QApplication app(argc, argv);
+  const handmap::Application app(argc, argv);
   QStandardPaths::setTestModeEnabled(true);
   return RUN_ALL_TESTS();
 }

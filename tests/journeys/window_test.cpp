@@ -1,67 +1,20 @@
 // Whole ways through the window, without a display.
+#include "tests/journeys/window_test.h"
+
 #include <QFile>
-#include <QLabel>
 #include <QPushButton>
-#include <QSettings>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <gtest/gtest.h>
 
-#include "app/gui/docks.h"
 #include "app/gui/exports.h"
 #include "app/gui/file_actions.h"
-#include "app/gui/main_window.h"
-#include "app/gui/message_bar.h"
-#include "app/gui/recovery.h"
-#include "app/gui/run_actions.h"
 #include "core/map/map_io.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/layers_panel.h"
-#include "widgets/run/run_setup_panel.h"
-#include "widgets/run/transport_bar.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {
 namespace {
-
-constexpr int kPatienceMs = 60'000;
-
-class WindowTest : public testing::Test {
- protected:
-  QString path(const QString& name) const { return folder_.filePath(name); }
-  std::unique_ptr<MainWindow> open() {
-    auto window = std::make_unique<MainWindow>(document_, settings_);
-    window->show();
-    return window;
-  }
-  /// The simulator with few particles, as fast as possible.
-  static void runSimulator(MainWindow& window) {
-    RunSetup setup;
-    setup.settings.slam.slam_particles = 5;
-    setup.settings.slam.pso_particles = 5;
-    window.docks().setup().setSetup(setup);
-    window.runs().openTwoRows();
-    window.transport().setSpeed(0.0);
-    window.runs().runOrResume();
-  }
-  static bool waitFor(MainWindow& window, RunState state) {
-    return QTest::qWaitFor([&] { return window.run().state() == state; }, kPatienceMs);
-  }
-  static QString message(MainWindow& window) {
-    if (!window.messages().isVisible()) return {};
-    QString text;
-    for (const auto* label : window.messages().findChildren<QLabel*>()) text += label->text();
-    return text;
-  }
-  static QAction* action(MainWindow& window, const QString& id) {
-    return window.findChild<QAction*>(id);
-  }
-
-  MapDocument document_;
-  QTemporaryDir folder_;
-  QSettings settings_{folder_.filePath("settings.ini"), QSettings::IniFormat};
-};
 
 TEST_F(WindowTest, ARunGoesToItsEndAndIsAcceptedAsOneStep) {
   const auto window = open();
@@ -198,34 +151,6 @@ TEST_F(WindowTest, LayersReachTheCanvas) {
   }
   action(*window, "view.grid")->trigger();
   EXPECT_FALSE(window->docks().layers().isOn(Layer::Grid));
-}
-
-TEST_F(WindowTest, UnsavedWorkOutlivesACrash) {
-  Map recovered;
-  {
-    MapDocument document;
-    document.reset({}, path("street.handmap"));
-    Recovery recovery(document, settings_);
-    EXPECT_TRUE(recovery.write());
-    EXPECT_FALSE(QFile::exists(Recovery::fileFor(document.filePath()))) << "nothing was drawn";
-    Building building;
-    building.shape = Rectangle{{0.0, 0.0}, 10.0, 5.0, 0.0};
-    document.addBuilding(building);
-    EXPECT_TRUE(recovery.write());
-    EXPECT_FALSE(QFile::exists(path("street.handmap"))) << "autosave never writes the file itself";
-    recovered = document.map();
-  }  // the program is gone without closing
-  MapDocument document;
-  Recovery recovery(document, settings_);
-  ASSERT_EQ(recovery.leftBehind().size(), 1);
-  recovery.recover(recovery.leftBehind().front());
-  EXPECT_EQ(document.map(), recovered);
-  EXPECT_EQ(document.filePath(), path("street.handmap"));
-  EXPECT_TRUE(document.isModified());
-  document.save(document.filePath());
-  recovery.clear();
-  EXPECT_FALSE(QFile::exists(Recovery::fileFor(document.filePath())));
-  EXPECT_TRUE(recovery.leftBehind().isEmpty());
 }
 
 TEST_F(WindowTest, PicturesAreWrittenWholeOrNotAtAll) {

@@ -1,0 +1,250 @@
+// What the window does with a drawing: exports, leaving, what a drawing names, menus and keys.
+#include <QDockWidget>
+#include <QFile>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+#include "app/gui/file_actions.h"
+#include "core/map/map_io.h"
+#include "tests/journeys/scripted_dialogs.h"
+#include "tests/journeys/window_test.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/teach/teach_panel.h"
+
+namespace handmap {
+namespace {
+
+class DocumentWindow : public WindowTest {
+ protected:
+  DocumentWindow() {
+    auto dialogs = std::make_unique<ScriptedDialogs>();
+    dialogs_ = dialogs.get();
+    window_ = std::make_unique<MainWindow>(document_, settings_, std::move(dialogs));
+    window_->show();
+  }
+
+  void trigger(const QString& id) { window_->findChild<QAction*>(id)->trigger(); }
+  QStringList texts() const {
+    QStringList texts;
+    for (const Message* message : window_->messages().messages()) texts << message->text();
+    return texts;
+  }
+  bool press(const QString& text) {
+    for (const Message* message : window_->messages().messages()) {
+      for (auto* button : message->findChildren<QPushButton*>()) {
+        if (button->text() != text) continue;
+        button->click();
+        return true;
+      }
+    }
+    return false;
+  }
+  /// A few frames of the simulator; the drawing was never saved.
+  void runALittle() {
+    runSimulator(*window_);
+    ASSERT_TRUE(
+        QTest::qWaitFor([this] { return window_->run().result() != nullptr; }, kPatienceMs));
+    window_->run().stop();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->run().isActive(); }, kPatienceMs));
+  }
+  void write(const QString& name, const QByteArray& content) const {
+    QFile file(path(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(content);
+  }
+
+  ScriptedDialogs* dialogs_ = nullptr;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
+  runALittle();
+  document_.setGeoreference(Georeference{34.7, 137.4, 0.0, {}});
+  dialogs_->paths = {path("refined.handmap"), path("refined.geojson"), path("drawn.geojson"),
+                     path("canvas.png"), path("way.tum")};
+  trigger("file.export_map");
+  EXPECT_TRUE(texts().first().startsWith("The refined map is in “refined.handmap”"))
+      << texts().first().toStdString();
+  dialogs_->choices = {0, 1};
+  trigger("file.export_geojson");
+  EXPECT_TRUE(texts().first().startsWith("The refined map is in “refined.geojson”"));
+  trigger("file.export_geojson");
+  EXPECT_TRUE(texts().first().startsWith("The drawing is in “drawn.geojson”"));
+  trigger("file.export_png");
+  trigger("file.export_trajectory");
+  EXPECT_TRUE(texts().first().contains(path("way.tum")));
+  for (const char* name :
+       {"refined.handmap", "refined.geojson", "drawn.geojson", "canvas.png", "way.tum"}) {
+    EXPECT_GT(QFileInfo(path(name)).size(), 0) << name;
+  }
+  const Map refined = readMap(path("refined.handmap").toStdString());
+  EXPECT_FALSE(refined.refinement.empty());
+  EXPECT_EQ(refined.georeference, document_.map().georeference);
+  document_.undoStack().setClean();
+}
+
+TEST_F(DocumentWindow, AnExportThatFailsIsTold) {
+  document_.setGeoreference(Georeference{});
+  dialogs_->paths = {path("no/such/folder/a.geojson"), path("no/such/folder/a.png")};
+  trigger("file.export_geojson");
+  trigger("file.export_png");
+  ASSERT_EQ(texts().size(), 2);
+  EXPECT_TRUE(texts().first().contains("no/such/folder/a.png")) << texts().first().toStdString();
+  EXPECT_TRUE(texts().last().contains("no/such/folder/a.geojson"));
+}
+
+TEST_F(DocumentWindow, GeoJsonWithoutAPlaceLeadsToWhereItIsSaid) {
+  trigger("file.export_geojson");
+  EXPECT_TRUE(dialogs_->asked.isEmpty());
+  EXPECT_TRUE(press("Say where"));
+}
+
+TEST_F(DocumentWindow, AcceptingAsksForWhatWasEditedDuringTheRun) {
+  runALittle();
+  const QString id = QString::fromStdString(document_.map().buildings.front().id);
+  const Building edited = moved(document_.map().buildings.front(), Vec2(0.0, 3.0));
+  document_.changeBuilding(id, edited, "Move");
+  const Map before = document_.map();
+  trigger("run.accept");
+  EXPECT_EQ(document_.map(), before) << "not without an answer";
+  ASSERT_TRUE(press("Take all others"));
+  EXPECT_EQ(document_.map().buildings.front(), edited);
+  EXPECT_NE(document_.map(), before);
+  trigger("run.accept");
+  ASSERT_TRUE(press("Take all"));
+  EXPECT_NE(document_.map().buildings.front().shape, edited.shape);
+  trigger("run.accept");
+  EXPECT_FALSE(press("Take all")) << "nobody has edited anything since";
+
+  document_.changeBuilding(id, edited, "Move");
+  trigger("run.accept");
+  document_.undoStack().setClean();
+  trigger("file.new");
+  EXPECT_FALSE(press("Take all")) << "the question was of another drawing";
+}
+
+TEST_F(DocumentWindow, LeavingAsksForWhatWasTaught) {
+  TeachPanel& teach = window_->docks().teach();
+  teach.setModel(std::make_shared<const BuildingClassifier>(BuildingClassifier::builtIn(false)));
+  teach.setUnsaved();
+  EXPECT_FALSE(window_->close()) << "cancelled";
+  dialogs_->choices = {0};
+  EXPECT_FALSE(window_->close()) << "no file was chosen";
+  dialogs_->choices = {0};
+  dialogs_->paths = {path("mine.json")};
+  EXPECT_TRUE(window_->close());
+  EXPECT_TRUE(QFile::exists(path("mine.json")));
+}
+
+TEST_F(DocumentWindow, LeavingAsksForWhatWasPaintedAndNotTrained) {
+  TeachPanel& teach = window_->docks().teach();
+  teach.addTeaching({{{path("photo.png"), {WindowLabel::Building}}}});
+  EXPECT_FALSE(window_->close());
+  dialogs_->choices = {1};
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(DocumentWindow, WhatLiesOutsideOfTheFolderIsReadWhenSomebodySaysSo) {
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("maps"));
+  BuildingClassifier::builtIn(false).save(path("outside.json").toStdString());
+  write("maps/yard.handmap",
+        R"({"format":"handmap","version":1,"buildings":[],"handmap:model":"../outside.json"})");
+  ASSERT_TRUE(window_->files().open(path("maps/yard.handmap")));
+  EXPECT_FALSE(window_->docks().teach().classifier());
+  ASSERT_EQ(texts().size(), 1);
+  EXPECT_TRUE(texts().first().contains("../outside.json")) << texts().first().toStdString();
+  ASSERT_TRUE(press("Read them"));
+  EXPECT_TRUE(window_->docks().teach().classifier());
+  EXPECT_TRUE(document_.trustsReferences());
+
+  window_->files().replace({});
+  EXPECT_FALSE(document_.trustsReferences());
+  ASSERT_TRUE(window_->files().open(path("maps/yard.handmap")));
+  EXPECT_TRUE(texts().isEmpty()) << "asked once for each drawing";
+  EXPECT_TRUE(window_->docks().teach().classifier());
+
+  write("maps/other.handmap",
+        R"({"format":"handmap","version":1,"buildings":[],"handmap:model":"../outside.json"})");
+  ASSERT_TRUE(window_->files().open(path("maps/other.handmap")));
+  EXPECT_EQ(texts().size(), 1);
+  window_->files().replace({});
+  EXPECT_TRUE(texts().isEmpty()) << "the question was of another drawing";
+}
+
+TEST_F(DocumentWindow, FitsASmallScreen) {
+  constexpr QSize kSmall(790, 550);  // 800 × 600 without the frame
+  window_->docks().showRunDocks(true, true);
+  for (const char* id : {"run.teach", "help.shortcuts"}) trigger(id);
+  window_->transport().setSource("a recording with quite a long name");
+  window_->showNormal();
+  window_->resize(kSmall);
+  QTest::qWait(1);
+  EXPECT_EQ(window_->size(), kSmall);
+  auto* more = window_->transport().findChild<QToolButton*>("qt_toolbar_ext_button");
+  ASSERT_TRUE(more);
+  EXPECT_FALSE(more->isVisible()) << "buttons of the run hide behind »";
+}
+
+TEST_F(DocumentWindow, FloatingPanelsAreFoundAgainOnASmallerScreen) {
+  trigger("run.teach");
+  auto* panel = window_->findChild<QDockWidget*>("teach");
+  ASSERT_TRUE(panel->isFloating() && panel->isVisible());
+  panel->resize(3000, 2000);
+  panel->move(2500, 1500);
+  ASSERT_TRUE(window_->close());
+  window_ = std::make_unique<MainWindow>(document_, settings_);
+  window_->show();
+  panel = window_->findChild<QDockWidget*>("teach");
+  if (!panel->isVisible()) trigger("run.teach");
+  EXPECT_TRUE(window_->screen()->availableGeometry().contains(panel->frameGeometry()))
+      << panel->width() << " x " << panel->height() << " at " << panel->x() << ", " << panel->y();
+}
+
+TEST_F(DocumentWindow, NoTwoEntriesOfAMenuShareALetter) {
+  const std::function<void(const QList<QAction*>&)> check = [&](const QList<QAction*>& entries) {
+    QSet<QString> letters;
+    for (const QAction* entry : entries) {
+      const QString letter = QKeySequence::mnemonic(entry->text()).toString();
+      if (!letter.isEmpty()) {
+        EXPECT_FALSE(letters.contains(letter)) << entry->text().toStdString();
+        letters.insert(letter);
+      }
+      if (entry->menu() != nullptr) check(entry->menu()->actions());
+    }
+  };
+  ASSERT_FALSE(window_->menuBar()->actions().isEmpty());
+  check(window_->menuBar()->actions());
+}
+
+TEST_F(DocumentWindow, EveryKeyOfTheSheetReachesItsAction) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+  window_->canvas().setFocus();
+  for (const ActionSpec& spec : actionTable()) {
+    if (!*spec.keys) continue;
+    QAction* action = window_->findChild<QAction*>(QLatin1String(spec.id));
+    int times = 0;
+    QObject::disconnect(action, &QAction::triggered, nullptr, nullptr);  // whatever it would do
+    QObject::connect(action, &QAction::triggered, window_.get(), [&times] { ++times; });
+    action->setEnabled(true);
+    for (const QKeySequence& keys : QKeySequence::listFromString(QLatin1String(spec.keys))) {
+      times = 0;
+      QTest::keySequence(window_->windowHandle(), keys);
+      EXPECT_EQ(times, 1) << spec.id << " by " << keys.toString().toStdString();
+    }
+    QObject::disconnect(action, &QAction::triggered, nullptr, nullptr);
+  }
+}
+
+TEST_F(DocumentWindow, TheKeyOfTheSimulatorOpensItsMenu) {
+  trigger("run.simulator");
+  QWidget* menu = QApplication::activePopupWidget();
+  ASSERT_TRUE(menu);
+  menu->close();
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,63 @@
+#include "app/gui/recording_opener.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include "core/simulation/simulated_source.h"
+#include "widgets/background/background.h"
+
+namespace handmap {
+namespace {
+
+class RecordingOpenerTest : public testing::Test {
+ protected:
+  RecordingOpenerTest() {
+    for (const char* name : {"one", "two"}) {
+      auto source = simulate(twoRowWorld(2), {}, 2);
+      RecordingWriter writer(path(name).toStdString(), source->info());
+      writer.add(source->next().value());
+    }
+    QObject::connect(&opener_, &RecordingOpener::opened, &opener_, [this](const auto& recording) {
+      heard_ << QString::fromStdString(recording->folder.filename().string());
+    });
+    QObject::connect(&opener_, &RecordingOpener::failed, &opener_,
+                     [this](const RunFailure& failure) { heard_ << failure.message; });
+  }
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  /// All that comes of what was asked for.
+  QStringList heard() {
+    EXPECT_TRUE(waitForBackground(std::chrono::seconds(30)));
+    QTest::qWait(5);
+    return heard_;
+  }
+
+  QTemporaryDir folder_;
+  RecordingOpener opener_;
+  QStringList heard_;
+};
+
+TEST_F(RecordingOpenerTest, OpensARecording) {
+  opener_.open(path("one"));
+  EXPECT_EQ(heard(), QStringList{"one"});
+}
+
+TEST_F(RecordingOpenerTest, TellsWhatIsWrongWithAFolder) {
+  opener_.open(path("nowhere"));
+  ASSERT_EQ(heard().size(), 1);
+  EXPECT_TRUE(heard_[0].contains("nowhere")) << heard_[0].toStdString();
+}
+
+TEST_F(RecordingOpenerTest, TheLatestWinsAndWhatIsForgottenIsNotHeard) {
+  opener_.open(path("nowhere"));
+  opener_.open(path("one"));
+  opener_.open(path("two"));
+  EXPECT_EQ(heard(), QStringList{"two"});
+  opener_.open(path("one"));
+  opener_.forget();
+  EXPECT_EQ(heard(), QStringList{"two"});
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,32 @@
+// Answers in the person's place, in the order in which they were put in; then cancels.
+#pragma once
+
+#include <QList>
+#include <QStringList>
+
+#include "app/gui/dialogs.h"
+
+namespace handmap {
+
+class ScriptedDialogs : public Dialogs {
+ public:
+  QStringList paths;
+  QList<int> choices;
+  QStringList asked;  ///< titles of dialogs
+
+  QString fileToOpen(const File& file) override { return nextPath(file.title); }
+  QString fileToSave(const File& file) override { return nextPath(file.title); }
+  QString folderToOpen(const QString& title, const QString&) override { return nextPath(title); }
+  int choose(const Question& question) override {
+    asked << question.title;
+    return choices.isEmpty() ? -1 : choices.takeFirst();
+  }
+
+ private:
+  QString nextPath(const QString& title) {
+    asked << title;
+    return paths.isEmpty() ? QString() : paths.takeFirst();
+  }
+};
+
+}  // namespace handmap
