@@ -1,0 +1,76 @@
+// The devices of a rig: they come, go and come back while a run goes on. All live in the thread of
+// the rig, which has an event loop; none blocks it.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/geometry/pose2.h"
+#include "core/recording/observation.h"
+
+namespace handmap {
+
+/// Degraded: it delivers, but not as it should; the detail says what is wrong.
+enum class DeviceState { Closed, Connecting, Ready, Degraded, Lost };
+
+class Device : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  /// Returns at once. Tries, and tries again when it was lost, until close().
+  virtual void open() = 0;
+  /// Leaves the hardware at rest: the head stands, the laser is off.
+  virtual void close() = 0;
+
+ Q_SIGNALS:
+  /// `detail`: plain words for a person, never those of a parser alone.
+  void stateChanged(handmap::DeviceState state, const QString& detail);
+};
+
+// Times are seconds of the rig's clock (steady, 0 when the rig began) at which it was measured.
+
+class OdometrySensor : public Device {
+  Q_OBJECT
+ public:
+  using Device::Device;
+ Q_SIGNALS:
+  /// In the odometry frame.
+  void moved(double time_s, const handmap::Pose2& pose);
+};
+
+class RangeSensor : public Device {
+  Q_OBJECT
+ public:
+  using Device::Device;
+ Q_SIGNALS:
+  /// In the sensor's frame: x forward, y left, z up, origin at the sensor.
+  void scanned(double time_s, const std::vector<handmap::RangePoint>& points);
+};
+
+class PairCamera : public Device {
+  Q_OBJECT
+ public:
+  using Device::Device;
+ Q_SIGNALS:
+  /// Taken at the same moment; as the camera gives them, before any rectification.
+  void pairTaken(double time_s, const cv::Mat& left, const cv::Mat& right);
+};
+
+class PanTiltHead : public Device {
+  Q_OBJECT
+ public:
+  using Device::Device;
+  /// Radians, positive to the left and up. Beyond the limits of the head: as far as they allow.
+  virtual void lookAt(double pan, double tilt) = 0;
+  /// At once, wherever it is.
+  virtual void halt() = 0;
+ Q_SIGNALS:
+  /// It stands there, by its own word.
+  void arrived(double pan, double tilt);
+};
+
+}  // namespace handmap
