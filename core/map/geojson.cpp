@@ -55,7 +55,7 @@ std::string feature(const std::string& geometry, ordered_json coordinates,
 }
 
 ordered_json propertiesOf(const Map& map, const Building& building) {
-  const Uncertainty sigma = map.uncertaintyOf(building);
+  const Uncertainty sigma = building.uncertainty.value_or(map.uncertainty);
   ordered_json properties = {{"kind", "building"},
                              {"id", building.id},
                              {"name", building.name},

@@ -25,18 +25,6 @@ class Journey : public CliTest {
     return more;
   }
 
-  /// stderr without the progress that a slow machine sees.
-  static std::string complaints(const std::string& err) {
-    std::string kept;
-    for (std::size_t begin = 0; begin < err.size();) {
-      const std::size_t end = std::min(err.find('\n', begin), err.size() - 1) + 1;
-      const std::string line = err.substr(begin, end - begin);
-      if (line.find("frames/s") == std::string::npos) kept += line;
-      begin = end;
-    }
-    return kept;
-  }
-
   static double meanError(const std::string& map, const char* measure) {
     const Outcome outcome = run({"compare", map, "rec/truth.handmap", "--json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -40,7 +40,9 @@ class CliTest : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-/// Done, with this on stdout and nothing on stderr.
+/// stderr without the progress that a slow machine sees.
+std::string complaints(const std::string& err);
+/// Done, with this on stdout and no complaints.
 void expectDone(const Outcome& outcome, const std::string& out);
 /// Failed with this status, saying this on stderr, and nothing on stdout.
 void expectFailed(const Outcome& outcome, int status, const std::string& err);

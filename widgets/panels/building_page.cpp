@@ -72,7 +72,7 @@ void BuildingPage::addUncertainty() {
   connect(own_uncertainty_, &QCheckBox::clicked, this, [this] {
     const bool own = own_uncertainty_->checkState() != Qt::Unchecked;
     edit(tr("Change Uncertainty"), [&, own](Building& building) {
-      const Uncertainty old = document().map().uncertaintyOf(building);
+      const Uncertainty old = statedOf(building);
       building.uncertainty = own ? std::optional(old) : std::nullopt;
     });
     document().finishMerging();
@@ -80,7 +80,7 @@ void BuildingPage::addUncertainty() {
   const auto add = [this](const char* name, const QString& label, double Uncertainty::*member) {
     return addNumber(name, label, 0.0, kMaxSigma, tr(" m"), [this, member](double sigma) {
       edit(tr("Change Uncertainty"), [&](Building& building) {
-        Uncertainty changed = document().map().uncertaintyOf(building);
+        Uncertainty changed = statedOf(building);
         changed.*member = sigma;
         building.uncertainty = changed;
       });
@@ -88,6 +88,10 @@ void BuildingPage::addUncertainty() {
   };
   position_sigma_ = add("position_sigma", tr("Position σ"), &Uncertainty::position);
   size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
+}
+
+Uncertainty BuildingPage::statedOf(const Building& building) const {
+  return building.uncertainty.value_or(document().map().uncertainty);
 }
 
 std::vector<Building> BuildingPage::buildings() const {
@@ -136,8 +140,7 @@ void BuildingPage::refreshUncertainty(const std::vector<Building>& shown) {
   const auto own = common(shown, [](const Building& b) { return b.uncertainty.has_value(); });
   showFlag(*own_uncertainty_, own);
   const auto sigma = [&](double Uncertainty::*member) {
-    return common(shown,
-                  [&](const Building& b) { return document().map().uncertaintyOf(b).*member; });
+    return common(shown, [&](const Building& b) { return statedOf(b).*member; });
   };
   position_sigma_->showValue(sigma(&Uncertainty::position));
   size_sigma_->showValue(sigma(&Uncertainty::size));

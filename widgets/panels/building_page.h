@@ -20,6 +20,8 @@ class BuildingPage : public PropertyPage {
  private:
   void addUncertainty();
   std::vector<Building> buildings() const;
+  /// Its own, or that of the map.
+  Uncertainty statedOf(const Building& building) const;
   void edit(const QString& text, const std::function<void(Building&)>& change);
   void editBox(const QString& text, const std::function<void(Rectangle&)>& change);
   void refreshUncertainty(const std::vector<Building>& shown);
