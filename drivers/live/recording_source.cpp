@@ -30,6 +30,7 @@ class RecordingSource : public ObservationSource {
       return observation;
     }
     observation->odometry = asWritten(observation->odometry);
+    for (View& view : observation->views) view.pan = toRadians(toDegrees(view.pan));
     write(*observation);
     return observation;
   }

@@ -180,14 +180,26 @@ void RigHost::work(const Rig& rig, const MakeDevices& make, std::promise<void> o
     loop_ = &loop;
   }
   opened.set_value();
-  loop.exec();
+  turn(loop);
   {
     const std::scoped_lock lock(mutex_);
     loop_ = nullptr;
   }
   hosting->close();
   QTimer::singleShot(kRest_ms, &loop, &QEventLoop::quit);
-  loop.exec();
+  turn(loop);
+}
+
+/// Until it is told to quit; what a device throws ends neither it nor the program.
+void RigHost::turn(QEventLoop& loop) {
+  for (bool again = true; again;) {
+    try {
+      loop.exec();
+      again = false;
+    } catch (const std::exception& error) {
+      monitor_->refused("unexpected error", error.what());
+    }
+  }
 }
 
 std::optional<Observation> RigHost::next(const std::stop_token& stop) { return inbox_.take(stop); }

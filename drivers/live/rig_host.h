@@ -34,6 +34,7 @@ class RigHost {
  private:
   class Hosting;
   void end();
+  void turn(QEventLoop& loop);
   void work(const Rig& rig, const MakeDevices& make, std::promise<void> opened);
 
   std::shared_ptr<RigMonitor> monitor_;

@@ -104,12 +104,15 @@ void RigMonitor::setState(Role role, DeviceState state, const std::string& detai
 }
 
 void RigMonitor::datum(Role role, double time_s) {
+  const double now = clock_();
+  const double measured_s =
+      time_s <= now ? time_s : now;  // a clock that is off makes nothing young
   const std::scoped_lock lock(mutex_);
   Watched* device = find(role);
   if (device == nullptr) return;
   ++device->status.count;
   ++device->rate_count;
-  device->newest_s = std::max(device->newest_s, time_s);
+  device->newest_s = std::max(device->newest_s, measured_s);
   const double span = device->newest_s - device->rate_since_s;
   if (span < kRateOver_s) return;
   device->status.rate_hz = static_cast<double>(device->rate_count) / span;

@@ -11,11 +11,13 @@
 //                 "right_delay_ms": 0,               the right image is taken so much later
 //                 "mount": {"x_m", "y_m", "z_m", "pitch_deg", "yaw_deg"}},
 //    "head":     {"port": "/dev/ttyUSB0@9600"},      PTU-D46; needs a camera
-//    "scanner":  {"kind": "hokuyo"|"rplidar"|"ros", "port": "…", "topic": "/scan",
+//    "scanner":  {"kind": "hokuyo"|"rplidar"|"ros"|"ros-cloud",
+//                 "port": "…", "topic": "/scan",   LaserScan or PointCloud2
 //                 "mount": {"x_m", "y_m", "z_m", "yaw_deg"}},
 //    "odometry": {"kind": "lines"|"ros"|"visual"|"scan"|"none", "port": "…", "topic": "/odom"},
 //                                                    absent: visual or scan
 //    "stops":    {"pans_deg": [0, 60, …], "standing_s": 1, "every_m": 1, "automatic": true},
+//    "ros":      1,                                  where it is not 2
 //    "record":   "recordings"}                       a folder; each run gets a new one inside
 //
 // Paths count from the folder of the file. "port": "/dev/ttyUSB0@115200", "tcp://host:port"; of
@@ -58,13 +60,15 @@ struct ScannerMount {
   bool operator==(const ScannerMount&) const = default;
 };
 
-enum class ScannerKind { Hokuyo, Rplidar, Ros, Virtual };
+/// Ros: sensor_msgs/LaserScan; RosCloud: sensor_msgs/PointCloud2.
+enum class ScannerKind { Hokuyo, Rplidar, Ros, RosCloud, Virtual };
 
 struct ScannerRig {
   ScannerKind kind = ScannerKind::Hokuyo;
   std::string port;
-  std::string topic;  ///< Ros
+  std::string topic;  ///< Ros, RosCloud
   ScannerMount mount;
+  bool isRos() const { return kind == ScannerKind::Ros || kind == ScannerKind::RosCloud; }
   bool operator==(const ScannerRig&) const = default;
 };
 
@@ -102,6 +106,7 @@ struct Rig {
   std::optional<ScannerRig> scanner;
   OdometryRig odometry;
   std::optional<StopRig> stops;  ///< where there is a head
+  int ros_version = 2;
   std::filesystem::path record;  ///< empty: not recorded
   bool operator==(const Rig&) const = default;
 };

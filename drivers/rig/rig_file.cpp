@@ -32,9 +32,9 @@ constexpr double kMaxRate_hz = 1000.0;
 constexpr double kMaxStanding_s = 60.0;
 constexpr double kMaxEvery_m = 1000.0;
 
-constexpr std::array kScanners = {std::pair(ScannerKind::Hokuyo, "hokuyo"),
-                                  std::pair(ScannerKind::Rplidar, "rplidar"),
-                                  std::pair(ScannerKind::Ros, "ros")};
+constexpr std::array kScanners = {
+    std::pair(ScannerKind::Hokuyo, "hokuyo"), std::pair(ScannerKind::Rplidar, "rplidar"),
+    std::pair(ScannerKind::Ros, "ros"), std::pair(ScannerKind::RosCloud, "ros-cloud")};
 constexpr std::array kOdometries = {
     std::pair(OdometryRigKind::None, "none"), std::pair(OdometryRigKind::Lines, "lines"),
     std::pair(OdometryRigKind::Ros, "ros"), std::pair(OdometryRigKind::Visual, "visual"),
@@ -125,7 +125,7 @@ ScannerRig readScanner(const JsonValue& json) {
   ScannerRig scanner;
   scanner.kind = kindOf(json.at("kind"), kScanners);
   scanner.port = neededText(json, "port");
-  if (scanner.kind == ScannerKind::Ros) scanner.topic = neededText(json, "topic");
+  if (scanner.isRos()) scanner.topic = neededText(json, "topic");
   if (const auto mount = json.find("mount")) {
     onlyKnown(*mount, {"x_m", "y_m", "z_m", "yaw_deg"});
     readNumber(*mount, "x_m", -kMaxMount_m, kMaxMount_m, scanner.mount.x);
@@ -221,7 +221,7 @@ Json cameraJson(const CameraRig& camera, const fs::path& folder) {
 
 Json scannerJson(const ScannerRig& scanner) {
   Json json{{"kind", nameOf(scanner.kind, kScanners)}, {"port", scanner.port}};
-  if (scanner.kind == ScannerKind::Ros) json["topic"] = scanner.topic;
+  if (scanner.isRos()) json["topic"] = scanner.topic;
   const ScannerMount& mount = scanner.mount;
   json["mount"] = {
       {"x_m", mount.x}, {"y_m", mount.y}, {"z_m", mount.z}, {"yaw_deg", degreesOf(mount.yaw)}};
@@ -277,7 +277,7 @@ Rig parseRig(const std::string& text, const std::string& source, const fs::path&
                 "update the program to use this rig");
   }
   onlyKnown(json, {"format", "version", "name", "range_limit_m", "camera", "head", "scanner",
-                   "odometry", "stops", "record"});
+                   "odometry", "stops", "ros", "record"});
   Rig rig;
   rig.name = json.textOr("name", kMaxTextBytes, "");
   readNumber(json, "range_limit_m", 1.0, 200.0, rig.range_limit_m);
@@ -294,6 +294,7 @@ Rig parseRig(const std::string& text, const std::string& source, const fs::path&
     rig.odometry.kind = rig.scanner ? OdometryRigKind::Scan : OdometryRigKind::Visual;
   }
   if (const auto stops = json.find("stops")) rig.stops = readStops(*stops);
+  if (const auto ros = json.find("ros")) rig.ros_version = static_cast<int>(ros->integer(1, 2));
   if (const auto record = json.find("record")) rig.record = pathFrom(*record, folder);
   checkTogether(rig, source);
   return rig;
@@ -314,6 +315,7 @@ std::string formatRig(const Rig& rig, const fs::path& folder) {
   if (rig.scanner) json["scanner"] = scannerJson(*rig.scanner);
   json["odometry"] = odometryJson(rig.odometry);
   if (rig.stops) json["stops"] = stopsJson(*rig.stops);
+  if (rig.ros_version != 2) json["ros"] = rig.ros_version;
   if (!rig.record.empty()) json["record"] = pathText(rig.record, folder);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
