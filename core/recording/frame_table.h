@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ inline constexpr int kMaxRowsOfStop = 100;
 /// `right_time_s` tells when the right image was taken. Checks that frames and times increase (rows
 /// of one stop may share them) and that files lie inside the folder. Throws BadInput with the line;
 /// a last row that was cut off when a recording ended suddenly is left out.
-std::vector<FrameRow> readFrameTable(const std::filesystem::path& path);
+std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
+                                     const std::stop_token& stop = {});
 
 /// The header line, with its line end.
 std::string frameTableHeader();

@@ -93,8 +93,8 @@ TEST(RunSession, StreamsSnapshotsAndEnds) {
     EXPECT_EQ(snapshot->particles.size(), 12U);
     ASSERT_EQ(snapshot->swarms.size(), 2U);
     EXPECT_EQ(snapshot->swarms[1].members.size(), 20U);
-    EXPECT_EQ(snapshot->trajectory->size(), static_cast<std::size_t>(i));
-    EXPECT_EQ(snapshot->odometry->size(), static_cast<std::size_t>(i));
+    EXPECT_EQ(snapshot->trajectory.size(), static_cast<std::size_t>(i));
+    EXPECT_EQ(snapshot->odometry.size(), static_cast<std::size_t>(i));
     ASSERT_TRUE(snapshot->truth);
     EXPECT_EQ(snapshot->truth->x, 2.0 * (i - 1));
     EXPECT_GT(snapshot->report.ms.total, 0.0);
