@@ -37,8 +37,13 @@ void Progress::update(int frames_done, double share) {
   shown_ = Clock::now();
   any_shown_ = true;
   const double rate = done / secondsSince(begin_);
-  fmt::print(stderr, "frame {}/{}, {:.1f} frames/s, {} left{}", frames_done, frames_, rate,
-             duration((frames_ - done) / rate), terminal_ ? "" : "\n");
+  const char* const end = terminal_ ? "" : "\n";
+  if (frames_ == 0) {
+    fmt::print(stderr, "frame {}, {:.1f} frames/s{}", frames_done, rate, end);
+  } else {
+    fmt::print(stderr, "frame {}/{}, {:.1f} frames/s, {} left{}", frames_done, frames_, rate,
+               duration((frames_ - done) / rate), end);
+  }
 }
 
 void Progress::message(const std::string& text) {
@@ -52,8 +57,9 @@ void Progress::finish(int frames_done) {
   if (!any_shown_) return;
   clearLine();
   const double seconds = secondsSince(begin_);
-  fmt::print(stderr, "{} of {} frames in {:.1f} s, {:.1f} frames/s\n", frames_done, frames_,
-             seconds, frames_done / seconds);
+  const std::string of_all = frames_ == 0 ? "" : fmt::format(" of {}", frames_);
+  fmt::print(stderr, "{}{} frames in {:.1f} s, {:.1f} frames/s\n", frames_done, of_all, seconds,
+             frames_done / seconds);
 }
 
 }  // namespace handmap

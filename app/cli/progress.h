@@ -11,6 +11,7 @@ namespace handmap {
 /// remaining time.
 class Progress {
  public:
+  /// 0 frames: nobody knows how many.
   explicit Progress(int frames);
 
   /// `share` of the next frame, 0 … 1. From any thread.

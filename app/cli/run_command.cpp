@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/live_run.h"
 #include "app/cli/odometry_option.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
@@ -23,6 +24,7 @@ namespace {
 struct RunArguments {
   std::string map;
   std::string recording;
+  LiveArguments live;
   ReplayOptions replay;
   OdometryKind odometry = OdometryKind::Recorded;
   RunSettings settings;
@@ -37,7 +39,8 @@ struct RunArguments {
   bool allow_outside = false;
 };
 
-void check(const RunArguments& arguments) {
+void check(const CLI::App& command, const RunArguments& arguments) {
+  checkLive(command, arguments.live, !arguments.recording.empty());
   if (arguments.replay.to && *arguments.replay.to < arguments.replay.from) {
     throw Error(ErrorCode::Usage, fmt::format("--to: found {}, expected {} (--from) or more",
                                               *arguments.replay.to, arguments.replay.from));
@@ -65,18 +68,17 @@ cv::Mat picture(const LocalMap& map) {
   return shades;
 }
 
-/// What it found last; nullptr when it was interrupted.
-std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const Interrupt& interrupt) {
+/// What it found last; nullptr when it was stopped.
+std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const std::stop_token& stop,
+                                         Progress& progress) {
   std::shared_ptr<const Snapshot> last;
-  Progress progress(session.source().observations);
   std::size_t skipped = 0;
   const auto done = [&] {
     return static_cast<int>(session.frames().size() + session.skipped().size());
   };
   for (bool more = true; more;) {
     const int before = done();
-    auto snapshot =
-        session.step(interrupt.token(), [&](double share) { progress.update(before, share); });
+    auto snapshot = session.step(stop, [&](double share) { progress.update(before, share); });
     more = snapshot != nullptr;
     if (more) last = std::move(snapshot);
     if (more && session.frames().back().odometry_guessed && done() > before) {
@@ -88,7 +90,7 @@ std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const Interrupt& i
     }
   }
   progress.finish(done());
-  if (!interrupt.requested()) {
+  if (!stop.stop_requested()) {
     for (const RunWarning& warning : session.warnings()) {
       progress.message(fmt::format("warning: {} {}", warning.message, warning.hint));
     }
@@ -135,8 +137,47 @@ std::shared_ptr<const BuildingClassifier> classifierFor(const RunArguments& argu
   }
 }
 
-int run(RunArguments arguments) {
-  check(arguments);
+/// What is still to be done, once the session is at its end.
+int finish(const RunArguments& arguments, const RunSession& session,
+           const std::shared_ptr<const Snapshot>& last) {
+  if (!last) return Interrupt::kExitStatus;
+  writeOutputs(arguments, session, *last);
+  fmt::print("{}", runSummary(session));
+  return 0;
+}
+
+int runRecording(RunArguments arguments, Map drawing) {
+  auto source = openWithOdometry(arguments.recording, arguments.replay, arguments.odometry,
+                                 arguments.settings.odometry);
+  const Interrupt interrupt;
+  if (arguments.speed > 0.0) {
+    source =
+        std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
+  }
+  RunSession session(std::move(drawing), std::move(source), arguments.settings);
+  Progress progress(session.source().observations);
+  return finish(arguments, session, runToEnd(session, interrupt.token(), progress));
+}
+
+/// Ctrl-C ends the drive, not the run: what was found is smoothed and written. A second one ends
+/// the program.
+int runLive(const RunArguments& arguments, Map drawing) {
+  const Interrupt interrupt;
+  Progress progress(0);
+  LiveDrive drive(arguments.live, drawing, arguments.settings.seed);
+  auto source = drive.open(interrupt, progress);
+  if (!source) {
+    progress.message("the drive was ended before the first observation, nothing written");
+    return interrupt.requested() ? Interrupt::kExitStatus : static_cast<int>(ErrorCode::RunFailed);
+  }
+  RunSession session(std::move(drawing), std::move(source), arguments.settings);
+  const auto last = runToEnd(session, {}, progress);
+  fmt::print(stderr, "{}", drive.summary());
+  return finish(arguments, session, last);
+}
+
+int run(const CLI::App& command, RunArguments arguments) {
+  check(command, arguments);
   for (const std::string& what : arguments.free) {
     (what == "scale" ? arguments.settings.free_scale : arguments.settings.free_turn) = true;
   }
@@ -146,20 +187,8 @@ int run(RunArguments arguments) {
   if (arguments.settings.perception.classify) {
     arguments.settings.perception.classifier = classifierFor(arguments, drawing);
   }
-  auto source = openWithOdometry(arguments.recording, arguments.replay, arguments.odometry,
-                                 arguments.settings.odometry);
-
-  const Interrupt interrupt;
-  if (arguments.speed > 0.0) {
-    source =
-        std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
-  }
-  RunSession session(std::move(drawing), std::move(source), arguments.settings);
-  const auto last = runToEnd(session, interrupt);
-  if (!last) return Interrupt::kExitStatus;
-  writeOutputs(arguments, session, *last);
-  fmt::print("{}", runSummary(session));
-  return 0;
+  return arguments.live.any() ? runLive(arguments, std::move(drawing))
+                              : runRecording(std::move(arguments), std::move(drawing));
 }
 
 }  // namespace
@@ -168,15 +197,17 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   const auto arguments = std::make_shared<RunArguments>();
   RunArguments& a = *arguments;
   SlamOptions& slam = a.settings.slam;
-  CLI::App* command = app.add_subcommand("run", "Localize a recording on a drawing and correct it");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return run(*arguments); }; });
+  CLI::App* command =
+      app.add_subcommand("run", "Localize a recording or a live robot on a drawing and correct it");
+  command->callback([&chosen, arguments, command] {
+    chosen = [arguments, command] { return run(*command, *arguments); };
+  });
 
   command->add_option("--map", a.map, "The drawing (required)")
       ->required()
       ->option_text("M.handmap");
-  command->add_option("--recording", a.recording, "What the robot met (required)")
-      ->required()
-      ->option_text("DIR");
+  command->add_option("--recording", a.recording, "What the robot met")->option_text("DIR");
+  addLive(*command, a.live);
   addFrames(*command, a.replay, "Take each Nth observation of the source");
   addChoice(
       *command, "--source", a.replay.kind,

@@ -41,6 +41,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   parser.addPositionalArgument("MAP", "A drawing (.handmap) to open.", "[MAP]");
   parser.addOptions({
       {"recording", "Take the robot's observations from this folder.", "DIR"},
+      {"rig", "Connect the live robot that this file describes.", "FILE"},
+      {"virtual-rig", "Open two rows of buildings with a simulated live robot."},
       {"from", "First frame of the recording.", "N", "0"},
       {"source", "What to take of the recording: auto, images or points.", "KIND", "auto"},
       {"seed", "Seed of the run.", "N"},
@@ -63,6 +65,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   CommandLine line;
   line.map = parser.positionalArguments().value(0);
   line.recording = parser.value("recording");
+  line.rig = parser.value("rig");
+  line.virtual_rig = parser.isSet("virtual-rig");
   line.replay.from = wholeNumber(parser, "from");
   line.replay.kind = sourceKind(parser.value("source"));
   if (parser.isSet("seed")) line.seed = wholeNumber(parser, "seed");
@@ -74,10 +78,22 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   if (line.demo && !(line.map.isEmpty() && line.recording.isEmpty())) {
     refuse(QStringLiteral("--demo brings its own map and robot"));
   }
-  if (line.run && !line.demo && line.recording.isEmpty()) {
-    refuse(QStringLiteral("a run needs --recording or --demo"));
+  const bool is_live = line.virtual_rig || !line.rig.isEmpty();
+  if (is_live && line.isBatch()) {
+    refuse(QStringLiteral("a live robot has no end to wait for: handmap-cli run --for SECONDS"));
   }
-  if (line.run && !line.demo && line.map.isEmpty()) {
+  if (int(line.demo) + int(line.virtual_rig) + int(!line.rig.isEmpty()) +
+          int(!line.recording.isEmpty()) >
+      1) {
+    refuse(QStringLiteral("found more than one of --demo, --recording, --rig and --virtual-rig"));
+  }
+  if (line.virtual_rig && !line.map.isEmpty()) {
+    refuse(QStringLiteral("--virtual-rig brings its own map"));
+  }
+  if (line.run && !line.demo && line.recording.isEmpty() && !is_live) {
+    refuse(QStringLiteral("a run needs --recording, --rig, --virtual-rig or --demo"));
+  }
+  if (line.run && !line.demo && !line.virtual_rig && line.map.isEmpty()) {
     refuse(QStringLiteral("a run needs a MAP or --demo"));
   }
   return line;

@@ -11,6 +11,8 @@ namespace handmap {
 struct CommandLine {
   QString map;        ///< empty: none
   QString recording;  ///< empty: none
+  QString rig;        ///< of a live robot; empty: none
+  bool virtual_rig = false;
   ReplayOptions replay;
   std::optional<int> seed;
   bool demo = false;

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStandardPaths>
 
+#include "app/gui/live_robot.h"
 #include "core/map/map_io.h"
 
 namespace handmap {
@@ -43,6 +44,13 @@ Demonstration demonstration() {
 
 Demonstration twoRowSimulation(std::uint64_t seed) {
   return simulationOf(QObject::tr("two rows"), twoRowWorld(seed), seed);
+}
+
+Demonstration liveSimulation(std::uint64_t seed) {
+  const World world = twoRowWorld(seed);
+  Demonstration simulation = simulationOf(QObject::tr("two rows"), world, seed);
+  simulation.robot = virtualRobot(world, seed);
+  return simulation;
 }
 
 Demonstration campusSimulation(std::uint64_t seed) {

@@ -19,6 +19,8 @@ inline constexpr double kDemonstrationSpeed = 10.0;
 Demonstration twoRowSimulation(std::uint64_t seed);
 Demonstration campusSimulation(std::uint64_t seed);
 Demonstration loopSimulation(std::uint64_t seed);
+/// A live robot among two rows of buildings.
+Demonstration liveSimulation(std::uint64_t seed);
 /// The robot drives through what the drawing might be in truth, according to its uncertainty.
 /// Throws Error (BadInput) when the drawing has neither a start nor a route.
 Robot simulationOfDrawing(const Map& drawing, std::uint64_t seed);

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "app/gui/live_panel.h"
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
 #include "widgets/run/buildings_panel.h"
@@ -64,6 +65,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       camera_(new CameraPanel),
       buildings_(new BuildingsPanel),
       teach_(new TeachPanel),
+      live_(new LivePanel),
       objects_dock_(add("objects", tr("Objects"), objects_)),
       properties_dock_(add("properties", tr("Properties"), properties_)),
       layers_dock_(add("layers", tr("Layers"), scrolled(layers_))),
@@ -72,6 +74,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       camera_dock_(add("camera", tr("Camera"), camera_)),
       buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
       teach_dock_(add("teach", tr("Teach buildings"), scrolled(teach_))),
+      live_dock_(add("live", tr("Robot"), live_)),
       help_dock_(add("help", tr("Help"), new QTextBrowser)) {
   window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                          QMainWindow::AllowNestedDocks);
@@ -79,6 +82,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
   window_.tabifyDockWidget(properties_dock_, setup_dock_);
   window_.tabifyDockWidget(charts_dock_, camera_dock_);
   window_.tabifyDockWidget(camera_dock_, buildings_dock_);
+  window_.tabifyDockWidget(buildings_dock_, live_dock_);
   layers_dock_->raise();
   properties_dock_->raise();
   setup_dock_->hide();
@@ -89,7 +93,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
     dock->resize(size);
     dock->move(kFloatingAt);
   }
-  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_}) {
+  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_, live_dock_}) {
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
       if (shown) {
         closed_by_user_.remove(dock);
@@ -99,6 +103,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
     });
   }
   showRunDocks(false, false);
+  showLiveDock(false);
 }
 
 QDockWidget* Docks::add(const QString& name, const QString& title, QWidget* panel) {
@@ -121,8 +126,19 @@ void Docks::showRunDocks(bool run_exists, bool has_camera) {
   show(buildings_dock_, run_exists);
   show(camera_dock_, run_exists && has_camera);
   if (!run_exists) return;
-  (has_camera ? camera_dock_ : charts_dock_)->raise();
+  const bool is_live = live_dock_->isVisible();
+  (has_camera ? camera_dock_ : is_live ? live_dock_ : charts_dock_)->raise();
   QTimer::singleShot(0, this, &Docks::resize);  // when they have been laid out
+}
+
+void Docks::showLiveDock(bool is_live) {
+  live_dock_->toggleViewAction()->setEnabled(is_live);
+  live_dock_->setVisible(is_live && !closed_by_user_.contains(live_dock_));
+  const bool appears = is_live && !live_shown_;
+  live_shown_ = is_live;
+  if (!appears) return;
+  live_dock_->raise();
+  QTimer::singleShot(0, this, &Docks::resize);
 }
 
 void Docks::showProperties() {
@@ -148,8 +164,9 @@ void Docks::showHelp(const QString& title, const QString& html) {
 }
 
 void Docks::addSwitches(QMenu& menu) const {
-  for (const QDockWidget* dock : {objects_dock_, layers_dock_, properties_dock_, setup_dock_,
-                                  charts_dock_, camera_dock_, buildings_dock_, teach_dock_}) {
+  for (const QDockWidget* dock :
+       {objects_dock_, layers_dock_, properties_dock_, setup_dock_, charts_dock_, camera_dock_,
+        buildings_dock_, live_dock_, teach_dock_}) {
     menu.addAction(dock->toggleViewAction());
   }
 }
@@ -175,7 +192,7 @@ void Docks::resize() {
   };
   for (QDockWidget* dock : {objects_dock_, layers_dock_}) add(dock, compact_ ? 200 : 250);
   for (QDockWidget* dock : {properties_dock_, setup_dock_}) add(dock, compact_ ? 200 : 150);
-  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_}) {
+  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_, live_dock_}) {
     add(dock, compact_ ? 240 : 290);
   }
   window_.resizeDocks(docks, QList<int>(docks.size(), width), Qt::Horizontal);

@@ -15,6 +15,7 @@ class BuildingsPanel;
 class CameraPanel;
 class ChartsPanel;
 class LayersPanel;
+class LivePanel;
 class MapDocument;
 class ObjectsPanel;
 class PropertyPanel;
@@ -34,9 +35,12 @@ class Docks : public QObject {
   CameraPanel& camera() { return *camera_; }
   BuildingsPanel& buildings() { return *buildings_; }
   TeachPanel& teach() { return *teach_; }
+  LivePanel& live() { return *live_; }
 
   /// Those of a run come and go with it; what the user has closed stays closed.
   void showRunDocks(bool run_exists, bool has_camera);
+  /// That of the devices, while there is a live robot.
+  void showLiveDock(bool is_live);
   void showProperties();
   void showSetup();
   void showTeach();
@@ -59,6 +63,7 @@ class Docks : public QObject {
   CameraPanel* camera_;
   BuildingsPanel* buildings_;
   TeachPanel* teach_;
+  LivePanel* live_;
   QDockWidget* objects_dock_;
   QDockWidget* properties_dock_;
   QDockWidget* layers_dock_;
@@ -67,8 +72,10 @@ class Docks : public QObject {
   QDockWidget* camera_dock_;
   QDockWidget* buildings_dock_;
   QDockWidget* teach_dock_;
+  QDockWidget* live_dock_;
   QDockWidget* help_dock_;
   QSet<QDockWidget*> closed_by_user_;
+  bool live_shown_ = false;
   bool compact_ = false;
 };
 

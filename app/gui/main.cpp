@@ -16,6 +16,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/narrator.h"
+#include "app/gui/rig_actions.h"
 #include "app/gui/run_actions.h"
 #include "core/base/error.h"
 #include "widgets/background/background.h"
@@ -65,12 +66,16 @@ void openDrawing(MainWindow& window, const CommandLine& line) {
 }
 
 void openRobot(MainWindow& window, const CommandLine& line, bool first_start) {
-  const bool demo = line.demo || (first_start && line.map.isEmpty() && line.recording.isEmpty());
+  const bool nothing_asked =
+      line.map.isEmpty() && line.recording.isEmpty() && line.rig.isEmpty() && !line.virtual_rig;
+  const bool demo = line.demo || (first_start && nothing_asked);
   if (line.run || demo) {
     QObject::connect(&window.runs(), &RunActions::robotChanged, &window.runs(),
                      &RunActions::runOrResume, Qt::SingleShotConnection);
   }
   if (demo) window.runs().openDemonstration();
+  if (line.virtual_rig) window.runs().openVirtualRig();
+  if (!line.rig.isEmpty()) window.rigs().openRig(line.rig);
   if (!line.recording.isEmpty()) window.runs().openRecording(line.recording);
   if (line.isBatch()) window.transport().setSpeed(0.0);
 }

@@ -17,6 +17,7 @@
 #include "app/gui/message_bar.h"
 #include "app/gui/recovery_offer.h"
 #include "app/gui/reference_trust.h"
+#include "app/gui/rig_actions.h"
 #include "app/gui/run_actions.h"
 #include "app/gui/welcome_strip.h"
 #include "widgets/canvas/map_canvas.h"
@@ -35,7 +36,7 @@ namespace {
 
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
-constexpr int kStateVersion = 3;  // of the set of docks and bars
+constexpr int kStateVersion = 4;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 800);
 
 /// The file or folder that is dragged; empty for anything else.
@@ -69,6 +70,8 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,
                           *dialogs_, *overlays_, *transport_, docks_->layers(), docks_->setup(),
                           docks_->charts(), docks_->camera(), docks_->buildings()});
+  rigs_ = new RigActions({*this, run_, *runs_, *docks_, actions_, *messages_, settings_, *dialogs_},
+                         this);
   auto* trust = new ReferenceTrust({document_, *files_, *messages_, settings_}, this);
   model_ = new MapModel({document_, *files_, docks_->teach(), *messages_, *dialogs_}, this);
   connect(trust, &ReferenceTrust::granted, model_, &MapModel::loadOfDrawing);
@@ -246,6 +249,7 @@ void MainWindow::connectWelcome() {
   });
   connect(welcome_, &WelcomeStrip::recordingRequested, runs_, &RunActions::askForRecording);
   connect(welcome_, &WelcomeStrip::simulatorRequested, runs_, &RunActions::openTwoRows);
+  connect(welcome_, &WelcomeStrip::robotRequested, rigs_, &RigActions::showDialog);
   connect(welcome_, &WelcomeStrip::closed, this,
           [this] { settings_.setValue("welcome/closed", true); });
   welcome_->setVisible(!settings_.value("welcome/closed").toBool());

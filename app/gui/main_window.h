@@ -24,6 +24,7 @@ class MapModel;
 class MessageBar;
 class Recovery;
 class RecoveryOffer;
+class RigActions;
 class RunActions;
 class RunOverlays;
 class TransportBar;
@@ -43,6 +44,7 @@ class MainWindow : public QMainWindow {
   RunController& run() { return run_; }
   FileActions& files() { return *files_; }
   RunActions& runs() { return *runs_; }
+  RigActions& rigs() { return *rigs_; }
   Docks& docks() { return *docks_; }
   TransportBar& transport() { return *transport_; }
   MessageBar& messages() { return *messages_; }
@@ -88,6 +90,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
   FileActions* files_;
   RunActions* runs_;
+  RigActions* rigs_;
   MapModel* model_;
   Recovery* recovery_;
   RecoveryOffer* recovery_offer_;

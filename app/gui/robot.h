@@ -1,4 +1,4 @@
-// Where the observations of a run come from: a recording or the simulator.
+// Where the observations of a run come from: a recording, the simulator or a live robot.
 #pragma once
 
 #include <QString>
@@ -13,11 +13,15 @@
 
 namespace handmap {
 
+class LiveLink;
+
 struct Robot {
   QString name;
   std::vector<StampedPose> truth;  ///< to be drawn before the run, may be empty
   std::optional<Map> truth_map;    ///< where it is known: to be drawn, and to score the run
   QString opening;  ///< what it does before the first observation, where that takes long
+  /// It has no end: a run with it ends when the person ends the drive. nullptr for all others.
+  std::shared_ptr<LiveLink> live = {};
   /// Called in the thread of the run. The options are those of recordings. Tells the share done of
   /// opening. nullptr when the stop was requested before it was done.
   std::function<std::unique_ptr<ObservationSource>(const ReplayOptions&, const std::stop_token&,

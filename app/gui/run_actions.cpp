@@ -63,6 +63,7 @@ void RunActions::addSimulatorMenu() {
   menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
   menu->addAction(tr("T&his drawing"), this, &RunActions::simulateDrawing);
   menu->addSeparator();
+  menu->addAction(tr("A &live robot (virtual rig)"), this, &RunActions::openVirtualRig);
   menu->addAction(tr("The &demonstration"), this, &RunActions::openDemonstration);
   parts_.actions["run.simulator"].setMenu(menu);
   parts_.actions.on("run.simulator", this, [this, menu] {  // by its key
@@ -105,6 +106,7 @@ void RunActions::setRobot(Robot robot) {
   if (robot_->truth_map) parts_.overlays.setTruthMap(*robot_->truth_map);
   parts_.layers.setAvailable(Layer::Truth, robot_->truth_map || !robot_->truth.empty());
   parts_.transport.setSource(robot_->name);
+  parts_.transport.setSpeedEnabled(!robot_->live);
   updateActions();
   Q_EMIT robotChanged();
 }
@@ -131,6 +133,8 @@ bool RunActions::openDemonstration() {
   return true;
 }
 
+bool RunActions::openVirtualRig() { return openSimulation(liveSimulation(seed())); }
+
 bool RunActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 
 void RunActions::simulateDrawing() {
@@ -150,6 +154,7 @@ void RunActions::start(RunController::Begin begin) {
   if (!robot_ || !isReady(false)) return;
   last_ = nullptr;
   skipped_ = 0;
+  finished_ = false;
   parts_.messages.clear();
   parts_.charts.clear();
   parts_.camera.setSnapshot(nullptr);
@@ -186,6 +191,8 @@ void RunActions::onFrameSkipped(int frame, const QString& reason) {
 }
 
 void RunActions::onFinished(bool cancelled) {
+  finished_ = !cancelled;
+  parts_.transport.setFinished();
   updateActions();
   Q_EMIT stateChanged();
   if (cancelled || warnOfResult() || skipped_ > 0) return;
@@ -276,13 +283,20 @@ void RunActions::updateActions() {
   const bool has_result = parts_.run.result() != nullptr;
   parts_.actions.setEnabled({"run.run", "run.step"}, can_start || can_go_on);
   parts_.actions.setEnabled({"run.pause"}, state == RunState::Running);
-  parts_.actions.setEnabled({"run.stop"}, state == RunState::Running || state == RunState::Paused);
+  // The drive of a live robot is ended first, and then, if need be, the run that smooths it.
+  const bool can_stop = state == RunState::Running || state == RunState::Paused ||
+                        (state == RunState::Stopping && parts_.run.live());
+  parts_.actions.setEnabled({"run.stop"}, can_stop);
   parts_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"},
                             has_result);
 }
 
 QString RunActions::stateInWords() const {
-  const QString where = last_ ? tr(", %1 of %2").arg(last_->index).arg(last_->count) : QString();
+  QString where;
+  if (last_) {
+    where = last_->count > 0 ? tr(", %1 of %2").arg(last_->index).arg(last_->count)
+                             : tr(", %1").arg(last_->index);
+  }
   switch (parts_.run.state()) {
     case RunState::Running:
       if (last_) return tr("Running") + where;
@@ -290,11 +304,12 @@ QString RunActions::stateInWords() const {
     case RunState::Paused:
       return tr("Paused") + where;
     case RunState::Stopping:
-      return tr("Stopping");
+      return parts_.run.live() ? tr("Finishing") : tr("Stopping");
     case RunState::Idle:
       break;
   }
-  if (last_) return (last_->index == last_->count ? tr("Done") : tr("Stopped")) + where;
+  const bool done = last_ && (last_->count > 0 ? last_->index == last_->count : finished_);
+  if (last_) return (done ? tr("Done") : tr("Stopped")) + where;
   return robot_ ? tr("Ready to run") : tr("No robot");
 }
 

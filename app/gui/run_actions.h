@@ -55,6 +55,8 @@ class RunActions : public QObject {
   /// False: the user wants to keep the drawing.
   bool openDemonstration();
   bool openTwoRows();
+  /// A live robot that is simulated, among two rows of buildings; it starts when the run does.
+  bool openVirtualRig();
   void askForRecording();
   void setRobot(Robot robot);
 
@@ -103,6 +105,7 @@ class RunActions : public QObject {
   std::shared_ptr<const SourceInfo> source_;  ///< of the latest run
   std::shared_ptr<const Snapshot> last_;      ///< of the latest run
   int skipped_ = 0;
+  bool finished_ = false;  ///< the latest run came to its end
 };
 
 }  // namespace handmap

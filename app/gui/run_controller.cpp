@@ -1,5 +1,6 @@
 #include "app/gui/run_controller.h"
 
+#include "app/gui/live_robot.h"
 #include "drivers/paced_source.h"
 
 namespace handmap {
@@ -17,17 +18,19 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   Q_ASSERT(!isActive());
   drawing_ = drawing;
   last_result_ = nullptr;
+  live_ = robot.live;
+  if (live_) live_->begin();
   ++number_;
   pace_ = std::make_shared<Pace>(begin == Begin::Running ? speed_ : kAtOnce);
   RunJob job;
   job.drawing = drawing;
   job.settings = setup.settings;
   job.open =
-      [connect = robot.connect, replay = setup.replay, pace = pace_](
+      [connect = robot.connect, replay = setup.replay, pace = pace_, is_live = live_ != nullptr](
           std::stop_token stop,
           const std::function<void(double)>& progress) -> std::unique_ptr<ObservationSource> {
     auto source = connect(replay, stop, progress);
-    if (!source) return nullptr;
+    if (!source || is_live) return source;
     return std::make_unique<PacedSource>(std::move(source), pace, std::move(stop));
   };
   worker_ = std::make_unique<RunWorker>(std::move(job));
@@ -92,14 +95,21 @@ void RunController::step() {
 
 void RunController::stop() {
   if (!worker_) return;
+  const bool may_finish = live_ && state_ != RunState::Stopping;
+  if (may_finish) {
+    live_->monitor()->end();
+    worker_->resume();
+  } else {
+    worker_->cancel();
+  }
   setState(RunState::Stopping);
-  worker_->cancel();
 }
 
 void RunController::discard() {
   letGo();
   ++number_;
   last_result_ = nullptr;
+  live_ = nullptr;
   drawing_ = {};
   setState(RunState::Idle);
 }

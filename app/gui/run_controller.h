@@ -37,8 +37,11 @@ class RunController : public QObject {
   void resume();
   /// Works in one observation and pauses.
   void step();
-  /// Takes effect at once; finished() says when it has.
+  /// Takes effect at once; finished() says when it has. The first time it only ends the drive of a
+  /// live robot: what was found is then smoothed, as at the end of a recording.
   void stop();
+  /// Of the latest run; nullptr where its robot is not live.
+  std::shared_ptr<LiveLink> live() const { return live_; }
   /// Forgets the run and its result at once: nothing more is heard of it. It ends by itself.
   void discard();
   /// Times the clock of the source; 0: as fast as possible.
@@ -66,6 +69,7 @@ class RunController : public QObject {
   Map drawing_;
   std::shared_ptr<Pace> pace_;
   std::unique_ptr<RunWorker> worker_;
+  std::shared_ptr<LiveLink> live_;
   std::shared_ptr<const RunResult> last_result_;
 };
 

@@ -32,6 +32,8 @@ WelcomeStrip::WelcomeStrip(QWidget* parent)
          &WelcomeStrip::recordingRequested);
   addWay("robot", tr("Simulator"), tr("A robot among buildings that you have a sketch of"),
          &WelcomeStrip::simulatorRequested);
+  addWay("start", tr("Robot"), tr("Connect a live robot: camera or scanner, head, wheels"),
+         &WelcomeStrip::robotRequested);
   auto* close = new QToolButton;
   close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);

@@ -16,6 +16,7 @@ class WelcomeStrip : public QFrame {
   void drawRequested();
   void recordingRequested();
   void simulatorRequested();
+  void robotRequested();
   void demonstrationRequested();
   void closed();
 

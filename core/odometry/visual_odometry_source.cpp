@@ -24,8 +24,12 @@ const View& viewAhead(const Observation& observation) {
 
 class VisualOdometrySource : public ObservationSource {
  public:
-  VisualOdometrySource(std::unique_ptr<ObservationSource> source, const StereoCamera& camera)
-      : source_(std::move(source)), info_(source_->info()), odometry_(camera) {
+  VisualOdometrySource(std::unique_ptr<ObservationSource> source, const StereoCamera& camera,
+                       WhenLost when_lost)
+      : source_(std::move(source)),
+        info_(source_->info()),
+        odometry_(camera),
+        when_lost_(when_lost) {
     info_.start_odometry = {};
     info_.odometry.clear();
     info_.visual_odometry = true;
@@ -47,15 +51,16 @@ class VisualOdometrySource : public ObservationSource {
  private:
   void move(Observation& observation) {
     const auto motion = motionTo(observation);
-    if (motion) pose_ = pose_ * motion->motion;
-    observation.odometry = pose_;
     observation.odometry_guessed = motion && motion->guessed;
+    const bool believed = !observation.odometry_guessed ||
+                          (!observation.standing && observation.time_s - seen_s_ <= kBelieved_s);
+    if (motion && believed) pose_ = pose_ * motion->motion;
+    observation.odometry = pose_;
     if (!observation.odometry_guessed) {
       seen_s_ = observation.time_s;
       seen_frame_ = observation.frame;
-      return;
     }
-    if (!observation.standing && observation.time_s - seen_s_ <= kBelieved_s) return;
+    if (believed || when_lost_ == WhenLost::StandStill) return;
     throw Error(ErrorCode::RunFailed,
                 fmt::format("frame {}: found {} points in common with frame {}, {} of them moving "
                             "as one: too few to tell how the robot moved in between",
@@ -76,6 +81,7 @@ class VisualOdometrySource : public ObservationSource {
   std::unique_ptr<ObservationSource> source_;
   SourceInfo info_;
   StereoOdometry odometry_;
+  WhenLost when_lost_;
   Pose2 pose_;
   double seen_s_ = 0.0;  ///< when the motion was last told by the images
   int seen_frame_ = 0;
@@ -83,12 +89,13 @@ class VisualOdometrySource : public ObservationSource {
 
 }  // namespace
 
-std::unique_ptr<ObservationSource> withVisualOdometry(std::unique_ptr<ObservationSource> source) {
+std::unique_ptr<ObservationSource> withVisualOdometry(std::unique_ptr<ObservationSource> source,
+                                                      WhenLost when_lost) {
   const std::optional<StereoCamera> camera = source->info().camera;
   if (!camera) {
     throwBadInput(source->info().name, "", "no stereo camera", "images for visual odometry");
   }
-  return std::make_unique<VisualOdometrySource>(std::move(source), *camera);
+  return std::make_unique<VisualOdometrySource>(std::move(source), *camera, when_lost);
 }
 
 std::unique_ptr<ObservationSource> replayWithOdometry(Recording recording, ReplayOptions options) {

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/recording/as_written.h"
 
 namespace handmap {
 
@@ -157,7 +158,12 @@ std::vector<FrameRow> readFrameTable(const std::filesystem::path& path, const st
   std::vector<FrameRow> rows;
   for (; line; line = lines.next()) {
     throwIfStopped(stop);
-    rows.push_back(reader.read(*line));
+    try {
+      rows.push_back(reader.read(*line));
+    } catch (const Error&) {
+      if (rows.empty() || !isCutOff(*line, content)) throw;
+      break;
+    }
     if (rows.size() > kMaxRows) {
       throwBadInput(file, fmt::format("line {}", line->number), "one more row",
                     fmt::format("at most {}", kMaxRows));

@@ -17,7 +17,8 @@ inline constexpr int kMaxRowsOfStop = 100;
 
 /// Columns are found by their names; of them `frame` and `time_s` must be there. A column
 /// `right_time_s` tells when the right image was taken. Checks that frames and times increase (rows
-/// of one stop may share them) and that files lie inside the folder. Throws BadInput with the line.
+/// of one stop may share them) and that files lie inside the folder. Throws BadInput with the line;
+/// a last row that was cut off when a recording ended suddenly is left out.
 std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
                                      const std::stop_token& stop = {});
 

@@ -58,7 +58,8 @@ std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptio
 /// Reads one points file (little-endian float32 x y z w). Throws BadInput.
 std::vector<RangePoint> readPoints(const std::filesystem::path& path);
 
-/// Writes this format row by row, so that a crash leaves a readable recording.
+/// Writes this format row by row, so that whatever ends the program leaves a readable recording;
+/// what is older than a second is on the disk, whatever ends the machine.
 class RecordingWriter {
  public:
   /// Creates the folder. Throws RunFailed when it exists and is not empty.
@@ -66,6 +67,9 @@ class RecordingWriter {
   ~RecordingWriter();
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  /// As a replay of what is written gives it: the files round.
+  const SourceInfo& info() const;
 
   /// Appends rows, images (PNG), points and the odometry. `truth` where it is known. A view that
   /// saw nothing leaves no row.

@@ -1,9 +1,12 @@
+#include <cerrno>
+#include <chrono>
 #include <cstring>
-#include <fstream>
 #include <limits>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -17,6 +20,15 @@ namespace handmap {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr auto kSyncEvery = std::chrono::milliseconds(900);
+
+/// Its angles are written in degrees.
+CameraMount asWritten(CameraMount mount) {
+  mount.pitch = toRadians(toDegrees(mount.pitch));
+  mount.yaw = toRadians(toDegrees(mount.yaw));
+  return mount;
+}
 
 std::string formatRecordingJson(const SourceInfo& info) {
   nlohmann::ordered_json json = {{"format", "handmap-recording"},
@@ -53,36 +65,61 @@ void createEmpty(const fs::path& folder) {
   }
 }
 
-/// A text file that grows by whole lines; they are written when append() returns.
+/// A text file that grows by whole lines; they are with the system when append() returns.
 class GrowingFile {
  public:
   explicit GrowingFile(fs::path path) : path_(std::move(path)) {}
+  ~GrowingFile() {
+    if (descriptor_ < 0) return;
+    fdatasync(descriptor_);
+    close(descriptor_);
+  }
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
 
-  void append(const std::string& text) {
-    if (!stream_.is_open()) stream_.open(path_, std::ios::binary | std::ios::app);
-    stream_ << text << std::flush;
-    if (stream_) {
-      written_ += text.size();
-      return;
+  void append(std::string_view text) {
+    if (descriptor_ < 0) {
+      descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kPermissions);
+      if (descriptor_ < 0) fail(errno);
     }
-    const int reason = errno;
-    std::error_code ignored;
-    fs::resize_file(path_, written_, ignored);  // a full disk leaves no half line
+    const auto whole = static_cast<off_t>(text.size());
+    while (!text.empty()) {
+      const ssize_t count = write(descriptor_, text.data(), text.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail(errno);
+      text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    written_ += whole;
+  }
+
+  /// On the disk, as far as there is one.
+  void sync() const {
+    if (descriptor_ < 0 || fdatasync(descriptor_) == 0) return;
+    if (errno != EINVAL && errno != ENOTSUP) fail(errno);
+  }
+
+ private:
+  static constexpr mode_t kPermissions = 0666;  // less the umask
+
+  [[noreturn]] void fail(int reason) const {
+    if (descriptor_ >= 0) {  // a full disk leaves no half line
+      [[maybe_unused]] const int ignored = ftruncate(descriptor_, written_);
+    }
     throw Error(ErrorCode::RunFailed,
                 fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
   }
 
- private:
   fs::path path_;
-  std::ofstream stream_;
-  std::uintmax_t written_ = 0;
+  int descriptor_ = -1;
+  off_t written_ = 0;
 };
 
 }  // namespace
 
 struct RecordingWriter::Files {
-  explicit Files(const fs::path& of_folder)
+  Files(const fs::path& of_folder, SourceInfo its_info)
       : folder(of_folder),
+        info(std::move(its_info)),
         frames(folder / "frames.csv"),
         odometry(folder / "odometry.tum"),
         truth(folder / "truth.tum") {}
@@ -91,7 +128,7 @@ struct RecordingWriter::Files {
   std::string nameOf(const char* kind, const char* ending, const Observation& observation,
                      std::size_t view) const {
     std::error_code ignored;  // writing into it tells
-    fs::create_directories(folder / kind, ignored);
+    fs::create_directory(folder / kind, ignored);
     return fmt::format("{}/{}", kind, fileName(observation, view, ending));
   }
 
@@ -116,7 +153,19 @@ struct RecordingWriter::Files {
     return row;
   }
 
+  /// Poses first: a row is never there without its pose.
+  void syncNowAndThen() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - synced < kSyncEvery) return;
+    synced = now;
+    odometry.sync();
+    truth.sync();
+    frames.sync();
+  }
+
   fs::path folder;
+  SourceInfo info;
+  std::chrono::steady_clock::time_point synced = std::chrono::steady_clock::now();
   GrowingFile frames;
   GrowingFile odometry;
   GrowingFile truth;
@@ -126,13 +175,19 @@ struct RecordingWriter::Files {
 
 RecordingWriter::RecordingWriter(const fs::path& folder, const SourceInfo& info) {
   createEmpty(folder);
-  files_ = std::make_unique<Files>(folder);
-  if (info.camera) writeFileAtomically(folder / "calib.txt", formatCalibration(*info.camera));
+  files_ = std::make_unique<Files>(folder, info);
+  if (info.camera) {
+    const fs::path calibration = folder / "calib.txt";
+    writeFileAtomically(calibration, formatCalibration(*info.camera));
+    files_->info.camera = readCalibration(calibration, "P0", "P1", asWritten(info.camera->mount));
+  }
   writeFileAtomically(folder / "recording.json", formatRecordingJson(info));
   files_->frames.append(frameTableHeader());
 }
 
 RecordingWriter::~RecordingWriter() = default;
+
+const SourceInfo& RecordingWriter::info() const { return files_->info; }
 
 std::string RecordingWriter::fileName(const Observation& observation, std::size_t view,
                                       const char* ending) {
@@ -159,6 +214,7 @@ void RecordingWriter::add(const Observation& observation, const std::optional<Po
     if (row.left.empty() && row.points.empty()) continue;
     files.frames.append(formatFrameRow(row));
   }
+  files.syncNowAndThen();
 }
 
 }  // namespace handmap

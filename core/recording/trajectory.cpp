@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/recording/as_written.h"
 
 namespace handmap {
 
@@ -84,7 +85,13 @@ Trajectory readTum(const std::filesystem::path& path, const std::stop_token& sto
   while (const auto line = lines.next()) {
     throwIfStopped(stop);
     const std::string place = fmt::format("line {}", line->number);
-    const StampedPose stamped = parseTumLine(line->text, file, place);
+    StampedPose stamped;
+    try {
+      stamped = parseTumLine(line->text, file, place);
+    } catch (const Error&) {
+      if (poses.empty() || !isCutOff(*line, content)) throw;
+      break;
+    }
     if (!poses.empty()) checkOrder(poses.back().time_s, stamped.time_s, file, place);
     if (poses.size() == kMaxPoses) {
       throwBadInput(file, place, "one more pose", fmt::format("at most {}", kMaxPoses));
@@ -102,6 +109,17 @@ std::string formatTum(const std::vector<StampedPose>& poses) {
                         pose.y, std::sin(pose.heading / 2.0), std::cos(pose.heading / 2.0));
   }
   return text;
+}
+
+Pose2 asWritten(const Pose2& pose) {
+  constexpr int kMost = 8;  // of three million headings none needed more than two
+  Pose2 written = pose;
+  for (int i = 0; i < kMost; ++i) {
+    const Pose2 again = parseTumLine(formatTum({{0.0, written}}), "pose", "").pose;
+    if (again == written) break;
+    written = again;
+  }
+  return written;
 }
 
 }  // namespace handmap

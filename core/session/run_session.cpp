@@ -110,8 +110,10 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
     if (stop.stop_requested()) return nullptr;
     if (!observation) {
       if (!state.frames.empty()) return state.lastSnapshot(stop, progress);
+      const int count = source().observations;
       throw Error(ErrorCode::RunFailed,
-                  fmt::format("none of {} observations could be used{}{}", source().observations,
+                  fmt::format("none of {} could be used{}{}",
+                              count > 0 ? fmt::format("{} observations", count) : "what came",
                               state.skipped.empty() ? "" : "; the first: ",
                               state.skipped.empty() ? "" : state.skipped.front().reason));
     }

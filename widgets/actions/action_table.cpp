@@ -66,6 +66,8 @@ constexpr std::array kActions = {
 
     ActionSpec{"run.open_recording", "Open Re&cording…", "record", "Ctrl+Shift+O",
                "Take the robot's observations from a recording.", Menu::Run, ToolBar::Transport},
+    ActionSpec{"run.connect", "C&onnect a Robot…", "", "Ctrl+Shift+R",
+               "Put a live robot together: camera or scanner, head, wheels.", Menu::Run},
     ActionSpec{"run.simulator", "Si&mulator", "", "Ctrl+Shift+M",
                "Take the robot's observations from the built-in simulator.", Menu::Run},
     ActionSpec{"run.run", "&Run", "run", "F5", "Localize on the drawing and correct it.", Menu::Run,

@@ -76,10 +76,19 @@ void TransportBar::setSource(const QString& name) {
 
 void TransportBar::setProgress(int index, int count, const FrameReport& report) {
   index_ = index;
-  progress_->setRange(0, std::max(count, 1) * kTicksAStep);
+  progress_->setRange(0, count * kTicksAStep);  // to 0: it shows that something goes on
   progress_->setValue(index * kTicksAStep);
-  frame_->setText(tr("%1 / %2 \u00b7 %3 s").arg(index).arg(count).arg(report.time_s, 0, 'f', 1));
+  const QString how_far = count > 0 ? tr("%1 / %2").arg(index).arg(count) : tr("%1").arg(index);
+  frame_->setText(tr("%1 \u00b7 %2 s").arg(how_far).arg(report.time_s, 0, 'f', 1));
 }
+
+void TransportBar::setFinished() {
+  if (progress_->maximum() > 0) return;
+  progress_->setRange(0, 1);
+  progress_->setValue(1);
+}
+
+void TransportBar::setSpeedEnabled(bool enabled) { speed_->setEnabled(enabled); }
 
 void TransportBar::setShareOfStep(double share) {
   progress_->setValue(index_ * kTicksAStep + static_cast<int>(share * kTicksAStep));

@@ -24,7 +24,11 @@ class TransportBar : public QWidget {
   void setSpeed(double speed);  ///< the nearest there is
 
   void setSource(const QString& name);
+  /// `count` 0: without an end.
   void setProgress(int index, int count, const FrameReport& report);
+  void setFinished();  ///< nothing more is to be waited for
+  /// A live robot keeps to its own clock.
+  void setSpeedEnabled(bool enabled);
   void setShareOfStep(double share);
   void clearProgress();
 

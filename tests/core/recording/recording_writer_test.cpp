@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
+#include "core/recording/as_written.h"
 #include "core/recording/validation.h"
 #include "tests/core/base/comma_locale.h"
 #include "tests/core/base/expect_error.h"
@@ -165,6 +167,66 @@ TEST(RecordingWriter, RefusesTimeGoingBackwards) {
   test::expectError(ErrorCode::RunFailed, [&] { writer.add(movingObservation(4)); },
                     {"frame 4", "frame 5"});
   EXPECT_EQ(openRecording(folder.path()).rows.size(), 1u);
+}
+
+TEST(RecordingWriter, TellsToTheBitWhatAReplayGives) {
+  const test::TemporaryFolder folder;
+  SourceInfo info = cameraInfo();
+  info.camera->baseline = 0.1234567890123;
+  info.camera->mount.pitch = 1.0 / 3.0;
+  info.camera->mount.yaw = -1.0 / 7.0;
+  RecordingWriter writer(folder.path(), info);
+  writer.add(movingObservation(0));
+  const auto source = replay(openRecording(folder.path()), {});
+  const StereoCamera& told = writer.info().camera.value();
+  const StereoCamera& given = source->info().camera.value();
+  EXPECT_EQ(told.fx, given.fx);
+  EXPECT_EQ(told.fy, given.fy);
+  EXPECT_EQ(told.cx, given.cx);
+  EXPECT_EQ(told.cy, given.cy);
+  EXPECT_EQ(told.baseline, given.baseline);
+  EXPECT_EQ(told.mount.x, given.mount.x);
+  EXPECT_EQ(told.mount.y, given.mount.y);
+  EXPECT_EQ(told.mount.pitch, given.mount.pitch);
+  EXPECT_EQ(told.mount.yaw, given.mount.yaw);
+}
+
+TEST(RecordingWriter, APoseAsItIsWrittenReadsBackToTheBit) {
+  const test::TemporaryFolder folder;
+  std::vector<StampedPose> poses;
+  RandomStream random(1);
+  for (int i = 0; i < 2000; ++i) {
+    poses.push_back({i * 0.1, asWritten({random.uniform(-1e4, 1e4), random.uniform(-1.0, 1.0),
+                                         random.uniform(-kPi, kPi)})});
+  }
+  const Trajectory read = readTum(folder.write("odometry.tum", formatTum(poses)));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    ASSERT_EQ(read.poses()[i].pose, poses[i].pose) << i;
+    ASSERT_EQ(read.poses()[i].time_s, poses[i].time_s) << i;
+  }
+}
+
+// Whatever the moment at which the power goes, and whichever of the two files was ahead.
+TEST(RecordingWriter, WhatIsCutOffAnywhereCanBeRead) {
+  const test::TemporaryFolder folder;
+  {
+    RecordingWriter writer(folder.path(), cameraInfo());
+    for (int frame = 0; frame < 3; ++frame) writer.add(movingObservation(frame));
+  }
+  const std::string table = folder.read("frames.csv");
+  const std::size_t second_row = table.find('\n', table.find('\n') + 1) + 1;
+  for (std::size_t size = second_row; size < table.size(); ++size) {
+    folder.write("frames.csv", table.substr(0, size));
+    const Recording recording = openRecording(folder.path());
+    EXPECT_GE(recording.rows.size(), 1U) << size;
+    EXPECT_NO_THROW(replay(recording, {})) << size;
+  }
+  const std::string odometry = folder.read("odometry.tum");
+  folder.write("frames.csv", table.substr(0, second_row));
+  for (std::size_t size = odometry.find('\n') + 1; size < odometry.size(); ++size) {
+    folder.write("odometry.tum", odometry.substr(0, size));
+    EXPECT_NO_THROW(replay(openRecording(folder.path()), {})) << size;
+  }
 }
 
 }  // namespace

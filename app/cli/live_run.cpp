@@ -1,0 +1,154 @@
+#include "app/cli/live_run.h"
+
+#include <QCoreApplication>
+#include <chrono>
+#include <clocale>
+#include <condition_variable>
+#include <ctime>
+#include <functional>
+#include <map>
+#include <mutex>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "app/cli/options.h"
+#include "core/base/error.h"
+#include "drivers/connected/connected_devices.h"
+#include "drivers/virtual/virtual_rig.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr auto kLook = std::chrono::milliseconds(250);
+constexpr double kMostSeconds = 1e7;
+
+/// A folder of its own for this drive.
+std::filesystem::path recordFolder(const std::filesystem::path& inside) {
+  if (inside.empty()) return {};
+  return inside / fmt::format("{:%Y%m%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
+}
+
+VirtualDrive driveThroughDrawing(const Map& drawing, std::uint64_t seed,
+                                 const std::string& faults) {
+  VirtualDrive drive;
+  drive.world = worldFromMap(perturbed(drawing, drawing.uncertainty.position, seed), seed);
+  drive.seed = seed;
+  drive.faults = parseFaults(faults);
+  return drive;
+}
+
+}  // namespace
+
+void addLive(CLI::App& command, LiveArguments& arguments) {
+  command.add_option("--rig", arguments.rig, "A live robot in place of a recording")
+      ->option_text("FILE.json");
+  command.add_flag("--virtual-rig", arguments.virtual_rig,
+                   "A simulated live robot in place of a recording, driving through what the map "
+                   "might be in truth");
+  command
+      .add_option("--faults", arguments.faults,
+                  "What goes wrong in the virtual rig, e.g. scanner:unplug@10+5,odometry:late@20+3")
+      ->option_text("LIST");
+  command.add_option("--record", arguments.record, "Record the live robot into this new folder")
+      ->option_text("DIR");
+  addNumber(command, "--for", arguments.for_s, 0.1, kMostSeconds,
+            "End the live drive after N seconds, as Ctrl-C does");
+}
+
+void checkLive(const CLI::App& command, const LiveArguments& arguments, bool recording) {
+  const int sources = int(recording) + int(!arguments.rig.empty()) + int(arguments.virtual_rig);
+  if (sources != 1) {
+    throw Error(ErrorCode::Usage,
+                fmt::format("found {} of --recording, --rig and --virtual-rig, expected one",
+                            sources == 0 ? "none" : std::to_string(sources)));
+  }
+  const auto refuse = [&command](const char* option, const char* needs) {
+    if (command.count(option) == 0) return;
+    throw Error(ErrorCode::Usage, fmt::format("{}: only with {}", option, needs));
+  };
+  if (recording) {
+    for (const char* option : {"--record", "--for"}) refuse(option, "--rig or --virtual-rig");
+  } else {
+    for (const char* option : {"--from", "--to", "--every", "--source", "--odometry", "--speed"}) {
+      refuse(option, "--recording");
+    }
+  }
+  if (!arguments.virtual_rig) refuse("--faults", "--virtual-rig");
+  if (!arguments.record.empty()) checkOutputFolder(arguments.record);
+}
+
+LiveDrive::LiveDrive(const LiveArguments& arguments, const Map& drawing, std::uint64_t seed)
+    : for_s_(arguments.for_s) {
+  static int count = 1;
+  static char name[] = "handmap-cli";
+  static char* names[] = {name, nullptr};
+  application_ = std::make_unique<QCoreApplication>(count, names);
+  std::setlocale(LC_ALL, "C");  // Qt takes that of the person; files have decimal points
+  job_.monitor = std::make_shared<RigMonitor>();
+  if (arguments.virtual_rig) {
+    VirtualDrive drive = driveThroughDrawing(drawing, seed, arguments.faults);
+    job_.rig = virtualRig(drive);
+    job_.make = virtualDevices(std::move(drive));
+  } else {
+    job_.rig = readRig(arguments.rig);
+    job_.make = connectedDevices();
+  }
+  job_.record = arguments.record.empty() ? recordFolder(job_.rig.record)
+                                         : std::filesystem::path(arguments.record);
+}
+
+LiveDrive::~LiveDrive() = default;
+
+std::unique_ptr<ObservationSource> LiveDrive::open(const Interrupt& interrupt, Progress& progress) {
+  watcher_ = std::jthread([this, &progress, end = interrupt.token()](const std::stop_token& stop) {
+    const std::stop_callback on_interrupt(end, [this] { job_.monitor->end(); });
+    watch(stop, progress);
+  });
+  return openLive(job_, {});
+}
+
+/// Tells every change of a device once, and ends the drive in time.
+void LiveDrive::watch(const std::stop_token& stop, Progress& progress) const {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  std::map<Role, std::string> told;
+  std::string recording_told;
+  const double begin = job_.monitor->now();
+  while (!stop.stop_requested()) {
+    const RigStatus status = job_.monitor->status();
+    for (const DeviceStatus& device : status.devices) {
+      const std::string now = fmt::format("{}: {}{}{}", nameOf(device.role), nameOf(device.state),
+                                          device.detail.empty() ? "" : ": ", device.detail);
+      const bool same_silence = device.state == DeviceState::Degraded &&
+                                told[device.role].starts_with(now.substr(0, now.rfind(" for ")));
+      if (told[device.role] == now || same_silence) continue;
+      told[device.role] = now;
+      progress.message(now);
+    }
+    if (status.recording.error != recording_told) {
+      recording_told = status.recording.error;
+      progress.message(fmt::format("the recording has ended, the run goes on: {}", recording_told));
+    }
+    if (for_s_ && job_.monitor->now() - begin >= *for_s_) job_.monitor->end();
+    never.wait_for(lock, stop, kLook, [] { return false; });
+  }
+}
+
+std::string LiveDrive::summary() const {
+  const RigStatus status = job_.monitor->status();
+  std::string text = fmt::format("{} observations taken, {} passed over for newer ones\n",
+                                 status.given, status.passed_over);
+  for (const auto& [reason, count] : status.refused) {
+    text += fmt::format("not used, {} times: {}\n", count, reason);
+  }
+  if (!status.recording.folder.empty()) {
+    text += fmt::format("recorded: {} observations in {}\n", status.recording.observations,
+                        status.recording.folder);
+  }
+  return text;
+}
+
+}  // namespace handmap

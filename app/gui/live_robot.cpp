@@ -1,0 +1,55 @@
+#include "app/gui/live_robot.h"
+
+#include <QDateTime>
+#include <QObject>
+
+#include "drivers/virtual/virtual_rig.h"
+
+namespace handmap {
+
+namespace {
+
+/// Each drive gets a folder of its own.
+std::filesystem::path newFolder(const std::filesystem::path& inside) {
+  if (inside.empty()) return {};
+  return inside / QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
+}
+
+}  // namespace
+
+void LiveLink::begin() {
+  const std::scoped_lock lock(mutex_);
+  monitor_ = std::make_shared<RigMonitor>();
+}
+
+std::shared_ptr<RigMonitor> LiveLink::monitor() const {
+  const std::scoped_lock lock(mutex_);
+  return monitor_;
+}
+
+Robot liveRobot(const Rig& rig, MakeDevices make) {
+  Robot robot;
+  robot.name = QString::fromStdString(rig.name);
+  robot.opening = QObject::tr("Waiting for the robot");
+  robot.live = std::make_shared<LiveLink>();
+  robot.connect = [rig, make = std::move(make), link = robot.live](
+                      const ReplayOptions&, const std::stop_token& stop,
+                      const std::function<void(double)>&) {
+    return openLive({rig, make, link->monitor(), newFolder(rig.record)}, stop);
+  };
+  return robot;
+}
+
+Robot virtualRobot(World world, std::uint64_t seed) {
+  const Map truth = world.map;
+  VirtualDrive drive;
+  drive.world = std::move(world);
+  drive.seed = seed;
+  const Rig rig = virtualRig(drive);
+  Robot robot = liveRobot(rig, virtualDevices(std::move(drive)));
+  robot.name = QObject::tr("Virtual rig");
+  robot.truth_map = truth;
+  return robot;
+}
+
+}  // namespace handmap

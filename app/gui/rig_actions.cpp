@@ -1,0 +1,75 @@
+#include "app/gui/rig_actions.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <filesystem>
+
+#include "app/gui/docks.h"
+#include "app/gui/live_panel.h"
+#include "app/gui/live_robot.h"
+#include "app/gui/message_bar.h"
+#include "app/gui/run_actions.h"
+#include "core/base/error.h"
+#include "drivers/connected/connected_devices.h"
+#include "widgets/actions/action_set.h"
+
+namespace handmap {
+
+namespace {
+constexpr auto kRigKey = "files/rig";
+}
+
+RigActions::RigActions(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+  parts_.actions.on("run.connect", this, [this] { showDialog(); });
+  connect(&parts_.run, &RunController::stateChanged, this, &RigActions::followRun);
+  connect(&parts_.runs, &RunActions::runForgotten, this, &RigActions::followRun);
+}
+
+void RigActions::showDialog() {
+  if (!dialog_) {
+    dialog_ = new RigDialog(parts_.dialogs, connectedDevices(), &parts_.window);
+    dialog_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog_, &RigDialog::chosen, this, &RigActions::use);
+    connect(dialog_, &RigDialog::fileUsed, this,
+            [this](const QString& path) { parts_.settings.setValue(kRigKey, path); });
+    const QString last = parts_.settings.value(kRigKey).toString();
+    if (QFileInfo::exists(last)) dialog_->open(last);
+  }
+  dialog_->show();
+  dialog_->raise();
+  dialog_->activateWindow();
+}
+
+void RigActions::openRig(const QString& path) {
+  try {
+    use(readRig(std::filesystem::absolute(path.toStdString())));
+    parts_.settings.setValue(kRigKey, path);
+  } catch (const Error& error) {
+    parts_.messages.show(MessageBar::Kind::Error, QString::fromStdString(error.what()),
+                         QString::fromStdString(error.hint()));
+  }
+}
+
+void RigActions::use(const Rig& rig) {
+  parts_.runs.setRobot(liveRobot(rig, connectedDevices()));
+  parts_.messages.show(
+      MessageBar::Kind::Info, tr("“%1” is the robot now.").arg(QString::fromStdString(rig.name)),
+      tr("Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends "
+         "the drive."));
+}
+
+/// Its devices are looked at while the run goes on; what they said last stays.
+void RigActions::followRun() {
+  const auto link = parts_.run.live();
+  LivePanel& panel = parts_.docks.live();
+  if (!link) {
+    panel.clear();
+  } else if (parts_.run.isActive()) {
+    panel.follow([link] { return link->monitor(); });
+  } else {
+    panel.follow({});
+  }
+  parts_.docks.showLiveDock(link != nullptr);
+}
+
+}  // namespace handmap

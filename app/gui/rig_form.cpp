@@ -1,0 +1,292 @@
+#include "app/gui/rig_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSerialPortInfo>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "app/gui/dialogs.h"
+#include "core/geometry/pose2.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kMostPixels = 16384;
+
+QString cameraHint() {
+  return RigForm::tr("A device (/dev/video0), a video file, or the URL of a network camera");
+}
+QString portHint() {
+  return RigForm::tr(
+      "A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or "
+      "tcp://host:port; of ROS the rosbridge: ws://host:9090");
+}
+
+void offer(QComboBox& box, const QStringList& choices) {
+  const QString now = box.currentText();
+  box.clear();
+  box.addItems(choices);
+  box.setEditText(now);
+}
+
+std::string textOf(const QComboBox& box) { return box.currentText().trimmed().toStdString(); }
+std::string textOf(const QLineEdit& edit) { return edit.text().trimmed().toStdString(); }
+
+}  // namespace
+
+RigForm::RigForm(Dialogs& dialogs, QWidget* parent)
+    : QWidget(parent), dialogs_(dialogs), form_(new QFormLayout(this)), name_(new QLineEdit) {
+  form_->setContentsMargins(4, 4, 4, 4);
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  name_->setObjectName("rig_name");
+  form_->addRow(tr("Name"), name_);
+  makeSensorRows(*form_);
+  makeMotionRows(*form_);
+  record_ = new QLineEdit;
+  record_->setPlaceholderText(tr("not recorded"));
+  record_->setToolTip(tr("Each run gets a new folder in it"));
+  form_->addRow(tr("Record into"), withBrowse(record_, true));
+  connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
+  connect(odometry_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
+  connect(has_head_, &QCheckBox::toggled, this, &RigForm::showRows);
+  listPorts();
+  Rig rig;
+  rig.name = tr("My robot").toStdString();
+  rig.camera = CameraRig{};
+  rig.odometry.kind = OdometryRigKind::Visual;
+  setRig(rig);
+}
+
+void RigForm::makeSensorRows(QFormLayout& form) {
+  sees_ = new QComboBox;
+  sees_->setObjectName("rig_sees");
+  sees_->addItem(tr("Stereo camera, both images in one"), static_cast<int>(Sees::SideBySide));
+  sees_->addItem(tr("Two cameras"), static_cast<int>(Sees::TwoCameras));
+  sees_->addItem(tr("Laser scanner: Hokuyo"), static_cast<int>(Sees::Hokuyo));
+  sees_->addItem(tr("Laser scanner: RPLIDAR"), static_cast<int>(Sees::Rplidar));
+  sees_->addItem(tr("Laser scanner over ROS"), static_cast<int>(Sees::Ros));
+  sees_->addItem(tr("Point cloud over ROS"), static_cast<int>(Sees::RosCloud));
+  form.addRow(tr("Sees with"), sees_);
+  left_ = addPort(form, tr("Camera"), cameraHint());
+  left_->setObjectName("rig_camera");
+  right_ = addPort(form, tr("Right camera"), cameraHint());
+  calibration_ = new QLineEdit;
+  calibration_->setObjectName("rig_calibration");
+  calibration_->setToolTip(tr("calib.yml as “handmap-cli calibrate” writes it"));
+  calibration_row_ = withBrowse(calibration_, false);
+  form.addRow(tr("Calibration"), calibration_row_);
+  width_ = new QSpinBox;
+  height_ = new QSpinBox;
+  for (const auto& [box, label] :
+       {std::pair(width_, tr("Image width")), std::pair(height_, tr("Image height"))}) {
+    box->setRange(0, kMostPixels);
+    box->setSpecialValueText(tr("as it comes"));
+    box->setSuffix(tr(" px"));
+    form.addRow(label, box);
+  }
+  scanner_port_ = addPort(form, tr("Scanner"), portHint());
+  scanner_port_->setObjectName("rig_scanner");
+  scanner_topic_ = new QLineEdit(QStringLiteral("/scan"));
+  form.addRow(tr("Topic"), scanner_topic_);
+  x_ = addNumber(form, tr("Sensor ahead"), -100.0, 100.0, tr(" m"));
+  y_ = addNumber(form, tr("Sensor left"), -100.0, 100.0, tr(" m"));
+  z_ = addNumber(form, tr("Sensor height"), -100.0, 100.0, tr(" m"));
+  yaw_ = addNumber(form, tr("Turned left"), -360.0, 360.0, tr("°"));
+  pitch_ = addNumber(form, tr("Looks down by"), -360.0, 360.0, tr("°"));
+  range_ = addNumber(form, tr("Sees at most"), 1.0, 200.0, tr(" m"));
+}
+
+void RigForm::makeMotionRows(QFormLayout& form) {
+  has_head_ = new QCheckBox(tr("It stops, and a pan-tilt head (PTU-D46) looks around"));
+  form.addRow(has_head_);
+  head_port_ = addPort(form, tr("Head"), portHint());
+  odometry_ = new QComboBox;
+  odometry_->setObjectName("rig_odometry");
+  odometry_->addItem(tr("Wheels: lines of text"), static_cast<int>(OdometryRigKind::Lines));
+  odometry_->addItem(tr("Wheels over ROS"), static_cast<int>(OdometryRigKind::Ros));
+  odometry_->addItem(tr("No wheels: the images"), static_cast<int>(OdometryRigKind::Visual));
+  odometry_->addItem(tr("No wheels: the scans"), static_cast<int>(OdometryRigKind::Scan));
+  odometry_->addItem(tr("Nothing"), static_cast<int>(OdometryRigKind::None));
+  form.addRow(tr("Motion told by"), odometry_);
+  odometry_port_ = addPort(form, tr("Wheels"), portHint());
+  odometry_port_->setObjectName("rig_wheels");
+  odometry_topic_ = new QLineEdit(QStringLiteral("/odom"));
+  form.addRow(tr("Topic"), odometry_topic_);
+}
+
+QComboBox* RigForm::addPort(QFormLayout& form, const QString& label, const QString& hint) {
+  auto* box = new QComboBox;
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  box->setToolTip(hint);
+  form.addRow(label, box);
+  return box;
+}
+
+QDoubleSpinBox* RigForm::addNumber(QFormLayout& form, const QString& label, double low, double high,
+                                   const QString& suffix) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(low, high);
+  box->setDecimals(3);
+  box->setSingleStep(0.1);
+  box->setSuffix(suffix);
+  form.addRow(label, box);
+  return box;
+}
+
+QWidget* RigForm::withBrowse(QLineEdit* edit, bool folder) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* browse = new QToolButton;
+  browse->setText(QStringLiteral("…"));
+  browse->setToolTip(folder ? tr("Choose a folder") : tr("Choose a file"));
+  layout->addWidget(edit, 1);
+  layout->addWidget(browse);
+  connect(browse, &QToolButton::clicked, this, [this, edit, folder] {
+    const QString chosen = folder
+                               ? dialogs_.folderToOpen(tr("Record into"), edit->text())
+                               : dialogs_.fileToOpen({tr("Calibration of the camera"),
+                                                      edit->text(),
+                                                      tr("Calibrations (*.yml *.yaml *.xml *.txt)"),
+                                                      {},
+                                                      {}});
+    if (!chosen.isEmpty()) edit->setText(chosen);
+  });
+  return row;
+}
+
+RigForm::Sees RigForm::sees() const { return static_cast<Sees>(sees_->currentData().toInt()); }
+
+ScannerKind RigForm::scannerOf(Sees sees) {
+  switch (sees) {
+    case Sees::Rplidar:
+      return ScannerKind::Rplidar;
+    case Sees::Ros:
+      return ScannerKind::Ros;
+    case Sees::RosCloud:
+      return ScannerKind::RosCloud;
+    default:
+      return ScannerKind::Hokuyo;
+  }
+}
+
+void RigForm::showRows() {
+  const bool camera = hasCamera();
+  const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
+  const bool ros = odometry == OdometryRigKind::Ros;
+  form_->setRowVisible(left_, camera);
+  form_->setRowVisible(right_, sees() == Sees::TwoCameras);
+  form_->setRowVisible(calibration_row_, camera);
+  form_->setRowVisible(width_, camera);
+  form_->setRowVisible(height_, camera);
+  form_->setRowVisible(pitch_, camera);
+  form_->setRowVisible(scanner_port_, !camera);
+  form_->setRowVisible(scanner_topic_, sees() == Sees::Ros || sees() == Sees::RosCloud);
+  form_->setRowVisible(has_head_, camera);
+  form_->setRowVisible(head_port_, camera && has_head_->isChecked());
+  form_->setRowVisible(odometry_port_, ros || odometry == OdometryRigKind::Lines);
+  form_->setRowVisible(odometry_topic_, ros);
+}
+
+void RigForm::listPorts() {
+  QStringList serial;
+  for (const QSerialPortInfo& port : QSerialPortInfo::availablePorts()) {
+    serial << port.systemLocation();
+  }
+  for (QComboBox* box : {scanner_port_, head_port_, odometry_port_}) offer(*box, serial);
+  QStringList cameras;
+  for (const QString& name : QDir("/dev").entryList({"video*"}, QDir::System, QDir::Name)) {
+    cameras << QStringLiteral("/dev/") + name;
+  }
+  for (QComboBox* box : {left_, right_}) offer(*box, cameras);
+}
+
+Rig RigForm::rig() const {
+  Rig rig = kept_;
+  rig.name = textOf(*name_);
+  if (rig.name.empty()) rig.name = tr("My robot").toStdString();
+  rig.range_limit_m = range_->value();
+  if (hasCamera()) {
+    CameraRig camera = kept_.camera.value_or(CameraRig{});
+    camera.left = textOf(*left_);
+    camera.right = sees() == Sees::TwoCameras ? textOf(*right_) : std::string();
+    camera.calibration = textOf(*calibration_);
+    camera.width = width_->value();
+    camera.height = height_->value();
+    camera.mount = {x_->value(), y_->value(), z_->value(), toRadians(pitch_->value()),
+                    toRadians(yaw_->value())};
+    rig.camera = camera;
+    rig.scanner.reset();
+    rig.head.reset();
+    if (has_head_->isChecked()) rig.head = HeadRig{textOf(*head_port_)};
+  } else {
+    ScannerRig scanner;
+    scanner.kind = scannerOf(sees());
+    scanner.port = textOf(*scanner_port_);
+    scanner.topic = textOf(*scanner_topic_);
+    scanner.mount = {x_->value(), y_->value(), z_->value(), toRadians(yaw_->value())};
+    rig.scanner = scanner;
+    rig.camera.reset();
+    rig.head.reset();
+  }
+  if (!rig.head) rig.stops.reset();
+  rig.odometry = {static_cast<OdometryRigKind>(odometry_->currentData().toInt()),
+                  textOf(*odometry_port_), textOf(*odometry_topic_)};
+  rig.record = textOf(*record_);
+  // One set of checks for what a person enters and what a file says.
+  return parseRig(formatRig(rig, {}), tr("The rig").toStdString(), {});
+}
+
+void RigForm::setRig(const Rig& rig) {
+  kept_ = rig;
+  name_->setText(QString::fromStdString(rig.name));
+  range_->setValue(rig.range_limit_m);
+  if (rig.camera) {
+    const CameraRig& camera = *rig.camera;
+    const Sees sees = camera.right.empty() ? Sees::SideBySide : Sees::TwoCameras;
+    sees_->setCurrentIndex(sees_->findData(static_cast<int>(sees)));
+    left_->setEditText(QString::fromStdString(camera.left));
+    right_->setEditText(QString::fromStdString(camera.right));
+    calibration_->setText(QString::fromStdString(camera.calibration.string()));
+    width_->setValue(camera.width);
+    height_->setValue(camera.height);
+    x_->setValue(camera.mount.x);
+    y_->setValue(camera.mount.y);
+    z_->setValue(camera.mount.z);
+    yaw_->setValue(toDegrees(camera.mount.yaw));
+    pitch_->setValue(toDegrees(camera.mount.pitch));
+  }
+  if (rig.scanner) {
+    const ScannerRig& scanner = *rig.scanner;
+    for (const Sees sees : {Sees::Hokuyo, Sees::Rplidar, Sees::Ros, Sees::RosCloud}) {
+      if (scannerOf(sees) != scanner.kind) continue;
+      sees_->setCurrentIndex(sees_->findData(static_cast<int>(sees)));
+    }
+    scanner_port_->setEditText(QString::fromStdString(scanner.port));
+    if (!scanner.topic.empty()) scanner_topic_->setText(QString::fromStdString(scanner.topic));
+    x_->setValue(scanner.mount.x);
+    y_->setValue(scanner.mount.y);
+    z_->setValue(scanner.mount.z);
+    yaw_->setValue(toDegrees(scanner.mount.yaw));
+  }
+  has_head_->setChecked(rig.head.has_value());
+  if (rig.head) head_port_->setEditText(QString::fromStdString(rig.head->port));
+  odometry_->setCurrentIndex(odometry_->findData(static_cast<int>(rig.odometry.kind)));
+  odometry_port_->setEditText(QString::fromStdString(rig.odometry.port));
+  if (!rig.odometry.topic.empty()) {
+    odometry_topic_->setText(QString::fromStdString(rig.odometry.topic));
+  }
+  record_->setText(QString::fromStdString(rig.record.string()));
+  showRows();
+}
+
+}  // namespace handmap

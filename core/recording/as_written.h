@@ -1,0 +1,21 @@
+// What files make of what is written to them.
+#pragma once
+
+#include <string_view>
+
+#include "core/base/text.h"
+#include "core/geometry/pose2.h"
+
+namespace handmap {
+
+/// What readTum() gives of a pose that formatTum() wrote: rounded. It stays itself when it is
+/// written again.
+Pose2 asWritten(const Pose2& pose);
+
+/// Whether the file ends in this line and without a line end: it may be only a part of what was to
+/// be written when the power went.
+inline bool isCutOff(const TextLine& line, std::string_view content) {
+  return line.text.data() + line.text.size() == content.data() + content.size();
+}
+
+}  // namespace handmap

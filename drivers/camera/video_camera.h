@@ -1,0 +1,57 @@
+// A stereo camera through OpenCV's VideoCapture: one device that gives both images side by side, or
+// two devices.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "drivers/camera/frame_check.h"
+#include "drivers/camera/frame_grabber.h"
+#include "drivers/device/device.h"
+#include "drivers/rig/rig.h"
+
+namespace handmap {
+
+class VideoCamera : public PairCamera {
+  Q_OBJECT
+ public:
+  /// `refused` is told why an image was not used, in the thread of this object.
+  VideoCamera(CameraRig rig, RigClock clock, std::function<void(const std::string&)> refused);
+  ~VideoCamera() override;
+
+  void open() override;
+  /// Waits for the threads of the cameras: as long as a camera takes for an image.
+  void close() override;
+
+ private:
+  struct Arrived {
+    Side side;
+    TimedImage frame;
+  };
+  std::unique_ptr<FrameGrabber> grabber(Side side, const std::string& source);
+  void arrive(Side side, TimedImage frame);
+  void takeArrived();
+  void use(Side side, TimedImage frame);
+  void giveHalves(const TimedImage& frame);
+  void giveMatched(Side side, TimedImage frame);
+  void tell(Side side, FrameGrabber::State state, const std::string& detail);
+  void setState(DeviceState state, const std::string& detail);
+
+  CameraRig rig_;
+  RigClock clock_;
+  std::function<void(const std::string&)> refused_;
+  PairMatcher matcher_;
+  FrameCheck checks_[2];
+  DeviceState state_ = DeviceState::Closed;
+  std::string detail_;
+  long unmatched_ = 0;
+  int without_pair_ = 0;  ///< images in a row
+  std::mutex mutex_;
+  std::vector<Arrived> arrived_;  ///< under mutex_
+  std::vector<std::unique_ptr<FrameGrabber>> grabbers_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,168 @@
+#include "drivers/live/assembler.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace handmap {
+
+namespace {
+
+/// Older than that it was held up somewhere, and the time stamp may be wrong too.
+constexpr double kLatest_s = 2.0;
+constexpr double kFuture_s = 0.1;
+/// Odometry of 5 Hz comes within it; nobody wants to wait longer.
+constexpr double kOdometryPatience_s = 0.5;
+constexpr std::size_t kMostWaiting = 8;
+constexpr std::size_t kMostPoints = 500'000;
+
+bool isFinite(const Pose2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
+
+std::vector<RangePoint> inRobotFrame(const std::vector<RangePoint>& points,
+                                     const ScannerMount& mount) {
+  const Pose2 pose{mount.x, mount.y, mount.yaw};
+  std::vector<RangePoint> moved;
+  moved.reserve(points.size());
+  for (const RangePoint& p : points) {
+    const bool usable = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) &&
+                        p.w >= 0.0F && p.w <= 1.0F;
+    if (!usable) continue;
+    const Vec2 at = pose.toOuter({p.x, p.y});
+    moved.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()),
+                     p.z + static_cast<float>(mount.z), p.w});
+  }
+  return moved;
+}
+
+}  // namespace
+
+Assembler::Assembler(const Rig& rig, Sinks sinks) : rig_(rig), sinks_(std::move(sinks)) {
+  if (rig.head) stops_.emplace(rig.stops.value_or(sixPans()));
+}
+
+bool Assembler::isTimely(double time_s, double& newest_s, double now_s, const char* what) {
+  const char* wrong = nullptr;
+  if (!std::isfinite(time_s) || time_s > now_s + kFuture_s) {
+    wrong = "stamped in the future";
+  } else if (time_s < now_s - kLatest_s) {
+    wrong = "late";
+  } else if (time_s <= newest_s) {
+    wrong = "repeated or out of order";
+  }
+  if (wrong != nullptr) {
+    sinks_.refused(fmt::format("{} {}", what, wrong));
+    return false;
+  }
+  newest_s = time_s;
+  return true;
+}
+
+void Assembler::moved(double time_s, const Pose2& pose, double now_s) {
+  if (!isFinite(pose)) return sinks_.refused("odometry that is not finite");
+  if (!isTimely(time_s, newest_odometry_s_, now_s, "odometry")) return;
+  odometry_.add(time_s, pose);
+  settle(now_s);
+  if (stops_) act(stops_->moved(time_s, pose, odometry_.standingFor()));
+}
+
+void Assembler::scanned(double time_s, const std::vector<RangePoint>& points, double now_s) {
+  if (!rig_.scanner) return;
+  if (points.size() > kMostPoints) return sinks_.refused("scan with too many points");
+  if (!isTimely(time_s, newest_view_s_, now_s, "scan")) return;
+  View view;
+  view.points = inRobotFrame(points, rig_.scanner->mount);
+  if (view.points->empty()) return sinks_.refused("scan without a single return");
+  addMoving(time_s, std::move(view));
+  settle(now_s);
+}
+
+void Assembler::pairTaken(double time_s, const cv::Mat& left, const cv::Mat& right, double now_s) {
+  if (!rig_.camera) return;
+  if (!isTimely(time_s, newest_view_s_, now_s, "pair of images")) return;
+  if (!stops_) {
+    addMoving(time_s, {0.0, left, right, std::nullopt});
+    return settle(now_s);
+  }
+  const auto action = stops_->pairTaken(time_s);
+  if (!action) return;
+  if (stop_views_.empty()) stop_time_s_ = time_s;
+  stop_views_.push_back({action->pan, left, right, std::nullopt});
+  act(stops_->tick(now_s));
+}
+
+void Assembler::headArrived(double pan, double now_s) {
+  if (stops_) act(stops_->arrived(now_s, pan));
+}
+
+void Assembler::headLost() {
+  if (stops_) act(stops_->headLost());
+}
+
+void Assembler::lookAround() {
+  if (stops_) stops_->trigger();
+}
+
+void Assembler::tick(double now_s) {
+  settle(now_s);
+  if (stops_) act(stops_->tick(now_s));
+}
+
+void Assembler::addMoving(double time_s, View view) {
+  waiting_.push_back({time_s, std::move(view)});
+  if (waiting_.size() <= kMostWaiting) return;
+  waiting_.pop_front();
+  sinks_.refused("no odometry at the time of an observation");
+}
+
+/// Gives out what has its odometry by now, in order, and gives up on what waited too long.
+void Assembler::settle(double now_s) {
+  while (!waiting_.empty()) {
+    const double time_s = waiting_.front().time_s;
+    const std::optional<Pose2> pose = rig_.odometry.isMeasured() ? odometry_.at(time_s) : Pose2{};
+    if (!pose && now_s - time_s < kOdometryPatience_s) return;
+    Waiting ready = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (!pose) {
+      sinks_.refused("no odometry at the time of an observation");
+      continue;
+    }
+    std::vector<View> views;
+    views.push_back(std::move(ready.view));
+    deliver(time_s, *pose, false, std::move(views));
+  }
+}
+
+void Assembler::deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views) {
+  if (time_s <= delivered_s_) return sinks_.refused("observation out of order");
+  delivered_s_ = time_s;
+  Observation observation;
+  observation.frame = frame_++;
+  observation.time_s = time_s;
+  observation.standing = standing;
+  observation.odometry = pose;
+  observation.views = std::move(views);
+  sinks_.whole(std::move(observation));
+}
+
+void Assembler::act(std::optional<StopScan::Action> action) {
+  if (!action) return;
+  using Kind = StopScan::Action::Kind;
+  switch (action->kind) {
+    case Kind::Look:
+      return sinks_.look(action->pan);
+    case Kind::Take:
+      return;  // pairTaken() has the images
+    case Kind::Deliver:
+      deliver(stop_time_s_, action->pose, true, std::exchange(stop_views_, {}));
+      return sinks_.look(0.0);
+    case Kind::Drop:
+      stop_views_.clear();
+      sinks_.refused(fmt::format("look around: {}", action->reason));
+      return sinks_.look(action->pan);
+  }
+}
+
+}  // namespace handmap

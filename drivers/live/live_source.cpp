@@ -1,0 +1,136 @@
+#include "drivers/live/live_source.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/odometry/visual_odometry_source.h"
+#include "core/recording/calibration.h"
+#include "core/recording/image_check.h"
+#include "core/recording/rectifier.h"
+#include "core/recording/stereo_calibration.h"
+#include "core/trajectory/scan_odometry_source.h"
+#include "drivers/live/recording_source.h"
+#include "drivers/live/rig_host.h"
+
+namespace handmap {
+
+namespace {
+
+/// The camera behind the images that the run gets, and how they are made.
+struct Optics {
+  StereoCamera camera;
+  std::optional<Rectifier> rectifier;  ///< none: they come rectified
+};
+
+Optics opticsOf(const CameraRig& rig) {
+  const std::string ending = rig.calibration.extension().string();
+  if (ending == ".txt") return {readCalibration(rig.calibration, "P0", "P1", rig.mount), {}};
+  Rectifier rectifier(readStereoCalibration(rig.calibration), rig.calibration.string());
+  const StereoCamera camera = rectifier.camera(rig.mount);
+  return {camera, std::move(rectifier)};
+}
+
+class LiveSource : public ObservationSource {
+ public:
+  LiveSource(const LiveJob& job, std::stop_token stop)
+      : monitor_(job.monitor), stop_(std::move(stop)) {
+    info_.name = job.rig.name;
+    info_.range_limit_m = job.rig.range_limit_m;
+    info_.speed = 1.0;
+    if (job.rig.camera) {
+      optics_ = opticsOf(*job.rig.camera);
+      info_.camera = optics_->camera;
+    }
+    host_ = std::make_unique<RigHost>(job.rig, job.make, monitor_);
+  }
+
+  /// False: there will be none.
+  bool waitForFirst() {
+    while (!first_) {
+      try {
+        first_ = take();
+        if (!first_) return false;
+      } catch (const FrameError&) {
+        // told by the monitor
+      }
+    }
+    info_.start_odometry = first_->odometry;
+    return true;
+  }
+
+  const SourceInfo& info() const override { return info_; }
+
+  std::optional<Observation> next() override {
+    if (first_) return std::exchange(first_, std::nullopt);
+    return take();
+  }
+
+ private:
+  std::optional<Observation> take() {
+    std::optional<Observation> observation = host_->next(stop_);
+    if (!observation) return observation;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      for (View& view : observation->views) prepare(view, observation->frame);
+    } catch (const Error& error) {
+      monitor_->refused("image that nothing can be seen with", error.what());
+      throw FrameError(observation->frame, error.what());
+    }
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - begin;
+    observation->read_ms = spent.count();
+    monitor_->given();
+    return observation;
+  }
+
+  void prepare(View& view, int frame) {
+    if (view.left.empty()) return;
+    const std::string name = fmt::format("live frame {}", frame);
+    if (optics_->rectifier && view.left.size() != optics_->rectifier->size()) {
+      const cv::Size expected = optics_->rectifier->size();
+      throwBadInput(
+          name, "", fmt::format("{} × {} pixels", view.left.cols, view.left.rows),
+          fmt::format("{} × {} as the calibration says", expected.width, expected.height));
+    }
+    checkPicture(view.left, name + ", left");
+    checkPicture(view.right, name + ", right");
+    if (optics_->rectifier) {
+      view.left = optics_->rectifier->left(view.left);
+      view.right = optics_->rectifier->right(view.right);
+    }
+    swap_check_(view.left, view.right, name);
+  }
+
+  std::shared_ptr<RigMonitor> monitor_;
+  std::stop_token stop_;
+  SourceInfo info_;
+  std::optional<Optics> optics_;
+  SwapCheck swap_check_;
+  std::unique_ptr<RigHost> host_;
+  std::optional<Observation> first_;
+};
+
+std::unique_ptr<ObservationSource> withOdometry(std::unique_ptr<ObservationSource> source,
+                                                OdometryRigKind kind) {
+  if (kind == OdometryRigKind::Visual) {
+    return withVisualOdometry(std::move(source), WhenLost::StandStill);
+  }
+  if (kind == OdometryRigKind::Scan) return withScanOdometry(std::move(source));
+  return source;
+}
+
+}  // namespace
+
+std::unique_ptr<ObservationSource> openLive(const LiveJob& job, const std::stop_token& stop) {
+  auto live = std::make_unique<LiveSource>(job, stop);
+  if (!live->waitForFirst()) return nullptr;
+  auto source = withOdometry(std::move(live), job.rig.odometry.kind);
+  if (job.record.empty()) return source;
+  return recorded(
+      std::move(source), job.record,
+      [monitor = job.monitor](const RecordingStatus& status) { monitor->setRecording(status); });
+}
+
+}  // namespace handmap

@@ -1,0 +1,27 @@
+// The last minute of a robot's odometry.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/recording/trajectory.h"
+
+namespace handmap {
+
+class OdometryTrack {
+ public:
+  /// False: not later than the newest, and left out.
+  bool add(double time_s, const Pose2& pose);
+
+  /// Interpolated between two poses not more than a second apart. nullopt where there are none
+  /// around that time: not yet, or no more.
+  std::optional<Pose2> at(double time_s) const;
+  /// So long the robot has not moved, at the newest pose; 0 where there is none.
+  double standingFor() const;
+
+ private:
+  std::deque<StampedPose> poses_;
+  std::optional<StampedPose> stood_at_;  ///< since then no motion
+};
+
+}  // namespace handmap

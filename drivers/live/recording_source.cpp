@@ -1,0 +1,69 @@
+#include "drivers/live/recording_source.h"
+
+#include "core/base/error.h"
+#include "core/recording/as_written.h"
+
+namespace handmap {
+
+namespace {
+
+class RecordingSource : public ObservationSource {
+ public:
+  RecordingSource(std::unique_ptr<ObservationSource> source, const std::filesystem::path& folder,
+                  RecordingListener listener)
+      : source_(std::move(source)),
+        writer_(std::make_unique<RecordingWriter>(folder, source_->info())),
+        info_(writer_->info()),
+        listener_(std::move(listener)) {
+    status_.folder = folder.string();
+    info_.start_odometry = asWritten(info_.start_odometry);
+    info_.visual_odometry = false;  // it is the recording's own now
+    tell();
+  }
+
+  const SourceInfo& info() const override { return info_; }
+
+  std::optional<Observation> next() override {
+    std::optional<Observation> observation = source_->next();
+    if (!observation) {
+      writer_.reset();
+      return observation;
+    }
+    observation->odometry = asWritten(observation->odometry);
+    for (View& view : observation->views) view.pan = toRadians(toDegrees(view.pan));
+    write(*observation);
+    return observation;
+  }
+
+ private:
+  void write(const Observation& observation) {
+    if (!writer_) return;
+    try {
+      writer_->add(observation);
+      ++status_.observations;
+    } catch (const Error& error) {
+      writer_.reset();
+      status_.error = error.what();
+    }
+    tell();
+  }
+  void tell() const {
+    if (listener_) listener_(status_);
+  }
+
+  std::unique_ptr<ObservationSource> source_;
+  std::unique_ptr<RecordingWriter> writer_;  ///< nullptr: ended
+  SourceInfo info_;
+  RecordingListener listener_;
+  RecordingStatus status_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObservationSource> recorded(std::unique_ptr<ObservationSource> source,
+                                            const std::filesystem::path& folder,
+                                            RecordingListener listener) {
+  return std::make_unique<RecordingSource>(std::move(source), folder, std::move(listener));
+}
+
+}  // namespace handmap

@@ -1,0 +1,207 @@
+#include "drivers/live/rig_host.h"
+
+#include <QEventLoop>
+#include <QTimer>
+#include <exception>
+
+#include "core/base/error.h"
+#include "drivers/live/assembler.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kTick_ms = 50;
+/// For the last commands to leave: halt, laser off.
+constexpr int kRest_ms = 200;
+
+}  // namespace
+
+/// What lives in the thread.
+class RigHost::Hosting {
+ public:
+  Hosting(const Rig& rig, const MakeDevices& make, RigMonitor& monitor, Inbox& inbox)
+      : monitor_(monitor),
+        inbox_(inbox),
+        assembler_(rig, {[this](Observation observation) { give(std::move(observation)); },
+                         [this](double pan) { look(pan); },
+                         [this](const std::string& reason) { monitor_.refused(reason); }}),
+        devices_(make(rig, monitor)) {
+    connectSensors();
+    connectHead();
+    QObject::connect(&ticking_, &QTimer::timeout, &context_,
+                     [this] { guarded([this] { tick(); }); });
+  }
+
+  void open() {
+    forEach([](Device& device) { device.open(); });
+    ticking_.start(kTick_ms);
+  }
+
+  void close() {
+    ticking_.stop();
+    if (devices_.head) devices_.head->halt();
+    forEach([](Device& device) { device.close(); });
+  }
+
+ private:
+  void tick() {
+    if (monitor_.takeLookAround()) assembler_.lookAround();
+    assembler_.tick(monitor_.now());
+    monitor_.setActivity(assembler_.activity());
+  }
+
+  /// What a device says may never end the event loop.
+  template <typename Work>
+  void guarded(Work work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      monitor_.refused("unexpected error", error.what());
+    }
+  }
+
+  template <typename Work>
+  void forEach(Work work) {
+    if (devices_.odometry) work(*devices_.odometry);
+    if (devices_.scanner) work(*devices_.scanner);
+    if (devices_.camera) work(*devices_.camera);
+    if (devices_.head) work(*devices_.head);
+  }
+
+  void watch(Device& device, Role role) {
+    monitor_.add(role);
+    QObject::connect(&device, &Device::stateChanged, &context_,
+                     [this, role](DeviceState state, const QString& detail) {
+                       monitor_.setState(role, state, detail.toStdString());
+                       if (role == Role::Head && state == DeviceState::Lost) {
+                         guarded([this] { assembler_.headLost(); });
+                       }
+                     });
+  }
+
+  void connectSensors() {
+    if (devices_.odometry) {
+      watch(*devices_.odometry, Role::Odometry);
+      QObject::connect(devices_.odometry.get(), &OdometrySensor::moved, &context_,
+                       [this](double time_s, const Pose2& pose) {
+                         monitor_.datum(Role::Odometry, time_s);
+                         guarded([&] { assembler_.moved(time_s, pose, monitor_.now()); });
+                       });
+    }
+    if (devices_.scanner) {
+      watch(*devices_.scanner, Role::Scanner);
+      QObject::connect(devices_.scanner.get(), &RangeSensor::scanned, &context_,
+                       [this](double time_s, const std::vector<RangePoint>& points) {
+                         monitor_.datum(Role::Scanner, time_s);
+                         guarded([&] { assembler_.scanned(time_s, points, monitor_.now()); });
+                       });
+    }
+    if (devices_.camera) {
+      watch(*devices_.camera, Role::Camera);
+      QObject::connect(
+          devices_.camera.get(), &PairCamera::pairTaken, &context_,
+          [this](double time_s, const cv::Mat& left, const cv::Mat& right) {
+            monitor_.datum(Role::Camera, time_s);
+            monitor_.show(left, right);
+            guarded([&] { assembler_.pairTaken(time_s, left, right, monitor_.now()); });
+          });
+    }
+  }
+
+  void connectHead() {
+    if (!devices_.head) return;
+    watch(*devices_.head, Role::Head);
+    QObject::connect(devices_.head.get(), &PanTiltHead::arrived, &context_,
+                     [this](double pan, double) {
+                       monitor_.datum(Role::Head, monitor_.now());
+                       guarded([&] { assembler_.headArrived(pan, monitor_.now()); });
+                     });
+  }
+
+  void look(double pan) {
+    if (devices_.head) devices_.head->lookAt(pan, 0.0);
+  }
+
+  void give(Observation observation) {
+    monitor_.observed(observation.time_s);
+    if (observation.views.front().points) monitor_.show(*observation.views.front().points);
+    if (inbox_.put(std::move(observation))) monitor_.passedOver();
+  }
+
+  RigMonitor& monitor_;
+  Inbox& inbox_;
+  QObject context_;
+  QTimer ticking_;
+  Assembler assembler_;
+  RigDevices devices_;  // last: they go first
+};
+
+RigHost::RigHost(const Rig& rig, MakeDevices make, std::shared_ptr<RigMonitor> monitor)
+    : monitor_(std::move(monitor)) {
+  std::promise<void> opened;
+  auto is_open = opened.get_future();
+  thread_ = std::thread([this, rig, make = std::move(make), promise = std::move(opened)]() mutable {
+    work(rig, make, std::move(promise));
+  });
+  try {
+    is_open.get();
+  } catch (...) {
+    thread_.join();
+    throw;
+  }
+  on_end_.emplace(monitor_->endToken(), [this] { end(); });
+}
+
+RigHost::~RigHost() {
+  on_end_.reset();
+  end();
+  thread_.join();
+}
+
+void RigHost::end() {
+  inbox_.close();
+  const std::scoped_lock lock(mutex_);
+  if (loop_ != nullptr) QMetaObject::invokeMethod(loop_, &QEventLoop::quit, Qt::QueuedConnection);
+}
+
+void RigHost::work(const Rig& rig, const MakeDevices& make, std::promise<void> opened) {
+  QEventLoop loop;
+  std::optional<Hosting> hosting;
+  try {
+    hosting.emplace(rig, make, *monitor_, inbox_);
+    hosting->open();
+  } catch (...) {
+    opened.set_exception(std::current_exception());
+    return;
+  }
+  {
+    const std::scoped_lock lock(mutex_);
+    loop_ = &loop;
+  }
+  opened.set_value();
+  turn(loop);
+  {
+    const std::scoped_lock lock(mutex_);
+    loop_ = nullptr;
+  }
+  hosting->close();
+  QTimer::singleShot(kRest_ms, &loop, &QEventLoop::quit);
+  turn(loop);
+}
+
+/// Until it is told to quit; what a device throws ends neither it nor the program.
+void RigHost::turn(QEventLoop& loop) {
+  for (bool again = true; again;) {
+    try {
+      loop.exec();
+      again = false;
+    } catch (const std::exception& error) {
+      monitor_->refused("unexpected error", error.what());
+    }
+  }
+}
+
+std::optional<Observation> RigHost::next(const std::stop_token& stop) { return inbox_.take(stop); }
+
+}  // namespace handmap

@@ -1,0 +1,123 @@
+// What a robot's sensors are and where they are connected: a rig, and its file (JSON).
+//
+//   {"format": "handmap-rig", "version": 1,          required; of the rest what there is
+//    "name": "Cart with a laser",
+//    "range_limit_m": 30,                            1 … 200; nothing farther is measured
+//    "camera":   {"device": "/dev/video0"            both images in one, side by side; or
+//                 "left": "…", "right": "…",         two devices; each also a file or a URL
+//                 "calibration": "calib.yml",        of OpenCV, or calib.txt of KITTI: rectified
+//                 "width": 1280, "height": 480,      what to ask the device for
+//                 "rate_hz": 15,
+//                 "right_delay_ms": 0,               the right image is taken so much later
+//                 "mount": {"x_m", "y_m", "z_m", "pitch_deg", "yaw_deg"}},
+//    "head":     {"port": "/dev/ttyUSB0@9600"},      PTU-D46; needs a camera
+//    "scanner":  {"kind": "hokuyo"|"rplidar"|"ros"|"ros-cloud",
+//                 "port": "…", "topic": "/scan",   LaserScan or PointCloud2
+//                 "mount": {"x_m", "y_m", "z_m", "yaw_deg"}},
+//    "odometry": {"kind": "lines"|"ros"|"visual"|"scan"|"none", "port": "…", "topic": "/odom"},
+//                                                    absent: visual or scan
+//    "stops":    {"pans_deg": [0, 60, …], "standing_s": 1, "every_m": 1, "automatic": true},
+//    "ros":      1,                                  where it is not 2
+//    "record":   "recordings"}                       a folder; each run gets a new one inside
+//
+// Paths count from the folder of the file. "port": "/dev/ttyUSB0@115200", "tcp://host:port"; of
+// "ros" the rosbridge: "ws://host:9090".
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/recording/calibration.h"
+#include "core/recording/camera.h"
+
+namespace handmap {
+
+struct CameraRig {
+  std::string left;                   ///< device, file or URL
+  std::string right;                  ///< empty: `left` gives both images side by side
+  std::filesystem::path calibration;  ///< absolute, or relative to the working folder
+  CameraMount mount{0.0, 0.0, kDefaultCameraHeight, 0.0, 0.0};
+  int width = 0;  ///< of the image as the device gives it; 0: as it likes
+  int height = 0;
+  double rate_hz = 0.0;  ///< 0: as it likes
+  double right_delay_s = 0.0;
+  bool operator==(const CameraRig& other) const;
+};
+
+struct HeadRig {
+  std::string port;
+  bool operator==(const HeadRig&) const = default;
+};
+
+/// Of a planar scanner in the robot frame: metres, radians.
+struct ScannerMount {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double yaw = 0.0;
+  bool operator==(const ScannerMount&) const = default;
+};
+
+/// Ros: sensor_msgs/LaserScan; RosCloud: sensor_msgs/PointCloud2.
+enum class ScannerKind { Hokuyo, Rplidar, Ros, RosCloud, Virtual };
+
+struct ScannerRig {
+  ScannerKind kind = ScannerKind::Hokuyo;
+  std::string port;
+  std::string topic;  ///< Ros, RosCloud
+  ScannerMount mount;
+  bool isRos() const { return kind == ScannerKind::Ros || kind == ScannerKind::RosCloud; }
+  bool operator==(const ScannerRig&) const = default;
+};
+
+/// Visual and Scan: computed from what the camera or the scanner sees.
+enum class OdometryRigKind { None, Lines, Ros, Visual, Scan, Virtual };
+
+struct OdometryRig {
+  OdometryRigKind kind = OdometryRigKind::None;
+  std::string port;
+  std::string topic;  ///< Ros
+  bool operator==(const OdometryRig&) const = default;
+
+  /// A device tells it.
+  bool isMeasured() const {
+    return kind == OdometryRigKind::Lines || kind == OdometryRigKind::Ros ||
+           kind == OdometryRigKind::Virtual;
+  }
+};
+
+/// Of a robot with a head: it stops and looks around.
+struct StopRig {
+  std::vector<double> pans;  ///< radians, positive to the left, in the order they are driven to
+  double standing_s = 1.0;   ///< so long without motion is a stop
+  double every_m = 1.0;      ///< from the stop before; at less it is the same stop
+  bool automatic = true;     ///< false: only when asked to
+  bool operator==(const StopRig&) const = default;
+};
+StopRig sixPans();
+
+struct Rig {
+  std::string name;
+  double range_limit_m = 40.0;
+  std::optional<CameraRig> camera;  ///< exactly one of camera and scanner
+  std::optional<HeadRig> head;
+  std::optional<ScannerRig> scanner;
+  OdometryRig odometry;
+  std::optional<StopRig> stops;  ///< where there is a head
+  int ros_version = 2;
+  std::filesystem::path record;  ///< empty: not recorded
+  bool operator==(const Rig&) const = default;
+};
+
+/// Throws BadInput with file and key: also for a key that is not known (a misspelt one would be
+/// without effect) and for parts that do not go together.
+Rig readRig(const std::filesystem::path& path);
+/// `folder`: from where its relative paths count.
+Rig parseRig(const std::string& text, const std::string& source,
+             const std::filesystem::path& folder);
+/// The text that reads back as the same rig. Paths inside of `folder` become relative to it.
+std::string formatRig(const Rig& rig, const std::filesystem::path& folder);
+
+}  // namespace handmap

@@ -1,0 +1,166 @@
+#include "drivers/live/assembler.h"
+
+#include <limits>
+#include <map>
+
+#include <gtest/gtest.h>
+
+namespace handmap {
+namespace {
+
+Rig laserCart() {
+  Rig rig;
+  rig.scanner = ScannerRig{};
+  rig.odometry = {OdometryRigKind::Lines, "x", ""};
+  return rig;
+}
+
+Rig stopAndLook() {
+  Rig rig;
+  rig.camera = CameraRig{};
+  rig.head = HeadRig{"x"};
+  rig.odometry = {OdometryRigKind::Lines, "x", ""};
+  rig.stops = sixPans();
+  return rig;
+}
+
+std::vector<RangePoint> onePoint() { return {{1.0F, 0.0F, 0.0F, 1.0F}}; }
+
+struct Heard {
+  explicit Heard(const Rig& rig)
+      : assembler(rig, {[this](Observation o) { observations.push_back(std::move(o)); },
+                        [this](double pan) { looks.push_back(pan); },
+                        [this](const std::string& reason) { ++refused[reason]; }}) {}
+  Heard(const Heard&) = delete;
+
+  std::vector<Observation> observations;
+  std::vector<double> looks;
+  std::map<std::string, int> refused;
+  Assembler assembler;
+};
+
+TEST(Assembler, WaitsForTheOdometryOfAScanAndInterpolates) {
+  Heard heard(laserCart());
+  heard.assembler.moved(1.0, {1.0, 0.0, 0.0}, 1.0);
+  heard.assembler.scanned(1.05, onePoint(), 1.06);
+  EXPECT_TRUE(heard.observations.empty());
+  heard.assembler.moved(1.1, {2.0, 0.0, 0.0}, 1.1);
+  ASSERT_EQ(heard.observations.size(), 1U);
+  EXPECT_EQ(heard.observations[0].time_s, 1.05);
+  EXPECT_NEAR(heard.observations[0].odometry.x, 1.5, 1e-9);
+  EXPECT_FALSE(heard.observations[0].standing);
+  EXPECT_TRUE(heard.refused.empty());
+}
+
+TEST(Assembler, PointsAreMovedToWhereTheScannerIs) {
+  Rig rig = laserCart();
+  rig.scanner->mount = {0.5, 0.25, 0.75, kPi / 2.0};
+  Heard heard(rig);
+  heard.assembler.moved(1.0, {}, 1.0);
+  heard.assembler.scanned(1.0, onePoint(), 1.0);
+  ASSERT_EQ(heard.observations.size(), 1U);
+  const RangePoint point = heard.observations[0].views[0].points->front();
+  EXPECT_NEAR(point.x, 0.5, 1e-6);
+  EXPECT_NEAR(point.y, 1.25, 1e-6);
+  EXPECT_NEAR(point.z, 0.75, 1e-6);
+}
+
+TEST(Assembler, GivesUpOnOdometryThatDoesNotCome) {
+  Heard heard(laserCart());
+  heard.assembler.moved(1.0, {}, 1.0);
+  heard.assembler.scanned(1.2, onePoint(), 1.2);
+  heard.assembler.tick(1.5);
+  EXPECT_TRUE(heard.refused.empty());
+  heard.assembler.tick(1.8);
+  EXPECT_EQ(heard.refused["no odometry at the time of an observation"], 1);
+  // It comes back: what was measured in between stays unknown, the run goes on.
+  heard.assembler.moved(5.0, {3.0, 0.0, 0.0}, 5.0);
+  heard.assembler.scanned(5.0, onePoint(), 5.0);
+  ASSERT_EQ(heard.observations.size(), 1U);
+  EXPECT_EQ(heard.observations[0].odometry.x, 3.0);
+}
+
+TEST(Assembler, DoesNotUseWhatIsLateRepeatedOrFromTheFuture) {
+  Heard heard(laserCart());
+  Assembler& assembler = heard.assembler;
+  assembler.moved(10.0, {}, 10.0);
+  assembler.moved(10.0, {9.0, 0.0, 0.0}, 10.0);
+  assembler.moved(99.0, {9.0, 0.0, 0.0}, 10.0);
+  assembler.moved(std::numeric_limits<double>::quiet_NaN(), {}, 10.0);
+  assembler.moved(10.1, {std::numeric_limits<double>::infinity(), 0.0, 0.0}, 10.1);
+  assembler.scanned(7.0, onePoint(), 10.0);
+  assembler.scanned(10.0, onePoint(), 10.0);
+  assembler.scanned(10.0, onePoint(), 10.0);
+  assembler.scanned(9.9, onePoint(), 10.0);
+  assembler.scanned(10.05, {}, 10.05);
+  ASSERT_EQ(heard.observations.size(), 1U);
+  EXPECT_EQ(heard.observations[0].odometry, Pose2{});
+  EXPECT_EQ(heard.refused["odometry repeated or out of order"], 1);
+  EXPECT_EQ(heard.refused["odometry stamped in the future"], 2);
+  EXPECT_EQ(heard.refused["odometry that is not finite"], 1);
+  EXPECT_EQ(heard.refused["scan late"], 1);
+  EXPECT_EQ(heard.refused["scan repeated or out of order"], 2);
+  EXPECT_EQ(heard.refused["scan without a single return"], 1);
+}
+
+TEST(Assembler, WithoutMeasuredOdometryNothingIsWaitedFor) {
+  Rig rig = laserCart();
+  rig.odometry = {OdometryRigKind::Scan, "", ""};
+  Heard heard(rig);
+  heard.assembler.scanned(1.0, onePoint(), 1.0);
+  heard.assembler.scanned(1.1, onePoint(), 1.1);
+  ASSERT_EQ(heard.observations.size(), 2U);
+  EXPECT_LT(heard.observations[0].frame, heard.observations[1].frame);
+}
+
+TEST(Assembler, MemoryStaysBoundedWhenOdometryNeverComes) {
+  Heard heard(laserCart());
+  for (int i = 0; i < 100; ++i) heard.assembler.scanned(1.0 + 0.001 * i, onePoint(), 1.1);
+  EXPECT_GE(heard.refused["no odometry at the time of an observation"], 90);
+}
+
+TEST(Assembler, ALookAroundIsOneObservation) {
+  Heard heard(stopAndLook());
+  Assembler& assembler = heard.assembler;
+  double now = 0.0;
+  const Pose2 here{4.0, 5.0, 0.5};
+  for (; now < 1.25; now += 0.1) assembler.moved(now, here, now);
+  ASSERT_EQ(heard.looks.size(), 1U);
+  for (int pan = 0; pan < 6; ++pan) {
+    now += 0.01;
+    assembler.pairTaken(now, cv::Mat1b::zeros(4, 4), cv::Mat1b::zeros(4, 4), now);
+    ASSERT_EQ(heard.looks.size(), static_cast<std::size_t>(pan) + 1) << "on the way";
+    now += 0.5;
+    assembler.headArrived(heard.looks.back(), now);
+    now += 0.3;
+    assembler.pairTaken(now, cv::Mat1b::ones(4, 4), cv::Mat1b::ones(4, 4), now);
+  }
+  ASSERT_EQ(heard.observations.size(), 1U);
+  const Observation& observation = heard.observations[0];
+  EXPECT_TRUE(observation.standing);
+  EXPECT_EQ(observation.odometry, here);
+  ASSERT_EQ(observation.views.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(observation.views[i].pan, sixPans().pans[i]);
+    EXPECT_EQ(observation.views[i].left.at<unsigned char>(0, 0), 1) << "taken after the arrival";
+  }
+  EXPECT_EQ(heard.looks.size(), 7U) << "and ahead again";
+}
+
+TEST(Assembler, AnInterruptedLookAroundIsForgotten) {
+  Heard heard(stopAndLook());
+  Assembler& assembler = heard.assembler;
+  double now = 0.0;
+  for (; now < 1.25; now += 0.1) assembler.moved(now, {}, now);
+  now += 0.5;
+  assembler.headArrived(0.0, now);
+  now += 0.3;
+  assembler.pairTaken(now, cv::Mat1b::ones(4, 4), cv::Mat1b::ones(4, 4), now);
+  now += 0.1;
+  assembler.moved(now, {1.0, 0.0, 0.0}, now);
+  EXPECT_TRUE(heard.observations.empty());
+  EXPECT_EQ(heard.refused["look around: the robot drove on while it looked around"], 1);
+}
+
+}  // namespace
+}  // namespace handmap

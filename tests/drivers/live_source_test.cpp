@@ -1,0 +1,255 @@
+#include "drivers/live/live_source.h"
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/map/map_io.h"
+#include "core/recording/recording.h"
+#include "core/session/run_session.h"
+#include "drivers/virtual/virtual_rig.h"
+#include "tests/core/base/temporary_folder.h"
+
+namespace handmap {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+VirtualDrive drive(const std::string& faults = {}) {
+  VirtualDrive drive{twoRowWorld(3), 3};
+  drive.speed_m_s = 10.0;
+  drive.step_m = 0.5;  // 20 Hz
+  drive.faults = parseFaults(faults);
+  return drive;
+}
+
+LiveJob job(const VirtualDrive& drive, const fs::path& record = {}) {
+  return {virtualRig(drive), virtualDevices(drive), std::make_shared<RigMonitor>(), record};
+}
+
+/// The next observation that can be used.
+Observation take(ObservationSource& source) {
+  auto observation = source.next();
+  EXPECT_TRUE(observation);
+  return observation ? *observation : Observation{};
+}
+
+/// Takes observations until the rig's clock says so.
+std::vector<Observation> takeUntil(ObservationSource& source, const RigMonitor& monitor,
+                                   double time_s) {
+  std::vector<Observation> taken;
+  while (monitor.now() < time_s) taken.push_back(take(source));
+  return taken;
+}
+
+const DeviceStatus& statusOf(const RigStatus& status, Role role) {
+  for (const DeviceStatus& device : status.devices) {
+    if (device.role == role) return device;
+  }
+  throw std::logic_error("no such device");
+}
+
+TEST(LiveSource, HasNoEndButThatThePersonEndsTheDrive) {
+  const LiveJob live = job(drive());
+  const auto source = openLive(live, {});
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->info().observations, 0);
+  int frame = -1;
+  double time_s = -1.0;
+  for (int i = 0; i < 5; ++i) {
+    const Observation observation = take(*source);
+    EXPECT_GT(observation.frame, frame);
+    EXPECT_GT(observation.time_s, time_s);
+    EXPECT_FALSE(observation.views.at(0).points->empty());
+    frame = observation.frame;
+    time_s = observation.time_s;
+  }
+  live.monitor->end();
+  while (source->next()) {
+  }
+  EXPECT_FALSE(source->next());
+  EXPECT_GE(live.monitor->status().given, 5);
+}
+
+// If nobody woke them, the following two would run into their time limits.
+TEST(LiveSource, AStopWakesWhoWaitsForTheFirstObservation) {
+  std::stop_source stop;
+  const std::jthread stopper([&stop] {
+    std::this_thread::sleep_for(100ms);
+    stop.request_stop();
+  });
+  EXPECT_FALSE(openLive(job(drive("scanner:unplug@0+1000")), stop.get_token()));
+}
+
+TEST(LiveSource, TheEndOfTheDriveWakesWhoWaits) {
+  const LiveJob live = job(drive("scanner:unplug@0+1000"));
+  const std::jthread stopper([&live] {
+    std::this_thread::sleep_for(100ms);
+    live.monitor->end();
+  });
+  EXPECT_FALSE(openLive(live, {}));
+}
+
+TEST(LiveSource, ASlowRunGetsTheNewestAndTheWayOfThoseThatItMissed) {
+  const VirtualDrive way = drive();
+  const LiveJob live = job(way);
+  const auto source = openLive(live, {});
+  const Observation first = take(*source);
+  std::this_thread::sleep_for(600ms);
+  const Observation second = take(*source);
+  EXPECT_GT(second.frame, first.frame + 5);
+  EXPECT_GT(live.monitor->status().passed_over, 4);
+  // 10 m/s; the wheels are off by some percent.
+  const double driven = (second.odometry.position() - first.odometry.position()).norm();
+  EXPECT_NEAR(driven, way.speed_m_s * (second.time_s - first.time_s), 0.2 * driven);
+  EXPECT_LT(live.monitor->now() - second.time_s, 2.0) << "the newest, not the oldest";
+}
+
+TEST(LiveSource, TellsStateAgeAndRateOfEachDevice) {
+  const LiveJob live = job(drive());
+  const auto source = openLive(live, {});
+  takeUntil(*source, *live.monitor, 3.0);
+  const RigStatus status = live.monitor->status();
+  ASSERT_EQ(status.devices.size(), 2U);
+  for (const Role role : {Role::Odometry, Role::Scanner}) {
+    const DeviceStatus& device = statusOf(status, role);
+    EXPECT_EQ(device.state, DeviceState::Ready) << device.detail;
+    ASSERT_TRUE(device.age_s);
+    EXPECT_GT(device.rate_hz, 1.0);
+    EXPECT_LT(device.rate_hz, 40.0);
+    EXPECT_GT(device.count, 5);
+  }
+}
+
+TEST(LiveSource, AScannerThatIsUnpluggedAndPluggedInAgainIsSaidAndLivedWith) {
+  const LiveJob live = job(drive("scanner:unplug@1+1.5"));
+  const auto source = openLive(live, {});
+  takeUntil(*source, *live.monitor, 0.8);
+  std::this_thread::sleep_for(700ms);
+  const RigStatus gone = live.monitor->status();
+  EXPECT_EQ(statusOf(gone, Role::Scanner).state, DeviceState::Lost);
+  EXPECT_EQ(statusOf(gone, Role::Scanner).detail, "unplugged");
+  EXPECT_EQ(statusOf(gone, Role::Odometry).state, DeviceState::Ready);
+  const auto after = takeUntil(*source, *live.monitor, 3.5);
+  EXPECT_GT(after.back().time_s, 2.5);
+  EXPECT_EQ(statusOf(live.monitor->status(), Role::Scanner).state, DeviceState::Ready);
+}
+
+struct FaultCase {
+  const char* faults;
+  const char* refused;  ///< what is counted
+};
+void PrintTo(const FaultCase& fault, std::ostream* out) { *out << fault.faults; }
+
+class FaultyRig : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(FaultyRig, CountsWhatCannotBeUsedAndRecovers) {
+  const LiveJob live = job(drive(GetParam().faults));
+  const auto source = openLive(live, {});
+  ASSERT_TRUE(source);
+  const auto taken = takeUntil(*source, *live.monitor, 5.5);
+  RigStatus status = live.monitor->status();
+  EXPECT_GT(status.refused[GetParam().refused], 0) << status.last_refusal;
+  EXPECT_GT(taken.back().time_s, 4.5) << "it goes on";
+  for (std::size_t i = 1; i < taken.size(); ++i) {
+    ASSERT_GT(taken[i].time_s, taken[i - 1].time_s);
+    EXPECT_LT((taken[i].odometry.position() - taken[i - 1].odometry.position()).norm(),
+              15.0 * (taken[i].time_s - taken[i - 1].time_s) + 1.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, FaultyRig,
+    testing::Values(FaultCase{"odometry:unplug@1+1.5", "no odometry at the time of an observation"},
+                    FaultCase{"odometry:late@1+0.7", "odometry late"},
+                    FaultCase{"odometry:clock@1+1", "odometry stamped in the future"},
+                    FaultCase{"scanner:late@1+0.7", "scan late"},
+                    FaultCase{"scanner:clock@1+1", "scan stamped in the future"}));
+
+/// Ten seconds of a live run; the map and the way that came out of it.
+struct Outcome {
+  std::string map;
+  std::string way;
+  std::size_t frames = 0;
+};
+
+Outcome outcomeOf(RunSession& session, const std::function<void()>& after_step) {
+  while (session.step()) after_step();
+  return {formatMap(session.refinedMap()), formatTum(session.trajectory()),
+          session.frames().size()};
+}
+
+void expectLiveEqualsReplay(OdometryRigKind odometry) {
+  const test::TemporaryFolder folder;
+  const VirtualDrive way = drive();
+  LiveJob live = job(way, folder.path() / "run");
+  live.rig.odometry.kind = odometry;
+  Map sketch = perturbed(way.world.map, 3.0, 5);
+  RunSettings settings;
+  settings.slam.slam_particles = 20;
+  settings.threads = 2;
+  RunSession session(sketch, openLive(live, {}), settings);
+  const Outcome lived = outcomeOf(session, [&live] {
+    if (live.monitor->now() > 6.0) live.monitor->end();
+  });
+  const RecordingStatus recording = live.monitor->status().recording;
+  EXPECT_EQ(recording.error, "");
+  EXPECT_EQ(recording.observations, static_cast<int>(lived.frames));
+  EXPECT_GT(lived.frames, 5U);
+
+  RunSession again(sketch, replay(openRecording(folder.path() / "run"), {}), settings);
+  const Outcome replayed = outcomeOf(again, [] {});
+  EXPECT_EQ(replayed.frames, lived.frames);
+  EXPECT_EQ(replayed.way, lived.way);
+  EXPECT_EQ(replayed.map, lived.map);
+}
+
+TEST(LiveSource, LiveEqualsReplayWithWheels) { expectLiveEqualsReplay(OdometryRigKind::Virtual); }
+
+TEST(LiveSource, LiveEqualsReplayWithScansAlone) { expectLiveEqualsReplay(OdometryRigKind::Scan); }
+
+TEST(LiveSource, ADiskThatIsGoneEndsTheRecordingNotTheRun) {
+  const test::TemporaryFolder folder;
+  const fs::path record = folder.path() / "run";
+  const LiveJob live = job(drive(), record);
+  const auto source = openLive(live, {});
+  for (int i = 0; i < 3; ++i) take(*source);
+  fs::remove_all(record);
+  for (int i = 0; i < 3; ++i) take(*source);
+  const RecordingStatus recording = live.monitor->status().recording;
+  EXPECT_EQ(recording.observations, 3);
+  EXPECT_NE(recording.error.find("cannot be written"), std::string::npos) << recording.error;
+}
+
+TEST(LiveSource, RefusesAFolderThatIsNotNew) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder.path() / "run" / "something");
+  EXPECT_THROW(openLive(job(drive(), folder.path() / "run"), {}), Error);
+}
+
+TEST(LiveSource, WhatTheDevicesRefuseIsThrown) {
+  LiveJob live = job(drive());
+  live.make = [](const Rig&, RigMonitor&) -> RigDevices {
+    throw Error(ErrorCode::BadInput, "no such port");
+  };
+  EXPECT_THROW(openLive(live, {}), Error);
+}
+
+TEST(Faults, AreReadFromText) {
+  const auto faults = parseFaults("scanner:unplug@10+5,odometry:late@20.5+3");
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faultAt(faults, Role::Scanner, 12.0), FaultKind::Unplug);
+  EXPECT_EQ(faultAt(faults, Role::Scanner, 15.0), std::nullopt);
+  EXPECT_EQ(faultAt(faults, Role::Odometry, 21.0), FaultKind::Late);
+  for (const char* wrong : {"scanner", "scanner:melt@1+1", "wheel:late@1+1", "scanner:late@1",
+                            "scanner:late@-1+1", "scanner:late@1+0", "scanner:late@nan+1", ","}) {
+    EXPECT_THROW(parseFaults(wrong), Error) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,192 @@
+// A live robot in the window: the virtual rig, the dialog that puts a rig together.
+#include <QComboBox>
+#include <QFile>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "app/gui/live_panel.h"
+#include "app/gui/live_robot.h"
+#include "app/gui/rig_actions.h"
+#include "app/gui/rig_dialog.h"
+#include "app/gui/rig_form.h"
+#include "tests/journeys/window_test.h"
+
+namespace handmap {
+namespace {
+
+class LiveWindow : public WindowTest {
+ protected:
+  static void runVirtualRig(MainWindow& window) {
+    RunSetup setup;
+    setup.settings.slam.slam_particles = 5;
+    window.docks().setup().setSetup(setup);
+    window.runs().openVirtualRig();
+    window.runs().runOrResume();
+  }
+  static bool waitForSteps(MainWindow& window) {
+    return QTest::qWaitFor([&] { return window.run().result() != nullptr; }, kPatienceMs);
+  }
+  static QString panelText(MainWindow& window) {
+    QString text;
+    const auto* tree = window.docks().live().findChild<QTreeWidget*>();
+    for (int row = 0; row < tree->topLevelItemCount(); ++row) {
+      for (int column = 0; column < tree->columnCount(); ++column) {
+        text += tree->topLevelItem(row)->text(column) + ' ';
+      }
+    }
+    return text + window.docks().live().findChild<QLabel*>("live_counts")->text();
+  }
+  static QString wordsOf(RigDialog& dialog) {
+    return dialog.findChild<QLabel*>("rig_words")->text();
+  }
+  /// Twenty seconds of noise, both images side by side.
+  QString noiseVideo() const {
+    const QString file = path("noise.avi");
+    cv::VideoWriter writer(file.toStdString(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0,
+                           {256, 96});
+    cv::RNG random(1);
+    for (int i = 0; i < 400; ++i) {
+      cv::Mat image(96, 256, CV_8UC3);
+      random.fill(image, cv::RNG::UNIFORM, 0, 256);
+      cv::GaussianBlur(image, image, {}, 3.0);
+      writer.write(image);
+    }
+    return file;
+  }
+};
+
+TEST_F(LiveWindow, ALiveRobotRunsUntilThePersonEndsTheDrive) {
+  const auto window = open();
+  runVirtualRig(*window);
+  EXPECT_TRUE(window->docks().live().isVisible());
+  ASSERT_TRUE(waitForSteps(*window));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return panelText(*window).contains("ready"); }, kPatienceMs));
+  EXPECT_TRUE(panelText(*window).contains("Scanner")) << panelText(*window).toStdString();
+  EXPECT_FALSE(window->runs().stateInWords().contains(" of "))
+      << window->runs().stateInWords().toStdString();
+  action(*window, "run.stop")->trigger();
+  EXPECT_EQ(window->runs().stateInWords().left(9), "Finishing");
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  EXPECT_TRUE(window->runs().stateInWords().startsWith("Done"))
+      << window->runs().stateInWords().toStdString();
+  EXPECT_TRUE(action(*window, "run.accept")->isEnabled());
+  EXPECT_TRUE(panelText(*window).contains("observations taken"));
+  // And once more.
+  action(*window, "run.run")->trigger();
+  ASSERT_TRUE(waitForSteps(*window));
+  action(*window, "run.stop")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+}
+
+TEST_F(LiveWindow, APausedDriveIsEndedToo) {
+  const auto window = open();
+  runVirtualRig(*window);
+  ASSERT_TRUE(waitForSteps(*window));
+  action(*window, "run.pause")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Paused));
+  action(*window, "run.stop")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  EXPECT_TRUE(window->runs().stateInWords().startsWith("Done"));
+}
+
+TEST_F(LiveWindow, TheWindowClosesInTheMiddleOfADrive) {
+  auto window = open();
+  runVirtualRig(*window);
+  ASSERT_TRUE(waitForSteps(*window));
+  EXPECT_TRUE(window->close());
+  EXPECT_FALSE(window->run().isActive());
+}
+
+TEST_F(LiveWindow, AStopBeforeTheFirstObservationIsAnEnd) {
+  const auto window = open();
+  window->runs().openVirtualRig();
+  Rig rig;
+  rig.name = "silent";
+  rig.scanner = ScannerRig{};
+  rig.odometry.kind = OdometryRigKind::Scan;
+  window->runs().setRobot(liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+  window->runs().runOrResume();
+  EXPECT_EQ(window->runs().stateInWords(), "Waiting for the robot");
+  QTest::qWait(300);
+  action(*window, "run.stop")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+}
+
+TEST_F(LiveWindow, TheDialogSaysWhatIsMissing) {
+  const auto window = open();
+  action(*window, "run.connect")->trigger();
+  RigDialog* dialog = window->rigs().dialog();
+  ASSERT_TRUE(dialog != nullptr && dialog->isVisible());
+  auto* sees = dialog->findChild<QComboBox*>("rig_sees");
+  sees->setCurrentIndex(sees->findText("Laser scanner: Hokuyo"));
+  dialog->findChild<QComboBox*>("rig_scanner")->setEditText("");
+  dialog->findChild<QPushButton*>("rig_use")->click();
+  EXPECT_TRUE(wordsOf(*dialog).contains("scanner.port")) << wordsOf(*dialog).toStdString();
+  EXPECT_TRUE(dialog->isVisible());
+  dialog->reject();
+}
+
+TEST_F(LiveWindow, ARigIsSavedOpenedAndUsed) {
+  const auto window = open();
+  action(*window, "run.connect")->trigger();
+  RigDialog* dialog = window->rigs().dialog();
+  Rig rig;
+  rig.name = "Cart";
+  rig.range_limit_m = 30.0;
+  rig.camera = CameraRig{};
+  rig.camera->left = "/dev/video7";
+  rig.camera->calibration = path("calib.yml").toStdString();
+  rig.camera->mount = {0.1, 0.0, 1.25, 0.0, 0.0};
+  rig.odometry.kind = OdometryRigKind::Visual;
+  dialog->form().setRig(rig);
+  ASSERT_TRUE(dialog->save(path("cart.json"))) << wordsOf(*dialog).toStdString();
+  EXPECT_EQ(readRig(path("cart.json").toStdString()), rig);
+  dialog->form().setRig(Rig{});
+  ASSERT_TRUE(dialog->open(path("cart.json")));
+  EXPECT_EQ(dialog->form().rig(), rig);
+  dialog->findChild<QPushButton*>("rig_use")->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window->rigs().dialog() == nullptr; }, kPatienceMs));
+  EXPECT_TRUE(message(*window).contains("Cart")) << message(*window).toStdString();
+  EXPECT_TRUE(action(*window, "run.run")->isEnabled());
+}
+
+TEST_F(LiveWindow, ARigIsTriedAndLookedAt) {
+  const auto window = open();
+  action(*window, "run.connect")->trigger();
+  RigDialog* dialog = window->rigs().dialog();
+  Rig rig;
+  rig.name = "Video";
+  rig.camera = CameraRig{};
+  rig.camera->left = noiseVideo().toStdString();
+  rig.camera->calibration = "calib.yml";  // a run would need it
+  rig.odometry.kind = OdometryRigKind::Visual;
+  dialog->form().setRig(rig);
+  auto* trial = dialog->findChild<QPushButton*>("rig_try");
+  trial->click();
+  const auto devices = [dialog] {
+    const auto* tree = dialog->findChild<QTreeWidget*>("live_devices");
+    return tree->topLevelItemCount() > 0 ? tree->topLevelItem(0)->text(1) : QString();
+  };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return devices() == "ready"; }, kPatienceMs))
+      << devices().toStdString() << wordsOf(*dialog).toStdString();
+  trial->click();
+  dialog->reject();
+}
+
+TEST_F(LiveWindow, AFileThatIsNoRigIsAMessage) {
+  const auto window = open();
+  QFile file(path("no.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{}");
+  file.close();
+  window->rigs().openRig(file.fileName());
+  EXPECT_TRUE(message(*window).contains("no.json")) << message(*window).toStdString();
+  EXPECT_FALSE(action(*window, "run.run")->isEnabled());
+}
+
+}  // namespace
+}  // namespace handmap
