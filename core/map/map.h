@@ -21,6 +21,18 @@ struct Uncertainty {
   bool operator==(const Uncertainty&) const = default;
 };
 
+/// What drawings from memory are off as a whole, one σ.
+inline constexpr double kUsualScaleSigma = 0.05;
+inline constexpr double kUsualTurnSigma = toRadians(1.0);
+
+/// How wrong the scale (a share) and the turn (radians) of the whole drawing may be, one σ: 0 where
+/// it was made over an aerial picture or from a public map; absent: as people draw.
+struct WholeUncertainty {
+  std::optional<double> scale;
+  std::optional<double> turn;
+  bool operator==(const WholeUncertainty&) const = default;
+};
+
 /// What a run found out about a building: σ in metres and how many observations it rests on.
 struct Estimate {
   double sigma_x = 0.0;
@@ -82,6 +94,7 @@ struct Map {
   std::string name;
   std::optional<Pose2> start;  ///< absent: unknown
   Uncertainty uncertainty;
+  WholeUncertainty whole;
   std::vector<Building> buildings;
   std::vector<Landmark> landmarks;
   std::vector<Vec2> route;
