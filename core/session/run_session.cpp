@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/session/estimation_method.h"
+#include "core/session/pose_trust.h"
 #include "core/session/run_report.h"
 
 namespace handmap {
@@ -44,7 +45,7 @@ struct RunSession::State {
   std::optional<Observation> nextReadable(const std::stop_token& stop,
                                           const std::function<void(double)>& progress);
   /// Every observation's; else it is rendered for whoever looks at it.
-  bool readsLocalMap() const { return settings.method == Method::Paper || !settings.slam.refine; }
+  bool readsLocalMap() const { return settings.method == Method::Paper; }
   std::optional<Percept> perceive(const Observation& observation, const std::stop_token& stop);
   std::shared_ptr<const Snapshot> snapshot(const Observation& observation, Percept percept);
   std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
@@ -193,6 +194,7 @@ void RunSession::State::fill(Snapshot& snapshot) const {
     snapshot.swarms.push_back(std::move(view));
   }
   snapshot.map = std::make_shared<const Map>(refinedMap());
+  snapshot.trust = trustOf(*snapshot.map);
   snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(method->trajectory());
 }
 
@@ -217,8 +219,8 @@ std::string RunSession::reportJson() const {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  return runReportJson(state_->settings, source(), state_->frames, state_->skipped, warnings(),
-                       wall_s, peak_memory_mb);
+  return runReportJson({state_->settings, source(), state_->frames, state_->skipped, warnings(),
+                        state_->method->refinedMap(), wall_s, peak_memory_mb});
 }
 
 }  // namespace handmap

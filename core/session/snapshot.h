@@ -33,6 +33,9 @@ struct StageTimes {
   double total = 0.0;
 };
 
+/// Distances from the stated pose, metres, for which it is told how probably it is right.
+inline constexpr std::array<double, 3> kWithin_m = {1.0, 2.0, 5.0};
+
 struct FrameReport {
   int frame = 0;
   double time_s = 0.0;
@@ -41,7 +44,16 @@ struct FrameReport {
   int visible_buildings = 0;
   Pose2 pose;
   std::array<double, 3> pose_sigma{};  ///< x, y in metres, heading in radians
-  bool odometry_guessed = false;       ///< see Observation
+  /// Probability that the pose is off by no more than kWithin_m.
+  std::array<double, kWithin_m.size()> within{};
+  bool odometry_guessed = false;  ///< see Observation
+};
+
+/// How sure a building is whose walls were seen.
+struct BuildingTrust {
+  std::size_t building;           ///< of the drawing
+  std::array<double, 4> sigma_m;  ///< of the sides of its box: ahead, left, behind, right
+  double within;                  ///< probability that a side is off by no more than its σ
 };
 
 struct Snapshot {
@@ -50,6 +62,7 @@ struct Snapshot {
   FrameReport report;
   std::vector<ParticleView> particles;
   std::vector<SwarmView> swarms;
+  std::vector<BuildingTrust> trust;  ///< of all buildings that were seen
   /// Best so far, ready to be saved: with the "refinement" object; every refined building has its
   /// estimate.
   std::shared_ptr<const Map> map;
