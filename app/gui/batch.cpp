@@ -51,11 +51,12 @@ void Batch::writeReport(const QString& folder) {
   for (const RunWarning& warning : result->warnings) {
     fmt::print(stderr, "handmap: warning: {} {}\n", warning.message, warning.hint);
   }
-  Map refined = result->map;
+  Map refined = result->map();
   const std::string refined_file = path("refined.handmap").toStdString();
   moveReferences(refined, window_.document().origin().toStdString(), refined_file);
   writeMap(refined, refined_file);
-  writeFileAtomically(path("trajectory.tum").toStdString(), formatTum(*result->trajectory));
+  writeFileAtomically(path("trajectory.tum").toStdString(),
+                      formatTum(result->last->trajectory.all()));
   window_.canvas().zoomToFit();
   writePicture(pictureOf(window_), path("screenshot.png"));
 

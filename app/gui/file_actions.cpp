@@ -125,7 +125,7 @@ QString FileActions::askPath(const QString& title, const QString& suggestion, co
 }
 
 Map FileActions::refinedMap() const {
-  Map map = parts_.run.result()->map;
+  Map map = parts_.run.result()->map();
   map.georeference = parts_.document.map().georeference;
   return map;
 }
@@ -201,7 +201,7 @@ void FileActions::exportTrajectory() {
                                tr("Trajectories (*.tum)"), QStringLiteral("tum"));
   if (path.isEmpty()) return;
   const auto work = [&] {
-    writeFileAtomically(path.toStdString(), formatTum(*result->trajectory));
+    writeFileAtomically(path.toStdString(), formatTum(result->last->trajectory.all()));
   };
   if (guarded(work)) tellExported(tr("The way of the robot"), path);
 }

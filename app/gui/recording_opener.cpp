@@ -9,9 +9,9 @@ namespace {
 using Opened = std::shared_ptr<const Recording>;
 using Answer = std::variant<Opened, RunFailure>;
 
-Answer opening(const std::filesystem::path& folder) {
+Answer opening(const std::filesystem::path& folder, const std::stop_token& stop) {
   try {
-    return std::make_shared<const Recording>(openRecording(folder));
+    return std::make_shared<const Recording>(openRecording(folder, stop));
   } catch (const Error& error) {
     return failureOf(error);
   } catch (const std::exception& error) {
@@ -24,12 +24,22 @@ Answer opening(const std::filesystem::path& folder) {
 RecordingOpener::RecordingOpener(QObject* parent)
     : QObject(parent), self_(std::make_shared<Lifeline<RecordingOpener>>(*this)) {}
 
-RecordingOpener::~RecordingOpener() { self_->cut(); }
+RecordingOpener::~RecordingOpener() {
+  self_->cut();
+  stop_.request_stop();
+}
+
+void RecordingOpener::forget() {
+  ++request_;
+  stop_.request_stop();
+  stop_ = {};
+}
 
 void RecordingOpener::open(const QString& folder) {
-  const int request = ++request_;
-  startInBackground([self = self_, request, path = std::filesystem::path(folder.toStdString())] {
-    self->post([request, answer = opening(path)](RecordingOpener& opener) {
+  forget();
+  startInBackground([self = self_, request = request_, stop = stop_.get_token(),
+                     path = std::filesystem::path(folder.toStdString())] {
+    self->post([request, answer = opening(path, stop)](RecordingOpener& opener) {
       if (request != opener.request_) return;
       if (const Opened* recording = std::get_if<Opened>(&answer)) {
         Q_EMIT opener.opened(*recording);

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <memory>
+#include <stop_token>
 
 #include "core/recording/recording.h"
 #include "widgets/background/background.h"
@@ -17,9 +18,9 @@ class RecordingOpener : public QObject {
   explicit RecordingOpener(QObject* parent = nullptr);
   ~RecordingOpener() override;
 
-  /// What was asked for before is forgotten.
+  /// What was asked for before is forgotten, and ends.
   void open(const QString& folder);
-  void forget() { ++request_; }
+  void forget();
 
  Q_SIGNALS:
   void opened(const std::shared_ptr<const handmap::Recording>& recording);
@@ -27,6 +28,7 @@ class RecordingOpener : public QObject {
 
  private:
   int request_ = 0;                                  ///< an answer to another one is dropped
+  std::stop_source stop_;                            ///< of the latest
   std::shared_ptr<Lifeline<RecordingOpener>> self_;  ///< shared with the threads
 };
 

@@ -245,24 +245,24 @@ bool RunActions::isReady(bool may_start_on_route) {
 std::optional<RunScore> RunActions::score() const {
   const auto result = parts_.run.result();
   if (!result || !last_ || !source_ || !robot_) return std::nullopt;
-  return scoreRun(parts_.run.drawing(), result->map, robot_->truth_map, *last_, source_->truth);
+  return scoreRun(parts_.run.drawing(), result->map(), robot_->truth_map, *last_, source_->truth);
 }
 
 void RunActions::acceptRefinement() {
   const auto result = parts_.run.result();
   if (!result) return;
   const QStringList edited = parts_.document.editedSince(parts_.run.drawing());
-  if (edited.isEmpty()) return parts_.document.acceptRefinement(result->map);
+  if (edited.isEmpty()) return parts_.document.acceptRefinement(result->map());
   Message& question =
       parts_.messages.ask(tr("%n building(s) were edited since the run began: %1", nullptr,
                              static_cast<int>(edited.size()))
                               .arg(edited.mid(0, 8).join(QStringLiteral(", "))),
                           tr("Their corrected shapes are of the drawing before."), kAcceptTopic);
   question.addAction(tr("Take all others"), [this, result, edited] {
-    parts_.document.acceptRefinement(result->map, edited);
+    parts_.document.acceptRefinement(result->map(), edited);
   });
   question.addAction(tr("Take all"),
-                     [this, result] { parts_.document.acceptRefinement(result->map); });
+                     [this, result] { parts_.document.acceptRefinement(result->map()); });
 }
 
 void RunActions::onDrawingReplaced() {

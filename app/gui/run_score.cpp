@@ -22,10 +22,10 @@ RunScore scoreRun(const Map& drawing, const Map& refined, const std::optional<Ma
     score.maps = {compareMaps(drawing, *truth_map, false).mean(),
                   compareMaps(refined, *truth_map, false).mean()};
   }
-  if (!truth.empty() && last.trajectory && last.odometry) {
+  if (!truth.empty()) {
     const Trajectory true_way(truth, "truth");
-    const auto odometry = compareTrajectories(*last.odometry, true_way);
-    const auto corrected = compareTrajectories(*last.trajectory, true_way);
+    const auto odometry = compareTrajectories(last.odometry.all(), true_way);
+    const auto corrected = compareTrajectories(last.trajectory.all(), true_way);
     if (odometry && corrected) score.ways = {*odometry, *corrected};
   }
   return score;

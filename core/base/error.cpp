@@ -10,4 +10,8 @@ void throwBadInput(const std::string& file, const std::string& place, const std:
                                                place.empty() ? "" : ": ", found, expected));
 }
 
+void throwIfStopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Error(ErrorCode::RunFailed, "stopped");
+}
+
 }  // namespace handmap

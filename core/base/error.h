@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 
 namespace handmap {
@@ -27,5 +28,8 @@ class Error : public std::runtime_error {
 /// Throws BadInput as "FILE: PLACE: found FOUND, expected EXPECTED". An empty `place` is left out.
 [[noreturn]] void throwBadInput(const std::string& file, const std::string& place,
                                 const std::string& found, const std::string& expected);
+
+/// Throws RunFailed once `stop` is requested: for long work whose result then nobody waits for.
+void throwIfStopped(const std::stop_token& stop);
 
 }  // namespace handmap

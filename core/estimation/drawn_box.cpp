@@ -10,10 +10,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kSeen = 2.0;         // σ of a wall that was seen, metres, at most
-constexpr double kUnlikely = 3.5;     // σ
-constexpr double kFixedSigma = 0.05;  // of a building that is not to be moved
-constexpr double kLeastShare = 0.3;   // of the drawn size that a side nobody saw keeps
+constexpr double kSeen = 2.0;        // σ of a wall that was seen, metres, at most
+constexpr double kUnlikely = 3.5;    // σ
+constexpr double kLeastShare = 0.3;  // of the drawn size that a side nobody saw keeps
 
 }  // namespace
 
@@ -24,8 +23,7 @@ DrawnBox::DrawnBox(const Building& building, const Uncertainty& uncertainty,
   const double scale = motion.scale();
   const Vec2 from_origin = box.centre - motion.origin;
   const Vec2 centre = motion(box.centre) - frame.pivot;
-  const double position = building.fixed ? kFixedSigma : uncertainty.position;
-  const double size = building.fixed ? kFixedSigma : uncertainty.size;
+  const auto [position, size] = uncertainty;
   covariance_.setZero();
   for (int k = 0; k < 4; ++k) {
     const auto wall = static_cast<std::size_t>(k);

@@ -77,7 +77,10 @@ void HandmapEstimator::reviseOdometry(const std::vector<Pose2>& odometry, double
     }
   }
   state.evidence.putAnew(state.sensor);
-  if (!state.frames.empty()) state.pose = state.frames.back().pose;
+  if (state.frames.empty()) return;
+  state.pose = state.frames.back().pose;
+  state.first_moved = 0;
+  state.updateTrajectory();
 }
 
 void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& scan,
@@ -93,11 +96,11 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   if (!moved && state.observations.empty()) {
     state.frames.pop_back();
   } else if (!moved) {
-    state.observations.push_back({time_s, state.frames.size() - 1, motion});
+    state.addObservation(time_s, motion);
     return;
   }
   state.addFrame(time_s, odometry, state.pose, scan);
-  state.observations.push_back({time_s, state.frames.size() - 1, Pose2{}});
+  state.addObservation(time_s, Pose2{});
   state.smoothWindow();
   state.odometry_estimate.add(state.frames);
   state.smoother.setHeadingVariance(state.odometry_estimate.headingVariance());
@@ -115,6 +118,23 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   if (state.fitOutlines()) state.labelBuildings(state.nearM());
   state.correction.correctSome(state.found, state.hasReached());
   state.pose = state.frames.back().pose;
+  state.updateTrajectory();
+}
+
+void HandmapEstimator::State::addObservation(double time_s, const Pose2& offset) {
+  observations.push_back({time_s, frames.size() - 1, offset});
+  poses.push_back({time_s, pose});
+  trajectory = poses.share();
+}
+
+void HandmapEstimator::State::updateTrajectory() {
+  for (std::size_t i = observations.size(); i-- > 0;) {
+    const Passing& passing = observations[i];
+    if (passing.frame < first_moved) break;
+    poses.set(i, {passing.time_s, frames[passing.frame].pose * smoother.scaled(passing.offset)});
+  }
+  first_moved = frames.size();
+  trajectory = poses.share();
 }
 
 void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
@@ -188,6 +208,7 @@ void HandmapEstimator::State::smoothWindow() {
   std::vector<Frame*> window = framesFrom(firstWorkedOn());
   const auto count = static_cast<std::size_t>(options.window);
   const std::size_t fixed = window.size() > count ? window.size() - count : 1;
+  first_moved = std::min(first_moved, frames.size() - (window.size() - fixed));
   const SmoothingGraph graph{window, fixed, boxes, landmarks.positions()};
   for (const double slack : kSlacks) smoother.iterate(graph, slack);
   const Eigen::Matrix3d since = smoother.covariances(boxes);
@@ -357,6 +378,7 @@ void HandmapEstimator::State::smoothAll(std::span<const double> slacks, int iter
   }
   smoothed_at = frames.size();
   renewCovariance();
+  first_moved = 0;
   setAllFound(all);
 }
 
@@ -414,6 +436,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   State& state = *state_;
   if (state.frames.empty()) return;
   state.smoothAll(kFinalSlacks, kMostIterations, {}, stop);
+  state.updateTrajectory();
   if (stop.stop_requested()) return;
   std::vector<FoundBox> all = state.allFound();
   state.covariance = state.smoother.covariances(all);

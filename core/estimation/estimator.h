@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/base/shared_list.h"
 #include "core/estimation/assignment.h"
 #include "core/estimation/box_finder.h"
 #include "core/estimation/smoother.h"
@@ -69,7 +70,8 @@ class HandmapEstimator {
 
   const Pose2& pose() const;
   const Eigen::Matrix3d& poseCovariance() const;
-  std::vector<StampedPose> trajectory() const;
+  /// What is no longer worked on is as it was the last time.
+  const SharedList<StampedPose>& trajectory() const;
   std::vector<PoseParticle> particles() const;
   /// Of the drawn buildings whose found one is in sight: `members` samples of each.
   std::vector<BuildingSwarm> swarms(std::size_t members) const;
@@ -78,7 +80,9 @@ class HandmapEstimator {
   /// The drawing corrected: every building moved to the one found for it, with its estimate; those
   /// without one by what the others say of the whole drawing. A member "doubtful" tells how
   /// probable it is that the building is another one, or not there, where that is more than slight.
-  Map refinedMap() const;
+  Map refinedMap() const { return refinedMapLater()(); }
+  /// The same, to be made later and in any thread.
+  std::function<Map()> refinedMapLater() const;
   /// How the drawing as a whole lies.
   const DrawingMotion& drawingMotion() const;
   const std::vector<FoundBox>& found() const;

@@ -32,6 +32,8 @@ struct HandmapEstimator::State {
     for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
   }
 
+  void addObservation(double time_s, const Pose2& offset);
+  void updateTrajectory();
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
   void carryCovariance(std::size_t from, const Eigen::Matrix3d& since);
@@ -83,6 +85,9 @@ struct HandmapEstimator::State {
     Pose2 offset;
   };
   std::vector<Passing> observations;
+  SharedListWriter<StampedPose> poses;  ///< of the observations
+  SharedList<StampedPose> trajectory;   ///< the same, to be shown
+  std::size_t first_moved = 0;          ///< frame; those before stand where `poses` has them
   double odometry_noise = 1.0;
   Pose2 pose;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of `pose`, given the start

@@ -12,14 +12,7 @@ const Eigen::Matrix3d& HandmapEstimator::poseCovariance() const { return state_-
 const DrawingMotion& HandmapEstimator::drawingMotion() const { return state_->labels.motion(); }
 const std::vector<FoundBox>& HandmapEstimator::found() const { return state_->found; }
 
-std::vector<StampedPose> HandmapEstimator::trajectory() const {
-  std::vector<StampedPose> poses;
-  for (const State::Passing& passing : state_->observations) {
-    poses.push_back({passing.time_s,
-                     state_->frames[passing.frame].pose * state_->smoother.scaled(passing.offset)});
-  }
-  return poses;
-}
+const SharedList<StampedPose>& HandmapEstimator::trajectory() const { return state_->trajectory; }
 
 double HandmapEstimator::effectiveSampleSize() const {
   double squares = 0.0;
@@ -79,6 +72,8 @@ std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   return swarms;
 }
 
-Map HandmapEstimator::refinedMap() const { return state_->correction.map(); }
+std::function<Map()> HandmapEstimator::refinedMapLater() const {
+  return state_->correction.mapLater();
+}
 
 }  // namespace handmap

@@ -14,18 +14,27 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
   if (drawn.fixed) return;
   const RefinedBuilding refined =
       refinedBuilding(drawn, drawing_.uncertaintyOf(drawn), labels_.motion(), label.found);
-  Building& building = map_.buildings[b];
-  building = drawn.fitted(refined.box());
+  Building building = drawn.fitted(refined.box());
   building.estimate = refined.estimate;
   building.unknown.erase("doubtful");  // of an earlier run
   // Of what the robot has not come to yet nothing can be said.
   if (label.doubt > kSlightDoubt && (label.found || has_reached(refined.box()))) {
     building.unknown["doubtful"] = fmt::format("{:.2f}", label.doubt);
   }
+  corrected_.set(b, std::move(building));
+}
+
+std::function<Map()> MapCorrection::mapLater() const {
+  return [rest = rest_, buildings = buildings_] {
+    Map map = *rest;
+    map.buildings = buildings.all();
+    return map;
+  };
 }
 
 void MapCorrection::correctAll(std::span<const FoundBox> found, const HasReached& has_reached) {
   for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) correct(b, found, has_reached);
+  buildings_ = corrected_.share();
 }
 
 void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReached& has_reached) {
@@ -35,6 +44,7 @@ void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReache
     last_ = (last_ + 1) % drawing_.buildings.size();
     if (!labels_.isNearby(last_)) correct(last_, found, has_reached);
   }
+  buildings_ = corrected_.share();
 }
 
 }  // namespace handmap

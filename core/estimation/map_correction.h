@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 
+#include "core/base/shared_list.h"
 #include "core/estimation/labels.h"
 
 namespace handmap {
@@ -17,13 +19,17 @@ class MapCorrection {
 
   /// Keeps references to the drawing and to its labels.
   MapCorrection(const Map& drawing, const Labels& labels)
-      : drawing_(drawing), labels_(labels), map_(drawing) {}
+      : drawing_(drawing), labels_(labels), corrected_(drawing.buildings) {
+    auto rest = std::make_shared<Map>(drawing);
+    rest->buildings.clear();
+    rest_ = std::move(rest);
+  }
 
   /// `found`: of the last update of the labels.
   void correctAll(std::span<const FoundBox> found, const HasReached& has_reached);
   void correctSome(std::span<const FoundBox> found, const HasReached& has_reached);
   /// A building that is probably another one, or not there, has a member "doubtful".
-  const Map& map() const { return map_; }
+  std::function<Map()> mapLater() const;
 
  private:
   void correct(std::size_t building, std::span<const FoundBox> found,
@@ -31,8 +37,10 @@ class MapCorrection {
 
   const Map& drawing_;
   const Labels& labels_;
-  Map map_;
-  std::size_t last_ = 0;  ///< of the far buildings
+  std::shared_ptr<const Map> rest_;  ///< the drawing without its buildings
+  SharedListWriter<Building> corrected_;
+  SharedList<Building> buildings_;  ///< the same, to be shown
+  std::size_t last_ = 0;            ///< of the far buildings
 };
 
 }  // namespace handmap

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/session/pose_trust.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -24,7 +25,7 @@ std::array<double, 4> sidesOff(const Building& found, const Building& truth) {
 }
 
 void addWalls(const Snapshot& last, const Map& truth, RunStatements& statements) {
-  for (const BuildingTrust& trust : last.trust) {
+  for (const BuildingTrust& trust : trustOf(*last.map)) {
     const Building& found = last.map->buildings[trust.building];
     const Building* true_one = truth.find(found.id);
     if (true_one == nullptr) continue;

@@ -24,7 +24,7 @@ TrialStep stepOf(const Snapshot& snapshot, const Map& truth) {
   if (!snapshot.truth) throw Error(ErrorCode::RunFailed, "trial: an observation without truth");
   const Vec2 place = snapshot.truth->position();
   return {(snapshot.report.pose.position() - place).norm(),
-          (snapshot.odometry->back().pose.position() - place).norm(),
+          (snapshot.odometry.back().pose.position() - place).norm(),
           meanError(*snapshot.map, truth)};
 }
 

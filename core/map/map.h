@@ -105,7 +105,8 @@ struct Map {
 
   const Building* find(const std::string& id) const;
   Uncertainty uncertaintyOf(const Building& building) const {
-    return building.uncertainty.value_or(uncertainty);
+    constexpr Uncertainty kOfFixed{0.05, 0.05};
+    return building.fixed ? kOfFixed : building.uncertainty.value_or(uncertainty);
   }
   bool operator==(const Map&) const = default;
 };

@@ -1,8 +1,6 @@
 #include "core/perception/local_map.h"
 
 #include <algorithm>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -102,25 +100,6 @@ LocalMap::LocalMap(double cell_m, double range_m)
     : cell_(cell_m),
       range_(range_m),
       cells_(cv::Mat1f::zeros(sideOf(cell_m, range_m), sideOf(cell_m, range_m))) {}
-
-struct LazyLocalMap::State {
-  std::function<LocalMap()> render;
-  std::once_flag once;
-  std::optional<LocalMap> map;
-};
-
-LazyLocalMap::LazyLocalMap(double range_m, std::function<LocalMap()> render)
-    : range_m_(range_m), state_(std::make_shared<State>()) {
-  state_->render = std::move(render);
-}
-
-const LocalMap& LazyLocalMap::get() const {
-  std::call_once(state_->once, [this] {
-    state_->map = state_->render();
-    state_->render = nullptr;  // what it is made of may go
-  });
-  return *state_->map;
-}
 
 LocalMapBuilder::LocalMapBuilder(double range_m, const LocalMapOptions& options)
     : range_(range_m), options_(options) {

@@ -9,6 +9,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "core/base/lazy.h"
 #include "core/perception/wall_points.h"
 #include "core/recording/observation.h"
 
@@ -45,23 +46,22 @@ struct LocalMapOptions {
   double path_m = 30.0;            ///< a moving robot's map holds the points of its last metres
 };
 
-/// A local map that is rendered when somebody reads it, and then once. Copies share it; any thread
-/// may read.
+/// A local map that is rendered when somebody reads it.
 class LazyLocalMap {
  public:
   LazyLocalMap() = default;  ///< none
-  LazyLocalMap(double range_m, std::function<LocalMap()> render);
+  LazyLocalMap(double range_m, std::function<LocalMap()> render)
+      : range_m_(range_m), map_(std::move(render)) {}
 
-  explicit operator bool() const { return state_ != nullptr; }
+  explicit operator bool() const { return static_cast<bool>(map_); }
   double range() const { return range_m_; }  ///< of the map; renders nothing
-  const LocalMap& get() const;
+  const LocalMap& get() const { return map_.get(); }
   operator const LocalMap&() const { return get(); }  // NOLINT(google-explicit-constructor)
   bool operator==(const LazyLocalMap&) const = default;
 
  private:
-  struct State;
   double range_m_ = 0.0;
-  std::shared_ptr<State> state_;
+  Lazy<LocalMap> map_;
 };
 
 /// Collects wall points. A standing robot's map holds the points of that stop alone; a moving

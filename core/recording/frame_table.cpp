@@ -146,7 +146,7 @@ class TableReader {
 
 }  // namespace
 
-std::vector<FrameRow> readFrameTable(const std::filesystem::path& path) {
+std::vector<FrameRow> readFrameTable(const std::filesystem::path& path, const std::stop_token& stop) {
   const std::string content = readFile(path, kMaxBytes);
   const std::string file = path.string();
   ContentLines lines(content);
@@ -156,6 +156,7 @@ std::vector<FrameRow> readFrameTable(const std::filesystem::path& path) {
   TableReader reader(file, *header);
   std::vector<FrameRow> rows;
   for (; line; line = lines.next()) {
+    throwIfStopped(stop);
     rows.push_back(reader.read(*line));
     if (rows.size() > kMaxRows) {
       throwBadInput(file, fmt::format("line {}", line->number), "one more row",

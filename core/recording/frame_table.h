@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ inline constexpr int kMaxRowsOfStop = 100;
 /// Columns are found by their names; of them `frame` and `time_s` must be there. A column
 /// `right_time_s` tells when the right image was taken. Checks that frames and times increase (rows
 /// of one stop may share them) and that files lie inside the folder. Throws BadInput with the line.
-std::vector<FrameRow> readFrameTable(const std::filesystem::path& path);
+std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
+                                     const std::stop_token& stop = {});
 
 /// The header line, with its line end.
 std::string frameTableHeader();

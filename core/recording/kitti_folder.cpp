@@ -142,7 +142,7 @@ bool isKittiFolder(const fs::path& folder) {
          (fileExists(folder / "image_0") || fileExists(folder / "image_2"));
 }
 
-Recording openKittiFolder(const fs::path& folder) {
+Recording openKittiFolder(const fs::path& folder, const std::stop_token& stop) {
   const bool is_grey = fileExists(folder / "image_0");
   const ImageNames left = imageNames(folder, is_grey ? "image_0" : "image_2");
   const ImageNames right = imageNames(folder, is_grey ? "image_1" : "image_3");
@@ -155,6 +155,7 @@ Recording openKittiFolder(const fs::path& folder) {
       readCalibration(folder / "calib.txt", is_grey ? "P0" : "P2", is_grey ? "P1" : "P3", mount);
   const std::vector<double> times = readKittiTimes(folder / "times.txt");
   for (std::size_t i = 0; i < times.size(); ++i) {
+    throwIfStopped(stop);
     FrameRow row;
     row.frame = static_cast<int>(i);
     row.time_s = times[i];
@@ -167,7 +168,7 @@ Recording openKittiFolder(const fs::path& folder) {
   }
   if (const auto path = odometryFile(folder)) {
     recording.odometry =
-        path->extension() == ".tum" ? readTum(*path) : readKittiPoses(*path, times);
+        path->extension() == ".tum" ? readTum(*path, stop) : readKittiPoses(*path, times);
   }
   return recording;
 }

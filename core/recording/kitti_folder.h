@@ -10,7 +10,7 @@ bool isKittiFolder(const std::filesystem::path& folder);
 /// The camera is taken to be kDefaultCameraHeight above the ground, level. Truth: poses.txt or
 /// poses_gt_kitti.txt. Odometry: odometry.tum or the first odometry*_kitti.txt; truth is never used
 /// as odometry. Throws BadInput.
-Recording openKittiFolder(const std::filesystem::path& folder);
+Recording openKittiFolder(const std::filesystem::path& folder, const std::stop_token& stop = {});
 
 /// Increasing times, one a line. Throws BadInput.
 std::vector<double> readKittiTimes(const std::filesystem::path& path);

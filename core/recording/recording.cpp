@@ -84,7 +84,7 @@ void readCamera(const JsonValue& json, Recording& recording) {
   }
 }
 
-Recording openHandmapFolder(const fs::path& folder) {
+Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop) {
   const fs::path path = folder / "recording.json";
   const auto parsed = parseJson(readFile(path, kMaxBytes), path.string());
   const JsonValue json(parsed, path.string());
@@ -96,7 +96,7 @@ Recording openHandmapFolder(const fs::path& folder) {
   if (const auto range = json.find("range_limit_m")) {
     recording.range_limit_m = range->number(kMinRange_m, kMaxRange_m);
   }
-  recording.rows = readFrameTable(folder / "frames.csv");
+  recording.rows = readFrameTable(folder / "frames.csv", stop);
   const bool has_images = std::any_of(recording.rows.begin(), recording.rows.end(),
                                       [](const FrameRow& row) { return !row.left.empty(); });
   if (const auto camera = json.find("camera")) {
@@ -105,14 +105,14 @@ Recording openHandmapFolder(const fs::path& folder) {
     const auto defaults = nlohmann::json::object();
     readCamera(JsonValue(defaults, path.string()), recording);
   }
-  if (fileExists(folder / "odometry.tum")) recording.odometry = readTum(folder / "odometry.tum");
-  if (fileExists(folder / "truth.tum")) recording.truth = readTum(folder / "truth.tum");
+  if (fileExists(folder / "odometry.tum")) recording.odometry = readTum(folder / "odometry.tum", stop);
+  if (fileExists(folder / "truth.tum")) recording.truth = readTum(folder / "truth.tum", stop);
   return recording;
 }
 
 }  // namespace
 
-Recording openRecording(const fs::path& folder) {
+Recording openRecording(const fs::path& folder, const std::stop_token& stop) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     throwBadInput(folder.string(), "", "no such folder", "the folder of a recording");
@@ -122,7 +122,7 @@ Recording openRecording(const fs::path& folder) {
     throwBadInput(folder.string(), "", "neither recording.json nor a KITTI sequence",
                   "recording.json, or times.txt and image_0 or image_2");
   }
-  Recording recording = is_handmap ? openHandmapFolder(folder) : openKittiFolder(folder);
+  Recording recording = is_handmap ? openHandmapFolder(folder, stop) : openKittiFolder(folder, stop);
   if (recording.name.empty()) {
     recording.name = fs::weakly_canonical(folder, error).filename().string();
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,8 @@ struct Recording {
   Trajectory truth;     ///< map frame; may be empty
 };
 
-/// Reads and checks everything but images and points. Throws BadInput.
-Recording openRecording(const std::filesystem::path& folder);
+/// Reads and checks everything but images and points. Throws BadInput; see throwIfStopped().
+Recording openRecording(const std::filesystem::path& folder, const std::stop_token& stop = {});
 
 enum class SourceKind { Auto, Images, Points };
 

@@ -76,12 +76,13 @@ std::optional<Pose2> Trajectory::at(double time_s, double tolerance_s) const {
   return interpolated(before.pose, after->pose, t);
 }
 
-Trajectory readTum(const std::filesystem::path& path) {
+Trajectory readTum(const std::filesystem::path& path, const std::stop_token& stop) {
   const std::string file = path.string();
   const std::string content = readFile(path, kMaxBytes);
   std::vector<StampedPose> poses;
   ContentLines lines(content);
   while (const auto line = lines.next()) {
+    throwIfStopped(stop);
     const std::string place = fmt::format("line {}", line->number);
     const StampedPose stamped = parseTumLine(line->text, file, place);
     if (!poses.empty()) checkOrder(poses.back().time_s, stamped.time_s, file, place);

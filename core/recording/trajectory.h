@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ class Trajectory {
   std::vector<StampedPose> poses_;
 };
 
-Trajectory readTum(const std::filesystem::path& path);
+Trajectory readTum(const std::filesystem::path& path, const std::stop_token& stop = {});
 std::string formatTum(const std::vector<StampedPose>& poses);
 
 }  // namespace handmap

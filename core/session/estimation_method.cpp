@@ -57,8 +57,12 @@ class PaperMethod : public EstimationMethod {
     }
     return swarms;
   }
-  std::vector<StampedPose> trajectory() const override { return slam_.best().path.poses(); }
-  Map refinedMap() const override { return slam_.refinedMap(); }
+  SharedList<StampedPose> trajectory() const override {
+    return SharedListWriter<StampedPose>(slam_.best().path.poses()).share();
+  }
+  std::function<Map()> refinedMap() const override {
+    return [map = slam_.refinedMap()] { return map; };
+  }
 
  private:
   FastSlamPsom slam_;

@@ -33,8 +33,10 @@ class EstimationMethod {
   virtual void describe(FrameReport& report) const = 0;
   virtual std::vector<ParticleView> particles() const = 0;
   virtual std::vector<BuildingSwarm> swarms() const = 0;
-  virtual std::vector<StampedPose> trajectory() const = 0;
-  virtual Map refinedMap() const = 0;
+  /// Best so far, map frame.
+  virtual SharedList<StampedPose> trajectory() const = 0;
+  /// Makes the best map so far, at any time later and in any thread.
+  virtual std::function<Map()> refinedMap() const = 0;
 };
 
 /// Throws BadInput for a map without buildings or without a start pose.

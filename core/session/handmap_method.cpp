@@ -81,13 +81,16 @@ class HandmapMethod : public EstimationMethod {
     return views;
   }
   std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
-  std::vector<StampedPose> trajectory() const override {
-    std::vector<StampedPose> poses = estimator_.trajectory();
-    if (!way_) return poses;
+  SharedList<StampedPose> trajectory() const override {
+    if (!way_) return estimator_.trajectory();
+    std::vector<StampedPose> poses = estimator_.trajectory().all();
     for (std::size_t i = 0; i < poses.size(); ++i) poses[i].pose = way_->poses[i];
-    return poses;
+    return SharedListWriter<StampedPose>(poses).share();
   }
-  Map refinedMap() const override { return refined_ ? *refined_ : estimator_.refinedMap(); }
+  std::function<Map()> refinedMap() const override {
+    if (!refined_) return estimator_.refinedMapLater();
+    return [map = *refined_] { return map; };
+  }
 
  private:
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
@@ -112,7 +115,9 @@ class HandmapMethod : public EstimationMethod {
       alone.poses.push_back(start_ * pose);
     }
     Way buildings{Way::By::Buildings, {}};
-    for (const StampedPose& pose : estimator_.trajectory()) buildings.poses.push_back(pose.pose);
+    for (const StampedPose& pose : estimator_.trajectory().all()) {
+      buildings.poses.push_back(pose.pose);
+    }
     const bool blurs =
         trajectory_.sharpness(buildings.poses) < trajectory_.sharpness(alone.poses) - kMargin;
     return blurs ? alone : buildings;

@@ -13,13 +13,13 @@ namespace {
 class LocalizationMethod : public EstimationMethod {
  public:
   LocalizationMethod(const Map& map, const SourceInfo& source, const RunSettings& settings)
-      : map_(checked(map)),
+      : map_(std::make_shared<const Map>(checked(map))),
         start_odometry_(source.start_odometry),
         particles_(settings.slam.slam_particles),
         seed_(settings.seed),
         seen_(source.range_limit_m),
         trajectory_({.range_limit_m = source.range_limit_m}),
-        anchored_(map, seen_) {}
+        anchored_(*map_, seen_) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& /*progress*/) override {
@@ -53,13 +53,15 @@ class LocalizationMethod : public EstimationMethod {
   }
   std::vector<BuildingSwarm> swarms() const override { return {}; }
   /// Without the place of the start, where nothing was observed.
-  std::vector<StampedPose> trajectory() const override {
+  SharedList<StampedPose> trajectory() const override {
     const std::vector<Pose2> poses = anchored_.poses();
-    std::vector<StampedPose> trajectory;
+    SharedListWriter<StampedPose> trajectory;
     for (std::size_t i = 1; i < poses.size(); ++i) trajectory.push_back({times_[i], poses[i]});
-    return trajectory;
+    return trajectory.share();
   }
-  Map refinedMap() const override { return map_; }
+  std::function<Map()> refinedMap() const override {
+    return [map = map_] { return *map; };
+  }
 
  private:
   static const Map& checked(const Map& map) {
@@ -74,7 +76,7 @@ class LocalizationMethod : public EstimationMethod {
     anchored_.add(trajectory_.poses(), trajectory_.usable() ? WayNoise::Scans : WayNoise::Recorded);
   }
 
-  Map map_;
+  std::shared_ptr<const Map> map_;
   Pose2 start_odometry_;
   int particles_;
   std::uint64_t seed_;

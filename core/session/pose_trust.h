@@ -14,6 +14,13 @@ double probabilityWithin(const Eigen::Matrix2d& covariance, double distance_m);
 /// Writes pose_sigma and within.
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report);
 
+/// How sure a building is whose walls were seen.
+struct BuildingTrust {
+  std::size_t building;           ///< of the drawing
+  std::array<double, 4> sigma_m;  ///< of the sides of its box: ahead, left, behind, right
+  double within;                  ///< probability that a side is off by no more than its σ
+};
+
 /// Of the buildings of a corrected map whose walls were seen.
 std::vector<BuildingTrust> trustOf(const Map& refined);
 

@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/session/estimation_method.h"
-#include "core/session/pose_trust.h"
 #include "core/session/run_report.h"
 
 namespace handmap {
@@ -51,7 +50,7 @@ struct RunSession::State {
   std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
                                                const std::function<void(double)>& progress);
   void fill(Snapshot& snapshot) const;
-  Map refinedMap() const;
+  std::function<Map()> refinedMap() const;
 
   Map drawing;
   std::unique_ptr<ObservationSource> source;
@@ -59,7 +58,7 @@ struct RunSession::State {
   Perception perception;
   std::unique_ptr<EstimationMethod> method;
   Arena arena;
-  std::vector<StampedPose> odometry;  ///< alone, from the drawing's start
+  SharedListWriter<StampedPose> odometry;  ///< alone, from the drawing's start
   std::vector<FrameReport> frames;
   std::vector<SkippedFrame> skipped;
   RunCounts counts;
@@ -158,7 +157,7 @@ std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& o
   snapshot->index = static_cast<int>(frames.size() + skipped.size());
   snapshot->count = source->info().observations;
   fill(*snapshot);
-  snapshot->odometry = std::make_shared<const std::vector<StampedPose>>(odometry);
+  snapshot->odometry = odometry.share();
   snapshot->truth = poseAt(source->info().truth, observation.time_s);
   snapshot->local_map = std::move(percept.local_map);
   snapshot->image = percept.image;
@@ -193,25 +192,29 @@ void RunSession::State::fill(Snapshot& snapshot) const {
     }
     snapshot.swarms.push_back(std::move(view));
   }
-  snapshot.map = std::make_shared<const Map>(refinedMap());
-  snapshot.trust = trustOf(*snapshot.map);
-  snapshot.trajectory = std::make_shared<const std::vector<StampedPose>>(method->trajectory());
+  snapshot.map = Lazy<Map>(refinedMap());
+  snapshot.trajectory = method->trajectory();
 }
 
-std::vector<StampedPose> RunSession::trajectory() const { return state_->method->trajectory(); }
-
-Map RunSession::State::refinedMap() const {
-  Map map = method->refinedMap();
-  map.refinement = refinementJson(settings, source->info(), frames);
-  return map;
+std::vector<StampedPose> RunSession::trajectory() const {
+  return state_->method->trajectory().all();
 }
 
-Map RunSession::refinedMap() const { return state_->refinedMap(); }
+std::function<Map()> RunSession::State::refinedMap() const {
+  return
+      [make = method->refinedMap(), refinement = refinementJson(settings, source->info(), frames)] {
+        Map map = make();
+        map.refinement = refinement;
+        return map;
+      };
+}
+
+Map RunSession::refinedMap() const { return state_->refinedMap()(); }
 
 std::vector<RunWarning> RunSession::warnings() const {
   const RunSettings& settings = state_->settings;
   return runWarnings({state_->counts, source().range_limit_m, state_->drawing,
-                      state_->method->refinedMap(), trajectory(), settings.slam.refine});
+                      state_->method->refinedMap()(), trajectory(), settings.slam.refine});
 }
 
 std::string RunSession::reportJson() const {
@@ -220,7 +223,7 @@ std::string RunSession::reportJson() const {
   getrusage(RUSAGE_SELF, &usage);
   const double peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
   return runReportJson({state_->settings, source(), state_->frames, state_->skipped, warnings(),
-                        state_->method->refinedMap(), wall_s, peak_memory_mb});
+                        state_->method->refinedMap()(), wall_s, peak_memory_mb});
 }
 
 }  // namespace handmap

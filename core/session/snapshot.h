@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/base/lazy.h"
+#include "core/base/shared_list.h"
 #include "core/map/map.h"
 #include "core/perception/local_map.h"
 #include "core/recording/trajectory.h"
@@ -49,30 +50,22 @@ struct FrameReport {
   bool odometry_guessed = false;  ///< see Observation
 };
 
-/// How sure a building is whose walls were seen.
-struct BuildingTrust {
-  std::size_t building;           ///< of the drawing
-  std::array<double, 4> sigma_m;  ///< of the sides of its box: ahead, left, behind, right
-  double within;                  ///< probability that a side is off by no more than its σ
-};
-
 struct Snapshot {
   int index = 0;  ///< observations done
   int count = 0;  ///< observations in all
   FrameReport report;
   std::vector<ParticleView> particles;
   std::vector<SwarmView> swarms;
-  std::vector<BuildingTrust> trust;  ///< of all buildings that were seen
   /// Best so far, ready to be saved: with the "refinement" object; every refined building has its
   /// estimate.
-  std::shared_ptr<const Map> map;
-  std::shared_ptr<const std::vector<StampedPose>> trajectory;  ///< best so far, map frame
-  std::shared_ptr<const std::vector<StampedPose>> odometry;    ///< alone, from the same start
-  std::optional<Pose2> truth;  ///< for drawing; never read by the estimator
-  LazyLocalMap local_map;      ///< around report.pose
-  cv::Mat image;               ///< left image, not to be written to; empty without a camera
-  cv::Mat1f disparity;         ///< the same
-  cv::Mat1f buildings;         ///< probability of each of its 16×16 windows, see StereoResult
+  Lazy<Map> map;
+  SharedList<StampedPose> trajectory;  ///< best so far, map frame
+  SharedList<StampedPose> odometry;    ///< alone, from the same start
+  std::optional<Pose2> truth;          ///< for drawing; never read by the estimator
+  LazyLocalMap local_map;              ///< around report.pose
+  cv::Mat image;                       ///< left image, not to be written to; empty without a camera
+  cv::Mat1f disparity;                 ///< the same
+  cv::Mat1f buildings;  ///< probability of each of its 16×16 windows, see StereoResult
 };
 
 }  // namespace handmap

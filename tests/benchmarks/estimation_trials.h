@@ -80,7 +80,7 @@ inline TrialResult runTrial(const Map& drawing, const Map& truth, ObservationSou
     result.strict &= error.iou >= 0.5;
   }
   const Trajectory true_poses(source.info().truth, "truth");
-  if (const auto error = compareTrajectories(estimator.trajectory(), true_poses)) {
+  if (const auto error = compareTrajectories(estimator.trajectory().all(), true_poses)) {
     result.pose_rms = error->rms_m;
   }
   if (const auto error = compareTrajectories(odometry, true_poses)) {

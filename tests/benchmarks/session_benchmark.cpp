@@ -1,5 +1,6 @@
 // What a run costs beside estimating: its snapshots, and how soon it hears that it shall stop.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <random>
 #include <thread>
@@ -106,19 +107,12 @@ std::vector<double> latenciesOf(RunSession& session, std::mt19937& random) {
   }
 }
 
-/// Over drives around campuses, half the steps are asked to stop.
-void stopping(benchmark::State& state) {
-  constexpr std::uint64_t kDrives = 3;
-  std::mt19937 random(1);
-  std::vector<double> latencies_ms;
-  for (auto _ : state) {
-    for (std::uint64_t seed = 1; seed <= kDrives; ++seed) {
-      const World world = loopWorld(seed);
-      RunSession session(perturbed(world.map, 4.0, seed), simulate(world, {}, seed), {});
-      const auto more = latenciesOf(session, random);
-      latencies_ms.insert(latencies_ms.end(), more.begin(), more.end());
-    }
-  }
+RunSession driveAround(std::uint64_t seed, double step_m) {
+  const World world = loopWorld(seed);
+  return RunSession(perturbed(world.map, 4.0, seed), simulate(world, atStep({}, step_m), seed), {});
+}
+
+void report(benchmark::State& state, std::vector<double> latencies_ms) {
   std::sort(latencies_ms.begin(), latencies_ms.end());
   const auto quantile = [&](double share) {
     return latencies_ms.empty() ? 0.0
@@ -130,7 +124,63 @@ void stopping(benchmark::State& state) {
   state.counters["p99_ms"] = quantile(0.99);
   state.counters["worst_ms"] = quantile(1.0);
 }
+
+/// Over drives of more than 500 observations around campuses, half the steps are asked to stop.
+void stopping(benchmark::State& state) {
+  std::mt19937 random(1);
+  std::vector<double> latencies_ms;
+  for (auto _ : state) {
+    for (const std::uint64_t seed : {1, 2}) {
+      RunSession session = driveAround(seed, 2.0);
+      const auto more = latenciesOf(session, random);
+      latencies_ms.insert(latencies_ms.end(), more.begin(), more.end());
+    }
+  }
+  report(state, std::move(latencies_ms));
+}
 BENCHMARK(stopping)->Iterations(1)->Unit(benchmark::kSecond);
+
+/// The same within what is done once the source is at its end.
+void stoppingAtTheEnd(benchmark::State& state) {
+  constexpr std::uint64_t kDrives = 20;
+  std::mt19937 random(1);
+  std::vector<double> latencies_ms;
+  double whole_ms = 1000.0;
+  for (auto _ : state) {
+    for (std::uint64_t seed = 1; seed <= kDrives; ++seed) {
+      RunSession session = driveAround(seed, 5.0);
+      while (session.frames().size() < static_cast<std::size_t>(session.source().observations)) {
+        session.step();
+      }
+      std::stop_source stop;
+      Clock::time_point asked = Clock::time_point::max();
+      const double wait_ms = seed == 1 ? 1e4 : std::uniform_real_distribution(0.0, whole_ms)(random);
+      std::atomic<bool> over = false;
+      std::thread asking([&] {
+        const auto until = Clock::now() + std::chrono::duration<double, std::milli>(wait_ms);
+        while (!over && Clock::now() < until) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        if (over) return;
+        asked = Clock::now();
+        stop.request_stop();
+      });
+      const auto begin = Clock::now();
+      session.step(stop.get_token());
+      const auto ended = Clock::now();
+      over = true;
+      asking.join();
+      if (asked < ended) {
+        latencies_ms.push_back(std::chrono::duration<double, std::milli>(ended - asked).count());
+      } else {
+        whole_ms = std::chrono::duration<double, std::milli>(ended - begin).count();
+      }
+    }
+  }
+  state.counters["whole_ms"] = whole_ms;
+  report(state, std::move(latencies_ms));
+}
+BENCHMARK(stoppingAtTheEnd)->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace handmap

@@ -1,5 +1,6 @@
 #!/bin/bash
-# What a crash costs: kills the program at random moments of drawing, running, saving and teaching,
+# What a crash costs: kills the program at random moments of drawing, running, saving, exporting,
+# teaching and training,
 # and counts what the next session does not get back. Not one of the tests, as it takes minutes:
 # crash_trials.sh PROGRAM IMAGE OUT [TRIALS_OF_EACH [SEED]]
 set -eu
@@ -63,10 +64,38 @@ teach() {
   xdotool type "$image"
   key Return
   sleep 1
+  [ "$2" = teaching ] || train
+  while [ "$(now_ms)" -lt "$end" ]; do [ "$2" = training ] && sleep 0.1 || paint 250; done
+}
+paint() {  # below a line of the panel
+  xdotool mousemove --window "$panel" $((400 + RANDOM % 300)) $(($1 + RANDOM % 100)) click 1
+  painted=$((painted + 1))
+}
+train() {
+  for _ in $(seq 15); do paint 150; done
+  key alt+p
+  key Down
+  for _ in $(seq 15); do paint 300; done
+  key alt+t
+}
+# Pictures, each whole or not there.
+export_until() {
+  local end=$1
   while [ "$(now_ms)" -lt "$end" ]; do
-    x=$((400 + RANDOM % 300))
-    xdotool mousemove --window "$panel" $x $((250 + RANDOM % 100)) click 1
-    painted=$((painted + 1))
+    exported=$((exported + 1))
+    key alt+f
+    key p
+    wait_until "the file dialog" has_window 'Export a picture'
+    xdotool search --onlyvisible --name 'Export a picture' windowactivate --sync
+    key ctrl+a
+    xdotool type "$out/work/$exported.png"
+    key Return
+  done
+}
+torn_pictures() {
+  local picture
+  for picture in "$out"/work/*.png; do
+    [ ! -e "$picture" ] || tail -c 8 "$picture" | grep -q IEND || echo "TORN: $picture"
   done
 }
 painted_windows() {
@@ -76,13 +105,13 @@ painted_windows() {
 trial() {
   local kind=$1 moment=$((RANDOM % 9000 + 1500)) end file= lost=0 back oldest=0
   fresh
-  drawn= painted=0
+  drawn= painted=0 exported=0
   [ "$kind" != saving ] || {
     file=$out/work/mine.handmap
     echo '{"format":"handmap","version":1,"buildings":[]}' >"$file"
   }
   start_program before ${file:+"$file"}
-  if [ "$kind" = running ]; then
+  if [ "$kind" = running ] || [ "$kind" = exporting ]; then
     key ctrl+shift+m
     sleep 0.3
     key t
@@ -91,14 +120,20 @@ trial() {
   fi
   end=$(($(now_ms) + moment))
   case $kind in
-    teaching) teach "$end" ;;
+    teaching | training) teach "$end" "$kind" ;;
+    exporting) export_until "$end" ;;
     saving) draw_until "$end" save ;;
     *) draw_until "$end" nothing ;;
   esac
   crash
   local killed
   killed=$(now_ms)
-  if [ "$kind" = teaching ]; then
+  if [ "$kind" = exporting ]; then
+    torn_pictures
+    echo "$kind moment_ms=$moment strokes=$exported lost=0 age_ms=-"
+    return
+  fi
+  if [ "$kind" = teaching ] || [ "$kind" = training ]; then
     [ "$painted" -eq 0 ] || [ "$(painted_windows)" -gt 0 ] || lost=$painted
     echo "$kind moment_ms=$moment strokes=$painted lost=$lost age_ms=-"
     return
@@ -112,7 +147,7 @@ trial() {
   echo "$kind moment_ms=$moment drawn=${drawn:-0} lost=$lost age_ms=$oldest"
 }
 
-for kind in drawing running saving teaching; do
+for kind in drawing running saving exporting teaching training; do
   for i in $(seq "$trials"); do trial $kind; done
 done | tee "$out/trials"
 awk '{ n[$1]++

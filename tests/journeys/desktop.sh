@@ -83,5 +83,6 @@ trap 'kill $x_id 2>/dev/null || true' EXIT
 log=/dev/null
 wait_until "the X server" test -s "$out/display"
 export DISPLAY=:$(tr -d '\n' <"$out/display")
-openbox >/dev/null 2>&1 &
-wait_until "the window manager" xdotool get_desktop
+# A window that comes while it starts is never shown.
+openbox --startup "touch '$out/managed'" >/dev/null 2>&1 &
+wait_until "the window manager" test -e "$out/managed"

@@ -43,7 +43,7 @@ TEST_F(RunControllerTest, KeepsTheResultOfARunThatHasEnded) {
   ASSERT_EQ(finished.count(), 1);
   EXPECT_FALSE(finished[0][0].toBool()) << "not cancelled";
   ASSERT_NE(run_.result(), nullptr);
-  EXPECT_FALSE(run_.result()->map.refinement.empty());
+  EXPECT_FALSE(run_.result()->map().refinement.empty());
   EXPECT_EQ(run_.drawing(), drawing_);
 }
 

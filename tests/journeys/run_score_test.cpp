@@ -20,8 +20,8 @@ std::vector<StampedPose> wayBeside(double y) {
 
 Snapshot atTheEnd() {
   Snapshot last;
-  last.odometry = std::make_shared<const std::vector<StampedPose>>(wayBeside(2.0));
-  last.trajectory = std::make_shared<const std::vector<StampedPose>>(wayBeside(0.5));
+  last.odometry = SharedListWriter(wayBeside(2.0)).share();
+  last.trajectory = SharedListWriter(wayBeside(0.5)).share();
   return last;
 }
 

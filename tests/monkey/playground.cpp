@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDir>
 #include <QDropEvent>
 #include <QFile>
 #include <QMenu>
@@ -10,6 +11,7 @@
 #include <QToolButton>
 #include <QUrl>
 #include <thread>
+#include <unistd.h>
 
 #include "app/gui/application.h"
 #include "app/gui/docks.h"
@@ -66,11 +68,13 @@ class Playground::Answers : public Dialogs {
 
   QString fileToOpen(const File&) override {
     return choose(
-        {"saved.handmap", "large.handmap", "empty.handmap", "torn.handmap", "gone.handmap"});
+        {"saved.handmap", "large.handmap", "empty.handmap", "locked/locked.handmap", "torn.handmap",
+         "gone.handmap"});
   }
   QString fileToSave(const File& file) override {
     if (playground_.value_ % 5 == 0) return QStringLiteral("/proc/none/x.") + file.suffix;
-    return choose({"saved." + file.suffix, "new." + file.suffix, "below/new." + file.suffix});
+    return choose({"saved." + file.suffix, "new." + file.suffix, "below/new." + file.suffix,
+                   "locked/new." + file.suffix});
   }
   QString folderToOpen(const QString&, const QString&) override {
     return choose({"recording", "nowhere", "."});
@@ -90,11 +94,15 @@ class Playground::Answers : public Dialogs {
 };
 
 Playground::Playground() : settings_(path("settings.ini"), QSettings::IniFormat) {
+  qputenv("HOME", folder_.path().toUtf8());  // that of root is out of reach, see makeLockedFile()
   QObject::connect(&Application::instance(), &Application::failed, &Application::instance(),
                    [this](const QString& message) { thrown_ << message; });
 }
 
-Playground::~Playground() { Application::instance().disconnect(); }
+Playground::~Playground() {
+  Application::instance().disconnect();
+  static_cast<void>(seteuid(getuid()));  // for the folder to be removed
+}
 
 void Playground::makeFiles() {
   const World world = twoRowWorld(3);
@@ -103,10 +111,27 @@ void Playground::makeFiles() {
   write(path("torn.handmap"), "{\"format\": \"handmap\",");
   QFile::remove(path("new.handmap"));
   if (QFile::exists(path("recording"))) return;
+  makeLockedFile();
   writeMap(largeMap(), path("large.handmap").toStdString());
   auto source = simulate(world, {}, 3);
   RecordingWriter writer(path("recording").toStdString(), source->info());
   for (int i = 0; i < kObservations; ++i) writer.add(source->next().value());
+}
+
+/// To be read only; root may write everywhere, so the program does not go on as root.
+void Playground::makeLockedFile() {
+  constexpr ::uid_t kNobody = 65534;
+  QDir().mkpath(path("locked"));
+  writeMap(twoRowWorld(4).map, path("locked/locked.handmap").toStdString());
+  QFile::setPermissions(path("locked/locked.handmap"), QFile::ReadOwner | QFile::ReadOther);
+  QFile::setPermissions(path("locked"),
+                        QFile::ReadOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther);
+  if (geteuid() != 0) return;
+  for (const QString& name : {QStringLiteral("."), QStringLiteral("saved.handmap"),
+                              QStringLiteral("empty.handmap"), QStringLiteral("torn.handmap")}) {
+    if (chown(qPrintable(path(name)), kNobody, kNobody) != 0) qFatal("chown %s", qPrintable(name));
+  }
+  if (setegid(kNobody) != 0 || seteuid(kNobody) != 0) qFatal("root stays root");
 }
 
 void Playground::openWindow() {
@@ -187,7 +212,7 @@ void Playground::take(const Step& step) {
       return press(value_);
     case StepKind::Drop:
       return drop(
-          path(chosen(QStringList{"recording", "saved.handmap", "torn.handmap", "."}, value_)));
+          path(chosen(QStringList{"recording", "saved.handmap", "locked/locked.handmap", "torn.handmap", "."}, value_)));
     case StepKind::Undo:
       return document_->undoStack().undo();
     case StepKind::Redo:

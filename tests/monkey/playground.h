@@ -25,6 +25,7 @@ class Playground {
   class Answers;
 
   void makeFiles();
+  void makeLockedFile();
   void openWindow();
   void take(const Step& step);
   void stroke(std::uint32_t value);

@@ -1,5 +1,6 @@
 #include "widgets/run/buildings_model.h"
 
+#include <algorithm>
 #include <array>
 
 namespace handmap {
@@ -33,11 +34,13 @@ void BuildingsModel::setDrawing(Map drawing) {
 
 void BuildingsModel::setRefined(const Map& refined) {
   std::vector<Row> rows;
-  for (const Building& building : refined.buildings) {
-    const Building* drawn = drawing_.find(building.id);
-    if (!building.estimate || drawn == nullptr) continue;
+  // The buildings of a refined map stand where those of its drawing do.
+  const std::size_t count = std::min(refined.buildings.size(), drawing_.buildings.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Building& building = refined.buildings[i];
+    if (!building.estimate) continue;
     const Rectangle now = building.box();
-    const Rectangle before = drawn->box();
+    const Rectangle before = drawing_.buildings[i].box();
     const Vec2 moved = now.centre - before.centre;
     rows.push_back(
         {QString::fromStdString(building.id),

@@ -77,8 +77,8 @@ void RunOverlays::show(const Snapshot& snapshot) {
   local_map_->setLocalMap(snapshot.local_map, snapshot.report.pose);
   swarms_->setSwarms(snapshot.swarms);
   if (snapshot.map) corrected_->setMap(*snapshot.map);
-  if (snapshot.odometry) odometry_->setPoses(*snapshot.odometry);
-  if (snapshot.trajectory) trajectory_->setPoses(*snapshot.trajectory);
+  odometry_->setPoses(snapshot.odometry.all());
+  trajectory_->setPoses(snapshot.trajectory.all());
   particles_->setParticles(snapshot.particles);
   robot_->setPose(snapshot.report.pose);
   if (snapshot.truth) true_robot_->setPose(*snapshot.truth);

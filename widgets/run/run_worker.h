@@ -37,13 +37,11 @@ RunFailure failureOf(const Error& error);
 
 /// What a run has found out after its latest whole step.
 struct RunResult {
-  explicit RunResult(std::shared_ptr<const Snapshot> snapshot)
-      : last(std::move(snapshot)), map(*last->map), trajectory(last->trajectory) {}
+  explicit RunResult(std::shared_ptr<const Snapshot> snapshot) : last(std::move(snapshot)) {}
 
   std::shared_ptr<const Snapshot> last;
-  const Map& map;  ///< refined, ready to be saved; of `last`
-  std::shared_ptr<const std::vector<StampedPose>> trajectory;
-  std::vector<RunWarning> warnings;  ///< once the source is at its end
+  const Map& map() const { return *last->map; }  ///< refined, ready to be saved
+  std::vector<RunWarning> warnings;              ///< once the source is at its end
 };
 
 class RunWorker : public QObject {

@@ -94,7 +94,9 @@ QWidget* TeachPanel::makeBrushes() {
   };
   connect(brush_, &QComboBox::currentIndexChanged, this, apply);
   connect(brush_size_, &QComboBox::currentIndexChanged, this, apply);
-  layout->addWidget(new QLabel(tr("Paint")));
+  auto* label = new QLabel(tr("&Paint"));
+  label->setBuddy(brush_);
+  layout->addWidget(label);
   layout->addWidget(brush_);
   layout->addWidget(brush_size_);
   layout->addStretch();
@@ -301,7 +303,7 @@ void TeachPanel::updateState() {
   const Counts counts = countOf(labels_);
   const int needed = TrainingOptions().folds;
   const bool enough = counts.buildings >= needed && counts.others >= needed;
-  train_->setText(isTraining() ? tr("Cancel") : tr("Train"));
+  train_->setText(isTraining() ? tr("Cancel") : tr("&Train"));
   train_->setEnabled(isTraining() || enough);
   progress_->setVisible(isTraining());
   save_->setEnabled(classifier_ != nullptr);

@@ -34,7 +34,7 @@ Outcome runThrough(const World& world, const Map& drawing, int observations,
   }
   estimator.finish();
   run.refined = estimator.refinedMap();
-  run.trajectory = estimator.trajectory();
+  run.trajectory = estimator.trajectory().all();
   const Pose2 truth = source->info().truth[run.trajectory.size() - 1].pose;
   run.pose_error = (estimator.pose().position() - truth.position()).norm();
   run.odometry_error = ((*drawing.start * odometry).position() - truth.position()).norm();

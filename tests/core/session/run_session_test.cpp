@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/evaluation/comparison.h"
 #include "core/map/map_io.h"
+#include "core/session/pose_trust.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -93,8 +94,8 @@ TEST(RunSession, StreamsSnapshotsAndEnds) {
     EXPECT_EQ(snapshot->particles.size(), 12U);
     ASSERT_EQ(snapshot->swarms.size(), 2U);
     EXPECT_EQ(snapshot->swarms[1].members.size(), 20U);
-    EXPECT_EQ(snapshot->trajectory->size(), static_cast<std::size_t>(i));
-    EXPECT_EQ(snapshot->odometry->size(), static_cast<std::size_t>(i));
+    EXPECT_EQ(snapshot->trajectory.size(), static_cast<std::size_t>(i));
+    EXPECT_EQ(snapshot->odometry.size(), static_cast<std::size_t>(i));
     ASSERT_TRUE(snapshot->truth);
     EXPECT_EQ(snapshot->truth->x, 2.0 * (i - 1));
     EXPECT_GT(snapshot->report.ms.total, 0.0);
@@ -253,7 +254,7 @@ TEST(RunSession, SaysWithEachFrameHowProbablyItIsRight) {
     EXPECT_LE(within[1], within[2]);
     EXPECT_LE(within[2], 1.0);
   }
-  EXPECT_EQ(last->trust.size(), 6U);
+  EXPECT_EQ(trustOf(*last->map).size(), 6U);
   const auto report = nlohmann::json::parse(session.reportJson());
   EXPECT_EQ(report["frames"][3]["within"].size(), 3U);
   EXPECT_GT(report["frames"][3]["within"]["5_m"], 0.5);

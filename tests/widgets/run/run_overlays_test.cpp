@@ -22,14 +22,16 @@ std::shared_ptr<Snapshot> fullSnapshot() {
   building.estimate = Estimate{1.0, 1.0, 0.0, 3};
   Map map;
   map.buildings = {building};
-  snapshot->map = std::make_shared<const Map>(map);
+  snapshot->map = Lazy<Map>([map] { return map; });
   snapshot->report.pose = {20.0, 30.0, kPi / 2};
   snapshot->particles = {{{10.0, 5.0, 0.0}, 1.0}};
   snapshot->swarms = {{0, {Rectangle{{30.0, 22.0}, 6.0, 4.0, 0.0}.corners()}}};
-  snapshot->trajectory = std::make_shared<std::vector<StampedPose>>(
-      std::vector<StampedPose>{{0.0, {2.0, 15.0, 0.0}}, {1.0, {12.0, 15.0, 0.0}}});
-  snapshot->odometry = std::make_shared<std::vector<StampedPose>>(
-      std::vector<StampedPose>{{0.0, {2.0, 20.0, 0.0}}, {1.0, {12.0, 20.0, 0.0}}});
+  snapshot->trajectory =
+      SharedListWriter(std::vector<StampedPose>{{0.0, {2.0, 15.0, 0.0}}, {1.0, {12.0, 15.0, 0.0}}})
+          .share();
+  snapshot->odometry =
+      SharedListWriter(std::vector<StampedPose>{{0.0, {2.0, 20.0, 0.0}}, {1.0, {12.0, 20.0, 0.0}}})
+          .share();
   LocalMap local_map(0.1, 20.0);
   // A patch of wall 10 m ahead and 5 m to the left of the robot.
   local_map.cells()(cv::Rect(local_map.columnOf(10.0) - 5, local_map.columnOf(5.0) - 5, 10, 10)) =

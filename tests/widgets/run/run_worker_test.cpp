@@ -114,8 +114,8 @@ TEST(RunWorker, RunsToTheEndAndShowsTheLastSnapshotBeforeItSaysSo) {
   EXPECT_EQ(heard.events().at(heard.events().size() - 2), "#4");
   EXPECT_EQ(heard.reports(), 4);
   ASSERT_NE(heard.worker().result(), nullptr);
-  EXPECT_FALSE(heard.worker().result()->map.refinement.empty());
-  EXPECT_EQ(heard.worker().result()->trajectory->size(), 4U);
+  EXPECT_FALSE(heard.worker().result()->map().refinement.empty());
+  EXPECT_EQ(heard.worker().result()->last->trajectory.size(), 4U);
 }
 
 TEST(RunWorker, GivesTheSameMapAsARunWithoutAThread) {
@@ -126,7 +126,7 @@ TEST(RunWorker, GivesTheSameMapAsARunWithoutAThread) {
   Heard heard(job);
   heard.worker().start();
   ASSERT_TRUE(heard.wait("finished"));
-  EXPECT_EQ(formatMap(heard.worker().result()->map), formatMap(session.refinedMap()));
+  EXPECT_EQ(formatMap(heard.worker().result()->map()), formatMap(session.refinedMap()));
 }
 
 TEST(RunWorker, StepsOneByOne) {

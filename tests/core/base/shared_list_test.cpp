@@ -1,0 +1,54 @@
+#include "core/base/shared_list.h"
+
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/base/lazy.h"
+
+namespace handmap {
+namespace {
+
+TEST(SharedList, AVersionNeverChanges) {
+  std::vector<int> numbers(200);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  SharedListWriter<int> writer(numbers);
+  const SharedList<int> before = writer.share();
+  writer.set(70, -1);
+  writer.push_back(200);
+  const SharedList<int> after = writer.share();
+  EXPECT_EQ(before.all(), numbers);
+  numbers[70] = -1;
+  numbers.push_back(200);
+  EXPECT_EQ(after.all(), numbers);
+  EXPECT_EQ(after.size(), 201U);
+  EXPECT_EQ(after.back(), 200);
+  EXPECT_EQ(writer[70], -1);
+}
+
+TEST(SharedList, VersionsShareWhatHasNotChanged) {
+  SharedListWriter<int> writer(std::vector<int>(200, 7));
+  const SharedList<int> before = writer.share();
+  writer.set(70, 8);
+  const SharedList<int> after = writer.share();
+  EXPECT_EQ(&before[0], &after[0]);
+  EXPECT_NE(&before[70], &after[70]);
+  EXPECT_EQ(&before[199], &after[199]);
+  EXPECT_TRUE(SharedList<int>().empty());
+}
+
+TEST(Lazy, IsMadeOnceForAllCopies) {
+  int made = 0;
+  const Lazy<int> lazy([&made] { return ++made; });
+  const Lazy<int> copy = lazy;
+  EXPECT_EQ(made, 0);
+  EXPECT_EQ(*copy, 1);
+  EXPECT_EQ(*lazy, 1);
+  EXPECT_EQ(copy, lazy);
+  EXPECT_FALSE(Lazy<int>());
+  EXPECT_TRUE(lazy);
+}
+
+}  // namespace
+}  // namespace handmap
