@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
+#include "app/cli/evaluate_runs.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/cli/share_progress.h"
@@ -18,8 +19,17 @@ namespace {
 constexpr int kMostShards = 100000;
 constexpr std::size_t kMostSigmas = 20;
 
+enum class Wanted { Times, Trials, Reliability };
+
 struct EvaluateArguments {
+  Wanted wanted = Wanted::Trials;
   Experiment experiment;
+  int trials = 0;  ///< 0: as usual
+  std::vector<std::string> recordings;
+  std::vector<std::string> maps;
+  std::vector<std::string> truths;
+  std::vector<int> from;
+  SourceKind source = SourceKind::Auto;
   std::optional<Shard> shard;  ///< absent: all, and the report
   bool unrestricted = false;
   bool merge = false;
@@ -27,11 +37,22 @@ struct EvaluateArguments {
   std::string out;
 };
 
-ExperimentKind kindOf(const std::string& word) {
-  if (word == "table1") return ExperimentKind::Table1;
-  if (word == "table2") return ExperimentKind::Table2;
-  if (word == "fig8") return ExperimentKind::Figure8;
-  throw CLI::ValidationError(fmt::format("found {}, expected table1, table2 or fig8", word));
+void choose(const std::string& word, EvaluateArguments& arguments) {
+  if (word == "table1") {
+    arguments.wanted = Wanted::Times;
+  } else if (word == "reliability") {
+    arguments.wanted = Wanted::Reliability;
+    arguments.experiment.kind = ExperimentKind::Way;
+  } else if (word == "table2") {
+    arguments.experiment.kind = ExperimentKind::Table2;
+  } else if (word == "fig8") {
+    arguments.experiment.kind = ExperimentKind::Figure8;
+  } else if (word == "way") {
+    arguments.experiment.kind = ExperimentKind::Way;
+  } else {
+    throw CLI::ValidationError(
+        fmt::format("found {}, expected table1, table2, fig8, way or reliability", word));
+  }
 }
 
 std::vector<Method> methodsOf(const std::string& words) {
@@ -81,11 +102,33 @@ void checkFolder(const std::string& path) {
               fmt::format("{}: found something there, expected a folder or nothing", path));
 }
 
-int evaluate(EvaluateArguments arguments) {
-  checkFolder(arguments.out);
+void checkUse(const EvaluateArguments& a) {
+  const auto refuse = [](const std::string& what) { throw Error(ErrorCode::Usage, what); };
+  if (a.wanted != Wanted::Trials && (a.merge || a.shard)) {
+    refuse("--shard and --merge: only with table2, fig8 and way");
+  }
+  if (a.wanted != Wanted::Reliability && !a.recordings.empty()) {
+    refuse("--recording: only with reliability");
+  }
+  if (a.maps.size() != a.recordings.size() || a.truths.size() != a.recordings.size()) {
+    refuse(fmt::format("found {} --recording, {} --map and {} --truth, expected as many of each",
+                       a.recordings.size(), a.maps.size(), a.truths.size()));
+  }
+  if (!a.from.empty() && a.from.size() != a.recordings.size()) {
+    refuse(fmt::format("found {} --recording and {} --from, expected one each, or no --from",
+                       a.recordings.size(), a.from.size()));
+  }
+}
+
+int print(const Report& report, const std::string& folder) {
+  writeReport(report, folder);
+  fmt::print("{}", report.markdown);
+  return 0;
+}
+
+int evaluateTrials(EvaluateArguments arguments) {
   Experiment& experiment = arguments.experiment;
-  if (experiment.sigmas_m.empty()) experiment.sigmas_m = usualSigmas(experiment.kind);
-  if (arguments.unrestricted) experiment.settings.keeping = Keeping::Nothing;
+  if (arguments.trials > 0) experiment.trials = arguments.trials;
   if (!arguments.merge) {
     const Interrupt interrupt;
     ShareProgress progress;
@@ -106,10 +149,33 @@ int evaluate(EvaluateArguments arguments) {
   }
   const auto trials = readTrials(arguments.out, experiment.settings);
   if (trials.empty()) throwBadInput(arguments.out, "", "no trials", "tables trials-*.csv");
-  const Report report = reportOf(experiment, trials);
-  writeReport(report, arguments.out);
-  fmt::print("{}", report.markdown);
-  return 0;
+  return print(reportOf(experiment, trials), arguments.out);
+}
+
+int evaluate(EvaluateArguments a) {
+  checkUse(a);
+  checkFolder(a.out);
+  if (a.experiment.sigmas_m.empty()) a.experiment.sigmas_m = usualSigmas(a.experiment.kind);
+  if (a.unrestricted) a.experiment.settings.keeping = Keeping::Nothing;
+  if (a.wanted == Wanted::Trials) return evaluateTrials(a);
+  std::optional<Report> report;
+  if (a.wanted == Wanted::Times) {
+    report = evaluateTimes(a.experiment.settings.seed, a.trials, a.threads);
+  } else {
+    std::vector<RealRun> real;
+    for (std::size_t i = 0; i < a.recordings.size(); ++i) {
+      ReplayOptions replay;
+      replay.kind = a.source;
+      if (!a.from.empty()) replay.from = a.from[i];
+      real.push_back({a.recordings[i], a.maps[i], a.truths[i], replay});
+    }
+    report = evaluateReliability(a.experiment, a.trials, real);
+  }
+  if (!report) {
+    fmt::print(stderr, "handmap-cli: interrupted, nothing written\n");
+    return Interrupt::kExitStatus;
+  }
+  return print(*report, a.out);
 }
 
 constexpr auto kFooter =
@@ -137,14 +203,20 @@ void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen) {
     return command->add_option_function<std::string>(
         name, [parse, &value](const std::string& words) { value = parse(words); }, text);
   };
-  add("experiment", kindOf, a.experiment.kind,
-      "Errors of the buildings, success against the error of the drawing, errors over the way "
-      "(required)")
+  command
+      ->add_option_function<std::string>(
+          "experiment", [&a](const std::string& word) { choose(word, a); },
+          "Processing time of a frame (table1), success (table2) and errors of the buildings "
+          "(fig8) "
+          "against the error of the drawing, errors over the way (way), stated against true "
+          "probability (reliability) (required)")
       ->required()
-      ->option_text("table1|table2|fig8");
-  addNumber(*command, "--trials", a.experiment.trials, 1, 1e5, "For each sigma and method");
+      ->option_text("table1|table2|fig8|way|reliability");
+  addNumber(*command, "--trials", a.trials, 0, 1e5,
+            "For each sigma and method; drives of table1, of each sigma of reliability; 0: 100, of "
+            "table1 3, of reliability 10");
   add("--sigmas", sigmasOf, a.experiment.sigmas_m,
-      "Errors of the drawings, metres (default 1,5,10,12.5,15 for table2, else 5)")
+      "Errors of the drawings, metres (default 1,5,10,12.5,15 for table2 and fig8, else 5)")
       ->option_text("N,N");
   add("--methods", methodsOf, a.experiment.methods, "Which to try (default handmap,paper)")
       ->option_text("handmap,paper");
@@ -160,6 +232,23 @@ void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen) {
       add("--shard", shardOf, a.shard, "Run each Nth trial from the Ith, no report");
   shard->option_text("I/N");
   command->add_flag("--merge", a.merge, "Run none, report on what is there")->excludes(shard);
+  const auto addRepeated = [&](const char* name, auto& values, const std::string& text,
+                               const std::string& kind) -> CLI::Option* {
+    return command->add_option(name, values, text)
+        ->option_text(kind)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  addRepeated("--recording", a.recordings,
+              "reliability: a real run too, with truth.tum; repeatable", "DIR");
+  addRepeated("--map", a.maps, "Its drawing, one each", "M.handmap");
+  addRepeated("--truth", a.truths, "Its true map, one each", "T.handmap");
+  addRepeated("--from", a.from, "Its first frame, one each or none", "N")
+      ->check(CLI::Range(0, 2147483647));
+  addChoice(
+      *command, "--source", a.source,
+      {{"auto", SourceKind::Auto}, {"images", SourceKind::Images}, {"points", SourceKind::Points}},
+      "Of real runs: what to see with");
   command->add_option("--out", a.out, "Trials, report.md, report.csv and charts (required)")
       ->required()
       ->option_text("DIR");

@@ -2,6 +2,7 @@
 
 #include <QMenu>
 #include <QSettings>
+#include <cmath>
 
 #include "app/gui/dialogs.h"
 #include "app/gui/file_actions.h"
@@ -22,6 +23,17 @@ namespace {
 constexpr auto kRecordingFolderKey = "files/recording_folder";
 constexpr auto kAcceptTopic = "accept";
 constexpr qsizetype kMostNamed = 8;
+
+/// How probably the shown pose is right.
+QString trustInWords(const FrameReport& report) {
+  QStringList parts;
+  for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
+    parts.push_back(RunActions::tr("%1 m: %2 %")
+                        .arg(kWithin_m[i])
+                        .arg(static_cast<int>(std::floor(100.0 * report.within[i]))));
+  }
+  return RunActions::tr("pose within %1").arg(parts.join(", "));
+}
 }  // namespace
 
 RunActions::RunActions(const Parts& parts) : QObject(&parts.window), parts_(parts), opener_(this) {
@@ -296,6 +308,7 @@ QString RunActions::stateInWords() const {
   if (last_) {
     where = last_->count > 0 ? tr(", %1 of %2").arg(last_->index).arg(last_->count)
                              : tr(", %1").arg(last_->index);
+    where += QStringLiteral("; ") + trustInWords(last_->report);
   }
   switch (parts_.run.state()) {
     case RunState::Running:

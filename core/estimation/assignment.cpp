@@ -163,6 +163,16 @@ class Assigner {
 
 }  // namespace
 
+AssignmentOptions withStated(const WholeUncertainty& whole, AssignmentOptions options) {
+  constexpr double kLeast = 1e-4;  // share and radians: 5 cm in 500 m, and no covariance of rank 0
+  if (whole.scale) options.scale_sigma = std::max(*whole.scale, kLeast);
+  if (whole.turn) {
+    options.turn_sigma = std::max(*whole.turn, kLeast);
+    options.free_turn |= *whole.turn > kFan;  // one Gaussian in (a, b) does not reach so far
+  }
+  return options;
+}
+
 std::vector<Hypothesis> rootHypotheses(const Map& drawing, const AssignmentOptions& options) {
   const double shift = options.shift_share * drawing.uncertainty.position;
   const double scale = options.free_scale ? kFreeScale : options.scale_sigma;

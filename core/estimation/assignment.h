@@ -10,16 +10,19 @@ namespace handmap {
 
 struct AssignmentOptions : PairingOptions {
   int hypotheses = 100;
-  double undrawn = 0.05;      ///< found buildings that no one drew, as a share of the drawn ones
-  double phantom = 0.02;      ///< drawn buildings that are not there or were not found, share
-  double disorder = 2.0;      ///< price of two buildings that change places in the drawing, nats
-  double wrong_side = 3.0;    ///< and of one found on the other side of the robot's way
-  double scale_sigma = 0.05;  ///< of the whole drawing
-  double turn_sigma = toRadians(1.0);
+  double undrawn = 0.05;    ///< found buildings that no one drew, as a share of the drawn ones
+  double phantom = 0.02;    ///< drawn buildings that are not there or were not found, share
+  double disorder = 2.0;    ///< price of two buildings that change places in the drawing, nats
+  double wrong_side = 3.0;  ///< and of one found on the other side of the robot's way
+  double scale_sigma = kUsualScaleSigma;  ///< of the whole drawing
+  double turn_sigma = kUsualTurnSigma;
   bool free_scale = false;   ///< the drawing may be 0.7 to 1.4 times as large
   bool free_turn = false;    ///< and turned by ±40° about the robot's start
   double shift_share = 0.3;  ///< of the whole drawing, as a share of the uncertainty of a building
 };
+
+/// With what the drawing itself says of its scale and turn. A turn that may be large is left free.
+AssignmentOptions withStated(const WholeUncertainty& whole, AssignmentOptions options);
 
 /// One way to assign all; what the assigned ones say of the whole drawing is marginalised exactly
 /// (Rao-Blackwell: a discrete particle with a Gaussian of its own).

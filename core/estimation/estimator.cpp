@@ -25,7 +25,9 @@ constexpr std::size_t kMostSmoothed = 300;  // of the buildings settled far away
 HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& options,
                                    std::uint64_t seed) {
   requireReadyToRun(drawing);
-  state_ = std::make_unique<State>(drawing, options, seed);
+  EstimatorOptions stated = options;
+  stated.assignment = withStated(drawing.whole, options.assignment);
+  state_ = std::make_unique<State>(drawing, stated, seed);
   state_->pose = *drawing.start;
   state_->correction.correctAll({}, state_->hasReached());
 }
@@ -209,8 +211,27 @@ void HandmapEstimator::State::smoothWindow() {
   first_moved = std::min(first_moved, frames.size() - (window.size() - fixed));
   const SmoothingGraph graph{window, fixed, boxes, landmarks.positions()};
   for (const double slack : kSlacks) smoother.iterate(graph, slack);
-  covariance = smoother.covariances(boxes);
+  const Eigen::Matrix3d since = smoother.covariances(boxes);
+  carryCovariance(frames.size() - window.size() + fixed - 1, since);
   for (std::size_t i = 0; i < which.size(); ++i) found[which[i]] = boxes[i];
+}
+
+/// What is known of the newest pose since frame `from`, which is itself uncertain.
+void HandmapEstimator::State::carryCovariance(std::size_t from, const Eigen::Matrix3d& since) {
+  covariances.resize(frames.size(), Eigen::Matrix3d::Zero());
+  const Vec2 lever = frames.back().pose.position() - frames[from].pose.position();
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+  slope.topRightCorner<2, 1>() = perpendicular(lever);
+  covariance = slope * covariances[from] * slope.transpose() + since;
+  covariances.back() = covariance;
+}
+
+/// After all poses were smoothed together: the window's are no surer than the newest.
+void HandmapEstimator::State::renewCovariance() {
+  covariance = smoother.covariances({});
+  covariances.resize(frames.size(), Eigen::Matrix3d::Zero());
+  const auto count = std::min(covariances.size(), static_cast<std::size_t>(options.window) + 1);
+  std::fill(covariances.end() - static_cast<std::ptrdiff_t>(count), covariances.end(), covariance);
 }
 
 void HandmapEstimator::State::updateDirections() {
@@ -356,6 +377,7 @@ void HandmapEstimator::State::smoothAll(std::span<const double> slacks, int iter
     }
   }
   smoothed_at = frames.size();
+  renewCovariance();
   first_moved = 0;
   setAllFound(all);
 }

@@ -36,6 +36,8 @@ struct HandmapEstimator::State {
   void updateTrajectory();
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
+  void carryCovariance(std::size_t from, const Eigen::Matrix3d& since);
+  void renewCovariance();
   void updateDirections();
   void updateNoise();
   void findBuildings();
@@ -88,7 +90,8 @@ struct HandmapEstimator::State {
   std::size_t first_moved = 0;          ///< frame; those before stand where `poses` has them
   double odometry_noise = 1.0;
   Pose2 pose;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of `pose`, given the start
+  std::vector<Eigen::Matrix3d> covariances;              ///< the same by key frame, when it was new
 };
 
 }  // namespace handmap

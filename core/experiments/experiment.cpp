@@ -24,8 +24,8 @@ std::vector<TrialKey> missingTrials(const Experiment& experiment, const Shard& s
 }  // namespace
 
 std::vector<double> usualSigmas(ExperimentKind kind) {
-  if (kind == ExperimentKind::Table2) return {1.0, 5.0, 10.0, 12.5, 15.0};
-  return {5.0};
+  if (kind == ExperimentKind::Way) return {5.0};
+  return {1.0, 5.0, 10.0, 12.5, 15.0};
 }
 
 std::vector<TrialKey> trialsOf(const Experiment& experiment) {

@@ -53,16 +53,17 @@ Report reportOf(const Experiment& experiment, const std::map<TrialKey, Trial>& t
   Report report;
   const std::string below = "\n" + conditions(experiment, groups);
   switch (experiment.kind) {
-    case ExperimentKind::Table1:
-      report.markdown = "# Table 1: errors of the buildings\n" + below;
-      addErrors(groups, report);
-      break;
     case ExperimentKind::Table2:
       report.markdown = "# Table 2: success against the error of the drawing\n" + below;
       addSuccess(groups, report);
       break;
     case ExperimentKind::Figure8:
-      report.markdown = "# Figure 8: errors over the way\n" + below;
+      report.markdown =
+          "# Figure 8: errors of the buildings against the error of the drawing\n" + below;
+      addErrors(groups, report);
+      break;
+    case ExperimentKind::Way:
+      report.markdown = "# Errors over the way\n" + below;
       addWay(groups, report);
       break;
   }

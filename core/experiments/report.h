@@ -35,8 +35,8 @@ struct TrialGroup {
 Look lookOf(Method method);
 
 // The parts that each experiment adds. Groups are in the order of σ.
-void addErrors(const std::vector<TrialGroup>& groups, Report& report);   // Table1
 void addSuccess(const std::vector<TrialGroup>& groups, Report& report);  // Table2
-void addWay(const std::vector<TrialGroup>& groups, Report& report);      // Figure8
+void addErrors(const std::vector<TrialGroup>& groups, Report& report);   // Figure8
+void addWay(const std::vector<TrialGroup>& groups, Report& report);      // Way
 
 }  // namespace handmap

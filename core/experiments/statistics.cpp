@@ -29,6 +29,16 @@ double meanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+Interval meanInterval(const std::vector<double>& values) {
+  const double mean = meanOf(values);
+  if (values.size() < 2) return {mean, mean, mean};
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const auto n = static_cast<double>(values.size());
+  const double half = kZ * std::sqrt(squares / (n - 1.0) / n);
+  return {mean, mean - half, mean + half};
+}
+
 Interval medianInterval(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());

@@ -19,6 +19,9 @@ Interval wilsonInterval(int successes, int trials);
 
 double meanOf(const std::vector<double>& values);  ///< 0 of none
 
+/// Mean with the interval of the normal distribution; of one value or none: nothing but the value.
+Interval meanInterval(const std::vector<double>& values);
+
 /// Median with the distribution-free interval from order statistics: the ranks n/2 ± 1.96 √n/2,
 /// rounded outwards (Conover, "Practical Nonparametric Statistics", 3.2); a few values: from the
 /// least to the greatest. All 0 of none.

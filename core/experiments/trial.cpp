@@ -56,18 +56,22 @@ bool Trial::strict() const {
                      [](const TrialBuilding& building) { return building.iou >= kStrictIou; });
 }
 
+TrialScene sceneOf(const TrialKey& key, const TrialSettings& settings) {
+  const std::uint64_t seed = settings.seed + static_cast<std::uint64_t>(key.number);
+  TrialScene scene{twoRowWorld(seed), {}, {}};
+  scene.drawing = perturbed(scene.world.map, key.sigma_m, seed, settings.keeping);
+  scene.run.method = key.method;
+  scene.run.slam.slam_particles = settings.slam_particles;
+  scene.run.slam.pso_particles = settings.pso_particles;
+  scene.run.seed = seed;
+  scene.run.threads = 1;
+  return scene;
+}
+
 std::optional<Trial> runTrial(const TrialKey& key, const TrialSettings& settings,
                               const std::stop_token& stop) {
-  const std::uint64_t seed = settings.seed + static_cast<std::uint64_t>(key.number);
-  const World world = twoRowWorld(seed);
-  const Map drawing = perturbed(world.map, key.sigma_m, seed, settings.keeping);
-  RunSettings run;
-  run.method = key.method;
-  run.slam.slam_particles = settings.slam_particles;
-  run.slam.pso_particles = settings.pso_particles;
-  run.seed = seed;
-  run.threads = 1;
-  RunSession session(drawing, simulate(world, {}, seed), run);
+  const auto [world, drawing, run] = sceneOf(key, settings);
+  RunSession session(drawing, simulate(world, {}, run.seed), run);
   Trial trial;
   trial.key = key;
   while (const auto snapshot = session.step(stop)) {

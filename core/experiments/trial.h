@@ -56,6 +56,14 @@ struct Trial {
   bool strict() const;  ///< every building has an IoU of at least kStrictIou
 };
 
+/// What a trial is made of.
+struct TrialScene {
+  World world;
+  Map drawing;
+  RunSettings run;  ///< on one thread
+};
+TrialScene sceneOf(const TrialKey& key, const TrialSettings& settings);
+
 /// On one thread. nullopt where `stop` was requested.
 std::optional<Trial> runTrial(const TrialKey& key, const TrialSettings& settings,
                               const std::stop_token& stop);

@@ -15,8 +15,8 @@ constexpr std::size_t kRowEvery = 5;  // steps, in the table to read
 constexpr auto kNotes =
     "\nWhat was known on the way, after each observation; medians over the trials with their "
     "distribution-free 95 % intervals. Map: mean of |x|, |front| and |width| over the buildings, "
-    "also those not yet met. Ways end where the shortest trial does. The curves of the paper's own "
-    "figure are not at hand.\n";
+    "also those not yet met. Ways end where the shortest trial does. The paper has no such "
+    "figure.\n";
 
 Interval intervalAt(const TrialGroup& group, std::size_t step, double TrialStep::*error) {
   std::vector<double> values;
@@ -82,8 +82,8 @@ void addCharts(const std::vector<TrialGroup>& groups, double sigma_m, Report& re
     pose.series.push_back(curve(group, name, lookOf(group.method), &TrialStep::pose));
     map.series.push_back(curve(group, name, lookOf(group.method), &TrialStep::map));
   }
-  report.charts.emplace_back(fmt::format("fig8-pose-{}m.png", sigma), pose);
-  report.charts.emplace_back(fmt::format("fig8-map-{}m.png", sigma), map);
+  report.charts.emplace_back(fmt::format("way-pose-{}m.png", sigma), pose);
+  report.charts.emplace_back(fmt::format("way-map-{}m.png", sigma), map);
 }
 
 }  // namespace

@@ -54,6 +54,15 @@ Uncertainty readUncertainty(const JsonValue& json, const Uncertainty& fallback) 
   return result;
 }
 
+WholeUncertainty readWholeUncertainty(const JsonValue& json) {
+  WholeUncertainty result;
+  if (const auto sigma = json.find("scale")) result.scale = sigma->number(0.0, kMaxScaleSigma);
+  if (const auto sigma = json.find("turn_deg")) {
+    result.turn = toRadians(sigma->number(0.0, kMaxTurnSigmaDeg));
+  }
+  return result;
+}
+
 Estimate readEstimate(const JsonValue& json) {
   return {json.at("sigma_x").number(0.0, kMaxSigma), json.at("sigma_y").number(0.0, kMaxSigma),
           json.at("sigma_width").number(0.0, kMaxSigma),
@@ -191,7 +200,8 @@ Map parseMap(std::string_view text, const std::string& source) {
   }
   if (const auto part = json.find("uncertainty")) {
     map.uncertainty = readUncertainty(*part, {});
-    keepOthers(*part, "uncertainty", {"position_m", "size_m"}, map.unknown);
+    map.whole = readWholeUncertainty(*part);
+    keepOthers(*part, "uncertainty", {"position_m", "size_m", "scale", "turn_deg"}, map.unknown);
   }
   Ids ids;
   std::size_t vertices = 0;

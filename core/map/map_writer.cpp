@@ -79,6 +79,13 @@ Members uncertaintyMembers(const Uncertainty& uncertainty) {
       .add("size_m", number(uncertainty.size));
 }
 
+Members uncertaintyMembers(const Map& map) {
+  Members members = uncertaintyMembers(map.uncertainty);
+  if (map.whole.scale) members.add("scale", number(*map.whole.scale));
+  if (map.whole.turn) members.add("turn_deg", degrees(*map.whole.turn));
+  return members;
+}
+
 Members estimateMembers(const Estimate& estimate) {
   return Members()
       .add("sigma_x", number(estimate.sigma_x))
@@ -174,8 +181,7 @@ std::string formatMap(const Map& map) {
   members.add("format", "\"handmap\"").add("version", std::to_string(kMapVersion));
   if (!map.name.empty()) members.add("name", quotedJson(map.name));
   if (map.start) members.add("start", startLine(*map.start, map.unknown));
-  members.add("uncertainty",
-              uncertaintyMembers(map.uncertainty).addKept(map.unknown, "uncertainty").line());
+  members.add("uncertainty", uncertaintyMembers(map).addKept(map.unknown, "uncertainty").line());
   members.add("buildings", lines(map.buildings, buildingLine));
   if (!map.landmarks.empty()) members.add("landmarks", lines(map.landmarks, landmarkLine));
   if (!map.route.empty()) members.add("route", points(map.route));

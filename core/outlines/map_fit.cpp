@@ -50,8 +50,9 @@ OutlinePrior priorOf(const OutlineTask& task) {
   prior.expected_log_size = {std::log(drawn.width / now.width), std::log(drawn.depth / now.depth)};
   prior.shift_m = task.shift_m;
   const double share = task.size_m / std::sqrt(drawn.width * drawn.depth);
-  prior.log_scale = std::clamp(share, kLeastShare, kMostScale);
-  prior.turn = std::clamp(share, kLeastShare, kMostTurn);
+  prior.log_scale =
+      std::clamp(std::hypot(share, task.whole.scale.value_or(0.0)), kLeastShare, kMostScale);
+  prior.turn = std::clamp(std::hypot(share, task.whole.turn.value_or(0.0)), kLeastShare, kMostTurn);
   prior.shear = task.rectangle ? 0.0 : std::clamp(share, kLeastShare, kMostShear);
   prior.corner_m = task.rectangle ? 0.0 : std::min(task.size_m, kMostCorner_m);
   return prior;

@@ -18,6 +18,7 @@ struct OutlineTask {
   double shift_m = 0.0;        ///< how far that may be off, one σ
   double drawn_shift_m = 0.0;  ///< how far the drawn place may be off, one σ
   double size_m = 0.0;         ///< how far its sizes may, one σ
+  WholeUncertainty whole;      ///< of a drawing that it was not carried along with, where stated
   bool rectangle = false;      ///< stays one
   bool labelled = false;       ///< something was found at the start that is taken for it
 };

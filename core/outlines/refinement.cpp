@@ -99,11 +99,19 @@ Building withOutline(const Building& drawn, const Polygon& outline) {
   return building;
 }
 
+/// How far the scale and the turn that the drawing states may have put a building off, one σ.
+double wholeShift(const Map& drawing, const OutlineTask& task) {
+  const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
+  const double distance = (centroid(task.drawn) - origin).norm();
+  return distance * std::hypot(task.whole.scale.value_or(0.0), task.whole.turn.value_or(0.0));
+}
+
 /// A building that was found is looked for where it was found, another one where it was drawn.
-OutlineTask taskOf(const Building& drawn, const Uncertainty& uncertainty,
-                   const std::optional<FoundMap>& found, std::size_t b, const PlacedRays& placed,
-                   double range_limit_m) {
+OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundMap>& found,
+                   const PlacedRays& placed, double range_limit_m) {
   constexpr double kLabelled_m = 1.0;  // what found buildings are off, one σ
+  const Building& drawn = drawing.buildings[b];
+  const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
   // A drawing may be surer of where it is than what is found tells; where outlines cannot be fitted
   // nothing else tells.
   const bool to_be_found =
@@ -111,8 +119,9 @@ OutlineTask taskOf(const Building& drawn, const Uncertainty& uncertainty,
   OutlineTask task;
   task.drawn = to_be_found ? carried(drawn.footprint(), found->motion) : drawn.footprint();
   task.start = task.drawn;
-  task.shift_m = uncertainty.position;
-  task.drawn_shift_m = uncertainty.position;
+  if (!to_be_found) task.whole = drawing.whole;
+  task.shift_m = std::hypot(uncertainty.position, wholeShift(drawing, task));
+  task.drawn_shift_m = task.shift_m;
   task.size_m = uncertainty.size;
   task.rectangle = std::holds_alternative<Rectangle>(drawn.shape);
   if (!to_be_found) return task;
@@ -133,9 +142,7 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
   const PlacedRays placed = placeRays(seen, way);
   std::vector<OutlineTask> tasks;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
-    const Building& drawn = drawing.buildings[b];
-    tasks.push_back(
-        taskOf(drawn, drawing.uncertaintyOf(drawn), found, b, placed, seen.rangeLimit()));
+    tasks.push_back(taskOf(drawing, b, found, placed, seen.rangeLimit()));
   }
   std::vector<OutlineResult> results;
   if (placed.showsStructure()) {

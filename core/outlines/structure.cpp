@@ -178,9 +178,9 @@ void shareOut(std::vector<PlacedRay>& rays) {
 
 }  // namespace
 
-PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses) {
+PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses) {
   PlacedRays placed;
-  for (const SeenFrame& frame : seen.frames()) {
+  for (const SeenFrame& frame : seen) {
     placed.frame_begin.push_back(placed.rays.size());
     const Pose2& pose = poses.at(frame.observation);
     for (const SeenRay& ray : frame.rays) {

@@ -2,6 +2,7 @@
 // straight and thin, hedges and fences long but thick, crowns and cars ragged.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/geometry/pose2.h"
@@ -48,6 +49,9 @@ struct PlacedRays {
 
 /// `poses`: of all observations. Tells structure and noise from each other: what is straight shows
 /// how far single returns are off, and that shows how thick a straight thing may look.
-PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses);
+PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses);
+inline PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses) {
+  return placeRays(seen.frames(), poses);
+}
 
 }  // namespace handmap

@@ -6,23 +6,24 @@
 
 #include "core/localization/fastslam_psom.h"
 #include "core/session/handmap_method.h"
+#include "core/session/localization_method.h"
+#include "core/session/pose_trust.h"
 
 namespace handmap {
 
 namespace {
 
-std::array<double, 3> spreadOf(const std::vector<Particle>& particles) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  const double heading = particles.front().pose.heading;
-  const auto vector_of = [heading](const Pose2& pose) {
-    return Eigen::Vector3d(pose.x, pose.y, normalizedAngle(pose.heading - heading));
+Eigen::Matrix3d covarianceOf(const std::vector<Particle>& particles, const Pose2& stated) {
+  const auto vector_of = [&](const Pose2& pose) {
+    return Eigen::Vector3d(pose.x - stated.x, pose.y - stated.y,
+                           normalizedAngle(pose.heading - stated.heading));
   };
-  for (const Particle& particle : particles) mean += particle.weight * vector_of(particle.pose);
-  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Particle& particle : particles) {
-    variance += particle.weight * (vector_of(particle.pose) - mean).cwiseAbs2();
+    const Eigen::Vector3d off = vector_of(particle.pose);
+    covariance += particle.weight * off * off.transpose();
   }
-  return {std::sqrt(variance.x()), std::sqrt(variance.y()), std::sqrt(variance.z())};
+  return covariance;
 }
 
 class PaperMethod : public EstimationMethod {
@@ -38,7 +39,7 @@ class PaperMethod : public EstimationMethod {
     report.effective_sample_size = slam_.lastStep().effective_sample_size;
     report.visible_buildings = slam_.lastStep().visible_buildings;
     report.pose = slam_.best().pose;
-    report.pose_sigma = spreadOf(slam_.particles());
+    stateTrust(covarianceOf(slam_.particles(), report.pose), report);
   }
   std::vector<ParticleView> particles() const override {
     std::vector<ParticleView> views;
@@ -71,10 +72,10 @@ class PaperMethod : public EstimationMethod {
 
 std::unique_ptr<EstimationMethod> makeMethod(const Map& drawing, const SourceInfo& source,
                                              const RunSettings& settings) {
-  // A fixed map is localized on by the same code as the published method: nothing to refine.
-  if (settings.method == Method::Paper || !settings.slam.refine) {
+  if (settings.method == Method::Paper) {
     return std::make_unique<PaperMethod>(drawing, source, settings);
   }
+  if (!settings.slam.refine) return makeLocalizationMethod(drawing, source, settings);
   return makeHandmapMethod(drawing, source, settings);
 }
 

@@ -1,7 +1,11 @@
 #include "core/session/handmap_method.h"
 
+#include <algorithm>
+
 #include "core/estimation/estimator.h"
 #include "core/outlines/refinement.h"
+#include "core/session/pose_trust.h"
+#include "core/session/wheel_uncertainty.h"
 #include "core/trajectory/scan_trajectory.h"
 
 namespace handmap {
@@ -16,6 +20,9 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
   options.assignment.free_turn = settings.free_turn;
   return options;
 }
+
+/// What a map's frame and a start are off at best: as much as the reference poses of real places.
+constexpr double kReference_m = 0.3;
 
 /// A way of the robot that is thought of: poses of all observations, map frame.
 struct Way {
@@ -40,6 +47,7 @@ class HandmapMethod : public EstimationMethod {
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
     trajectory_.add(time_s, odometry, percept.points, stop);
+    wheels_.add(odometry);
     followTrajectory();
     const Pose2& here = trajectory_.poses().back();
     estimator_.step(time_s, here, percept.scan, stop, progress);
@@ -63,8 +71,7 @@ class HandmapMethod : public EstimationMethod {
     report.effective_sample_size = estimator_.effectiveSampleSize();
     report.visible_buildings = estimator_.visibleBuildings();
     report.pose = way_ ? way_->poses.back() : estimator_.pose();
-    const Eigen::Array3d sigma = estimator_.poseCovariance().diagonal().array().max(0.0).sqrt();
-    report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
+    stateTrust(poseCovariance(), report);
   }
   std::vector<ParticleView> particles() const override {
     std::vector<ParticleView> views;
@@ -116,12 +123,31 @@ class HandmapMethod : public EstimationMethod {
     return blurs ? alone : buildings;
   }
 
+  /// Of the stated pose. A way without the buildings was told by one thing alone: where the
+  /// buildings would have had the robot farther away than either says, it is as much less sure.
+  Eigen::Matrix3d poseCovariance() const {
+    const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
+    Eigen::Matrix3d covariance = buildings;
+    if (way_ && way_->by != Way::By::Buildings) {
+      const Eigen::Matrix3d turn = rotation(start_.heading);
+      const bool scans = way_->by == Way::By::Scans;
+      covariance =
+          turn * (scans ? trajectory_.covariance() : wheels_.covariance()) * turn.transpose();
+      const Vec2 apart = way_->poses.back().position() - estimator_.pose().position();
+      const double stated = (covariance + buildings).topLeftCorner<2, 2>().trace();
+      if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
+    }
+    covariance.diagonal().head<2>().array() += kReference_m * kReference_m;
+    return covariance;
+  }
+
   Map drawing_;
   Pose2 start_;  ///< of the odometry frame, map frame
   std::uint64_t seed_;
   SeenFrames seen_;
   std::size_t observations_ = 0;
   ScanTrajectory trajectory_;
+  WheelUncertainty wheels_;
   bool by_scans_ = false;
   int loops_ = 0;
   HandmapEstimator estimator_;

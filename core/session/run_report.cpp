@@ -1,6 +1,11 @@
 #include "core/session/run_report.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
+
+#include "core/base/text.h"
+#include "core/session/pose_trust.h"
 
 namespace handmap {
 
@@ -55,6 +60,9 @@ Json settingsJson(const RunSettings& settings) {
   };
 }
 
+/// Probabilities to a tenth of a per cent.
+double rounded(double share) { return std::round(share * 1000.0) / 1000.0; }
+
 Json frameJson(const FrameReport& frame) {
   const StageTimes& ms = frame.ms;
   Json json{{"frame", frame.frame},
@@ -70,6 +78,9 @@ Json frameJson(const FrameReport& frame) {
             {"visible_buildings", frame.visible_buildings},
             {"pose", {frame.pose.x, frame.pose.y, frame.pose.heading}},
             {"pose_sigma", frame.pose_sigma}};
+  for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
+    json["within"][formatNumber(kWithin_m[i]) + "_m"] = rounded(frame.within[i]);
+  }
   if (frame.odometry_guessed) json["odometry_guessed"] = true;
   return json;
 }
@@ -94,31 +105,33 @@ std::string refinementJson(const RunSettings& settings, const SourceInfo& source
   return json.dump();
 }
 
-std::string runReportJson(const RunSettings& settings, const SourceInfo& source,
-                          const std::vector<FrameReport>& frames,
-                          const std::vector<SkippedFrame>& skipped,
-                          const std::vector<RunWarning>& warnings, double wall_s,
-                          double peak_memory_mb) {
+std::string runReportJson(const RunRecord& run) {
   Json report{{"program", "handmap " HANDMAP_VERSION},
-              {"recording", source.name},
-              {"settings", settingsJson(settings)},
-              {"wall_s", wall_s},
-              {"peak_memory_mb", peak_memory_mb},
+              {"recording", run.source.name},
+              {"settings", settingsJson(run.settings)},
+              {"wall_s", run.wall_s},
+              {"peak_memory_mb", run.peak_memory_mb},
               {"warnings", Json::array()},
               {"skipped", Json::array()},
+              {"buildings", Json::array()},
               {"frames", Json::array()}};
-  report["settings"]["seed"] = settings.seed;
-  report["settings"]["threads"] = settings.threads;
-  report["settings"]["odometry"] = odometryOf(settings, source);
-  if (source.speed > 0.0) report["settings"]["speed"] = source.speed;
-  for (const RunWarning& warning : warnings) {
+  report["settings"]["seed"] = run.settings.seed;
+  report["settings"]["threads"] = run.settings.threads;
+  report["settings"]["odometry"] = odometryOf(run.settings, run.source);
+  if (run.source.speed > 0.0) report["settings"]["speed"] = run.source.speed;
+  for (const RunWarning& warning : run.warnings) {
     report["warnings"].push_back(
         {{"code", warning.code}, {"message", warning.message}, {"hint", warning.hint}});
   }
-  for (const SkippedFrame& frame : skipped) {
+  for (const SkippedFrame& frame : run.skipped) {
     report["skipped"].push_back({{"frame", frame.frame}, {"reason", frame.reason}});
   }
-  for (const FrameReport& frame : frames) report["frames"].push_back(frameJson(frame));
+  for (const BuildingTrust& trust : trustOf(run.refined)) {
+    report["buildings"].push_back({{"id", run.refined.buildings[trust.building].id},
+                                   {"wall_sigma_m", trust.sigma_m},
+                                   {"within_sigma", rounded(trust.within)}});
+  }
+  for (const FrameReport& frame : run.frames) report["frames"].push_back(frameJson(frame));
   return report.dump(1) + "\n";
 }
 

@@ -12,10 +12,18 @@ namespace handmap {
 std::string refinementJson(const RunSettings& settings, const SourceInfo& source,
                            const std::vector<FrameReport>& frames);
 
-std::string runReportJson(const RunSettings& settings, const SourceInfo& source,
-                          const std::vector<FrameReport>& frames,
-                          const std::vector<SkippedFrame>& skipped,
-                          const std::vector<RunWarning>& warnings, double wall_s,
-                          double peak_memory_mb);
+/// What a run leaves at its end.
+struct RunRecord {
+  const RunSettings& settings;
+  const SourceInfo& source;
+  const std::vector<FrameReport>& frames;
+  const std::vector<SkippedFrame>& skipped;
+  const std::vector<RunWarning>& warnings;
+  const Map& refined;
+  double wall_s;
+  double peak_memory_mb;
+};
+
+std::string runReportJson(const RunRecord& run);
 
 }  // namespace handmap

@@ -44,7 +44,7 @@ struct RunSession::State {
   std::optional<Observation> nextReadable(const std::stop_token& stop,
                                           const std::function<void(double)>& progress);
   /// Every observation's; else it is rendered for whoever looks at it.
-  bool readsLocalMap() const { return settings.method == Method::Paper || !settings.slam.refine; }
+  bool readsLocalMap() const { return settings.method == Method::Paper; }
   std::optional<Percept> perceive(const Observation& observation, const std::stop_token& stop);
   std::shared_ptr<const Snapshot> snapshot(const Observation& observation, Percept percept);
   std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
@@ -224,8 +224,8 @@ std::string RunSession::reportJson() const {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  return runReportJson(state_->settings, source(), state_->frames, state_->skipped, warnings(),
-                       wall_s, peak_memory_mb);
+  return runReportJson({state_->settings, source(), state_->frames, state_->skipped, warnings(),
+                        state_->method->refinedMap()(), wall_s, peak_memory_mb});
 }
 
 }  // namespace handmap

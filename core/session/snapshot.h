@@ -34,6 +34,9 @@ struct StageTimes {
   double total = 0.0;
 };
 
+/// Distances from the stated pose, metres, for which it is told how probably it is right.
+inline constexpr std::array<double, 3> kWithin_m = {1.0, 2.0, 5.0};
+
 struct FrameReport {
   int frame = 0;
   double time_s = 0.0;
@@ -42,7 +45,9 @@ struct FrameReport {
   int visible_buildings = 0;
   Pose2 pose;
   std::array<double, 3> pose_sigma{};  ///< x, y in metres, heading in radians
-  bool odometry_guessed = false;       ///< see Observation
+  /// Probability that the pose is off by no more than kWithin_m.
+  std::array<double, kWithin_m.size()> within{};
+  bool odometry_guessed = false;  ///< see Observation
 };
 
 struct Snapshot {

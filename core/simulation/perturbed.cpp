@@ -118,6 +118,7 @@ Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keep
     building.estimate.reset();
   }
   drawn.uncertainty = {sigma_m, sigma_m};
+  drawn.whole = {};
   drawn.refinement.clear();
   return drawn;
 }

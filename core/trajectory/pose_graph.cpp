@@ -105,4 +105,20 @@ int PoseGraph::optimize(int most_steps) {
   return taken;
 }
 
+Eigen::Matrix3d PoseGraph::covariance(std::size_t pose) const {
+  if (pose == 0) return Eigen::Matrix3d::Zero();
+  const System system = linearized();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system.information);
+  const auto at = static_cast<Eigen::Index>(3 * (pose - 1));
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity() / kLeastInformation;
+  if (solver.info() != Eigen::Success) return covariance;
+  Eigen::Matrix3d solved;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Eigen::VectorXd column =
+        solver.solve(Eigen::VectorXd::Unit(system.gradient.size(), at + k));
+    solved.col(k) = column.segment<3>(at);
+  }
+  return solved.allFinite() ? solved : covariance;
+}
+
 }  // namespace handmap

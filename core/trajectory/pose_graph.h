@@ -26,6 +26,10 @@ class PoseGraph {
   /// Returns how many steps were taken.
   int optimize(int most_steps);
 
+  /// Of (x, y, heading) of one pose, the first held; as the edges weigh now. Not finite or not to
+  /// be had: as if nothing held it.
+  Eigen::Matrix3d covariance(std::size_t pose) const;
+
   const std::vector<Pose2>& poses() const { return poses_; }
   std::span<const GraphEdge> edges() const { return edges_; }
   double cost(const std::vector<Pose2>& poses) const;

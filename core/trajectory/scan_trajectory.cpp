@@ -54,6 +54,8 @@ struct ScanTrajectory::State {
   std::optional<Vec2> looked_at;  ///< where the newest frame of `seen` was, recorded
   std::size_t judge_at = 20;      ///< observations
   bool sharper = false;
+  std::size_t covariance_of = 0;  ///< keyframes
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 void ScanTrajectory::State::place() {
@@ -130,6 +132,15 @@ double ScanTrajectory::noiseScale() const {
   const double recorded = usualTurnOff(state_->recorded, state_->poses);
   const double scans = usualTurnOff(state_->smooth, state_->poses);
   return recorded > 0.0 ? std::clamp(scans / recorded, kLeastNoise, 1.0) : 1.0;
+}
+
+const Eigen::Matrix3d& ScanTrajectory::covariance() const {
+  State& state = *state_;
+  if (state.covariance_of != state.graph.keyframes()) {
+    state.covariance_of = state.graph.keyframes();
+    state.covariance = state.graph.covariance();
+  }
+  return state.covariance;
 }
 
 double ScanTrajectory::lengthScale() const { return state_->odometry.noise().lengthScale(); }

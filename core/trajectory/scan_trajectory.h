@@ -50,6 +50,9 @@ class ScanTrajectory {
   /// loops bent the way by scans, against how far the recorded odometry is off it. 1 where it is
   /// not usable.
   double noiseScale() const;
+  /// Of the newest of poses() where they are by scans: (x, y, heading), in the odometry frame,
+  /// given the first.
+  const Eigen::Matrix3d& covariance() const;
   double lengthScale() const;  ///< length of the way by scans over that by recorded odometry
   int loops() const;           ///< closed so far
 

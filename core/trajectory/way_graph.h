@@ -22,6 +22,8 @@ class WayGraph {
 
   /// Where a scan between two keyframes, or after the last, was.
   Pose2 corrected(const Pose2& smooth, std::size_t keyframe) const;
+  /// Of the newest keyframe's pose, given the first.
+  Eigen::Matrix3d covariance() const { return graph_.covariance(smooth_.size() - 1); }
   std::size_t keyframes() const { return smooth_.size(); }
   int loops() const { return loops_; }
 

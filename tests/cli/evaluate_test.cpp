@@ -38,10 +38,43 @@ TEST_F(Evaluate, PrintsTheReportItWrites) {
   // The same trials make the other tables.
   const std::string trials = contentOf("trials/trials-1-of-1.csv");
   expectReport(evaluate("fig8", {"--merge"}), "# Figure 8");
-  EXPECT_TRUE(fs::exists("trials/fig8-pose-1m.png"));
-  expectReport(evaluate("table1", {}), "# Table 1");
-  EXPECT_TRUE(fs::exists("trials/table1-front-1m.png"));
+  EXPECT_TRUE(fs::exists("trials/fig8-x.png"));
+  EXPECT_TRUE(fs::exists("trials/fig8-front-1m.png"));
+  expectReport(evaluate("way", {}), "# Errors over the way");
+  EXPECT_TRUE(fs::exists("trials/way-pose-1m.png"));
   EXPECT_EQ(contentOf("trials/trials-1-of-1.csv"), trials);
+}
+
+TEST_F(Evaluate, TellsTheTimeOfAFrameBesideThePapers) {
+  const Outcome outcome =
+      run({"evaluate", "table1", "--trials", "1", "--threads", "1", "--out", "times"});
+  expectDone(outcome, contentOf("times/report.md"));
+  EXPECT_EQ(outcome.out.rfind("# Table 1: processing time of a frame", 0), 0U);
+  const std::string csv = contentOf("times/report.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 8) << csv;  // six combinations and ours
+  for (const char* row : {"\npaper,10,50,", "\npaper,20,150,", "\nhandmap,,,"}) {
+    EXPECT_NE(csv.find(row), std::string::npos) << row;
+  }
+  for (const char* published : {"| 26 |", "| 46 |", "| 64 |", "| 50 |", "| 106 |", "| 126 |"}) {
+    EXPECT_NE(outcome.out.find(published), std::string::npos) << published;
+  }
+  EXPECT_TRUE(fs::exists("times/table1.png"));
+}
+
+TEST_F(Evaluate, ComparesWhatWasStatedWithWhatIsSo) {
+  ASSERT_EQ(run({"simulate", "--seed", "3", "--out", "real"}).status, 0);
+  const Outcome outcome =
+      run({"evaluate", "reliability", "--trials", "1", "--sigmas", "1", "--recording", "real",
+           "--map", "real/sketch.handmap", "--truth", "real/truth.handmap", "--out", "stated"});
+  expectDone(outcome, contentOf("stated/report.md"));
+  const std::string csv = contentOf("stated/report.csv");
+  EXPECT_EQ(csv.rfind("subject,runs,from,to,statements,stated,true,true_low,true_high\n", 0), 0U);
+  for (const char* subject : {"\npose within 1 m,simulated,", "\npose within 5 m,real,",
+                              "\nwall within its sigma,real,"}) {
+    EXPECT_NE(csv.find(subject), std::string::npos) << subject << "\n" << csv;
+  }
+  EXPECT_NE(outcome.out.find("| real, sketch | pose within 1 m |"), std::string::npos);
+  EXPECT_TRUE(fs::exists("stated/reliability-walls.png"));
 }
 
 TEST_F(Evaluate, MergesShards) {
@@ -93,8 +126,15 @@ TEST_F(Evaluate, TellsWrongUsage) {
   refuses({"--methods", "ours"}, "--methods: found ours, expected handmap, paper or handmap,paper");
   refuses({"--merge", "--shard", "1/2"}, "--shard excludes --merge");
   expectFailed(run({"evaluate", "fig9", "--out", "trials"}), 1,
-               "handmap-cli: error: found fig9, expected table1, table2 or fig8\n"
+               "handmap-cli: error: found fig9, expected table1, table2, fig8, way or reliability\n"
                "hint: handmap-cli evaluate --help\n");
+  refuses({"--recording", "real", "--map", "m", "--truth", "t"},
+          "--recording: only with reliability");
+  expectFailed(run({"evaluate", "reliability", "--recording", "real", "--out", "trials"}), 1,
+               "handmap-cli: error: found 1 --recording, 0 --map and 0 --truth, expected as many "
+               "of each\n");
+  expectFailed(run({"evaluate", "table1", "--merge", "--out", "trials"}), 1,
+               "handmap-cli: error: --shard and --merge: only with table2, fig8 and way\n");
   EXPECT_FALSE(fs::exists("trials"));
   expectFailed(run({"evaluate", "fig8", "--out", "row-truth.handmap"}), 1,
                "handmap-cli: error: row-truth.handmap: found something there, expected a folder or "

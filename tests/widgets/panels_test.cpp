@@ -142,6 +142,22 @@ class PanelsTest : public QObject {
     QVERIFY(!document_->map().find("C")->uncertainty);
   }
 
+  void theScaleAndTurnOfTheDrawingMayBeKnown() {
+    QVERIFY(!number("scale_sigma").isEnabled());
+    QCOMPARE(number("scale_sigma").value(), 5.0);
+    QTest::mouseClick(&field<QCheckBox>("whole_known"), Qt::LeftButton, {}, QPoint(8, 8));
+    const WholeUncertainty exact{0.0, 0.0};
+    QCOMPARE(document_->map().whole, exact);
+    type(number("scale_sigma"), "2");
+    type(number("turn_sigma"), "0.5");
+    const WholeUncertainty stated{0.02, toRadians(0.5)};
+    QCOMPARE(document_->map().whole, stated);
+    QTest::mouseClick(&field<QCheckBox>("whole_known"), Qt::LeftButton, {}, QPoint(8, 8));
+    QCOMPARE(document_->map().whole, WholeUncertainty{});
+    document_->undoStack().undo();
+    QCOMPARE(document_->map().whole, stated);
+  }
+
   void theMapAndALandmarkHavePagesToo() {
     type(field<QLineEdit>("name"), "Campus");
     QCOMPARE(document_->map().name, "Campus");

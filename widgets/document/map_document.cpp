@@ -279,6 +279,10 @@ void MapDocument::setUncertainty(Uncertainty uncertainty, bool mergeable) {
   setMember(&Map::uncertainty, uncertainty, tr("Change Uncertainty"), mergeable);
 }
 
+void MapDocument::setWholeUncertainty(WholeUncertainty whole, bool mergeable) {
+  setMember(&Map::whole, whole, tr("Change Uncertainty"), mergeable);
+}
+
 void MapDocument::setUnderlays(std::vector<Underlay> underlays, const QString& text,
                                bool mergeable) {
   setMember(&Map::underlays, std::move(underlays), text, mergeable);

@@ -68,6 +68,7 @@ class MapDocument : public QObject {
   void setRoute(std::vector<Vec2> route, bool mergeable = false);
   void setName(const QString& name, bool mergeable = false);
   void setUncertainty(Uncertainty uncertainty, bool mergeable = false);
+  void setWholeUncertainty(WholeUncertainty whole, bool mergeable = false);
   void setUnderlays(std::vector<Underlay> underlays, const QString& text, bool mergeable = false);
   void setGeoreference(std::optional<Georeference> georeference, bool mergeable = false);
   /// Shapes, estimates and doubts of the buildings that `refined` shares with the drawing, without

@@ -8,6 +8,12 @@
 
 namespace handmap {
 
+namespace {
+
+constexpr double kPercent = 100.0;
+
+}  // namespace
+
 // --- Landmark
 
 LandmarkPage::LandmarkPage(MapDocument& document) : PropertyPage(document, tr("Landmark")) {
@@ -84,10 +90,34 @@ MapPage::MapPage(MapDocument& document) : PropertyPage(document, tr("Map")) {
   position_sigma_->setToolTip(tr("How far buildings may lie from where they are drawn"));
   size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
   size_sigma_->setToolTip(tr("How wrong their widths and depths may be"));
+  addWholeUncertainty();
   addGeoreference();
   contents_ = new QLabel;
   contents_->setWordWrap(true);
   addField("contents", {}, contents_);
+}
+
+void MapPage::addWholeUncertainty() {
+  whole_known_ = new QCheckBox(tr("Scale and turn are known"));
+  whole_known_->setToolTip(tr("Drawn over an aerial picture or from a public map"));
+  addField("whole_known", {}, whole_known_);
+  connect(whole_known_, &QCheckBox::clicked, this, [this](bool on) {
+    document().setWholeUncertainty(on ? WholeUncertainty{0.0, 0.0} : WholeUncertainty{});
+  });
+  const auto add = [this](const char* name, const QString& label, double most, const QString& unit,
+                          std::optional<double> WholeUncertainty::*member, double scale) {
+    return addNumber(name, label, 0.0, most, unit, [this, member, scale](double value) {
+      WholeUncertainty changed = document().map().whole;
+      changed.*member = value * scale;
+      document().setWholeUncertainty(changed, true);
+    });
+  };
+  scale_sigma_ = add("scale_sigma", tr("Scale σ"), kPercent * kMaxScaleSigma, tr(" %"),
+                     &WholeUncertainty::scale, 1.0 / kPercent);
+  scale_sigma_->setToolTip(tr("How much too large or too small all of it may be; 0: to scale"));
+  turn_sigma_ = add("turn_sigma", tr("Turn σ"), kMaxTurnSigmaDeg, tr("°"), &WholeUncertainty::turn,
+                    toRadians(1.0));
+  turn_sigma_->setToolTip(tr("How far all of it may be turned; 0: true"));
 }
 
 void MapPage::addGeoreference() {
@@ -120,6 +150,11 @@ void MapPage::refresh() {
   showText(*name_, QString::fromStdString(map.name));
   position_sigma_->showValue(map.uncertainty.position);
   size_sigma_->showValue(map.uncertainty.size);
+  const bool known = map.whole != WholeUncertainty{};
+  whole_known_->setChecked(known);
+  scale_sigma_->showValue(kPercent * map.whole.scale.value_or(kUsualScaleSigma));
+  turn_sigma_->showValue(toDegrees(map.whole.turn.value_or(kUsualTurnSigma)));
+  for (NumberField* field : {scale_sigma_, turn_sigma_}) field->setEnabled(known);
   const Georeference georeference = map.georeference.value_or(Georeference{});
   georeferenced_->setChecked(map.georeference.has_value());
   latitude_->showValue(georeference.latitude);

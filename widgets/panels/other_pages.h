@@ -44,12 +44,16 @@ class MapPage : public PropertyPage {
   void refresh() override;
 
  private:
+  void addWholeUncertainty();
   void addGeoreference();
   void editGeoreference(double Georeference::*member, double value);
 
   QLineEdit* name_;
   NumberField* position_sigma_;
   NumberField* size_sigma_;
+  QCheckBox* whole_known_;
+  NumberField* scale_sigma_;  ///< per cent
+  NumberField* turn_sigma_;
   QCheckBox* georeferenced_;
   NumberField* latitude_;
   NumberField* longitude_;

@@ -163,5 +163,26 @@ TEST(Assign, LeavesOutWhatIsNotThere) {
   EXPECT_EQ(assignAlone(c, {}, AssignmentOptions{}).size(), 1u);
 }
 
+TEST(Assignment, TakesWhatTheDrawingStatesOfItsScaleAndTurn) {
+  const AssignmentOptions usual = withStated({}, {});
+  EXPECT_EQ(usual.scale_sigma, kUsualScaleSigma);
+  EXPECT_EQ(usual.turn_sigma, kUsualTurnSigma);
+  EXPECT_FALSE(usual.free_turn);
+  Map drawing;
+  drawing.start = Pose2{};
+  const auto sigma = [&](const WholeUncertainty& whole, Eigen::Index k) {
+    const auto roots = rootHypotheses(drawing, withStated(whole, {}));
+    EXPECT_EQ(roots.size(), 1U);
+    return std::sqrt(roots.front().motion.covariance(k, k));
+  };
+  EXPECT_NEAR(sigma({0.02, {}}, 0), 0.02, 1e-9);
+  EXPECT_NEAR(sigma({{}, 0.03}, 1), 0.03, 1e-9);
+  // To scale and true, and yet what is found may be compared.
+  EXPECT_LT(sigma({0.0, 0.0}, 0), 1e-3);
+  EXPECT_GT(sigma({0.0, 0.0}, 0), 0.0);
+  EXPECT_LT(sigma({0.0, 0.0}, 1), 1e-3);
+  EXPECT_TRUE(withStated({{}, toRadians(20.0)}, {}).free_turn);
+}
+
 }  // namespace
 }  // namespace handmap

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/evaluation/comparison.h"
 #include "core/map/map_io.h"
 #include "core/perception/perception.h"
@@ -53,6 +54,70 @@ TEST(HandmapEstimator, FindsEveryBuildingOfTwoRows) {
     EXPECT_GT(building.estimate->observations, 3) << building.id;
     EXPECT_LT(building.estimate->sigma_width, 2.0) << building.id;
   }
+}
+
+/// Drawn over an aerial picture: the corners of the true boxes are off by some decimetres.
+Map tracedFromTheAir(const Map& truth, std::uint64_t seed) {
+  RandomStream random(seed);
+  Map drawing = truth;
+  for (Building& building : drawing.buildings) {
+    Rectangle box = building.box();
+    box.centre += Vec2(random.normal(0.0, 0.2), random.normal(0.0, 0.2));
+    box.width += random.normal(0.0, 0.2);
+    box.depth += random.normal(0.0, 0.2);
+    building.shape = box;
+  }
+  drawing.uncertainty = {0.3, 0.3};
+  drawing.whole = {0.0, 0.0};
+  return drawing;
+}
+
+/// The sensor measures all ranges and the wheels all ways 3 % too long.
+class StretchedSource : public ObservationSource {
+ public:
+  explicit StretchedSource(std::unique_ptr<ObservationSource> source)
+      : source_(std::move(source)) {}
+  const SourceInfo& info() const override { return source_->info(); }
+  std::optional<Observation> next() override {
+    std::optional<Observation> observation = source_->next();
+    if (!observation) return observation;
+    observation->odometry.x *= kStretch;
+    observation->odometry.y *= kStretch;
+    for (View& view : observation->views) {
+      for (RangePoint& point : *view.points) {
+        point.x *= static_cast<float>(kStretch);
+        point.y *= static_cast<float>(kStretch);
+      }
+    }
+    return observation;
+  }
+
+ private:
+  static constexpr double kStretch = 1.03;
+  std::unique_ptr<ObservationSource> source_;
+};
+
+double scaleAfter(const Map& drawing, const World& world) {
+  StretchedSource source(simulate(world, {}, 5));
+  HandmapEstimator estimator(drawing, EstimatorOptions{}, 1);
+  Perception perception(source.info(), {});
+  while (const auto observation = source.next()) {
+    estimator.step(observation->time_s, observation->odometry, perception(*observation)->scan);
+  }
+  estimator.finish();
+  return estimator.drawingMotion().scale();
+}
+
+TEST(HandmapEstimator, ADrawingOverAnAerialPictureKeepsItsScaleAndTurn) {
+  const World world = twoRowWorld(17);
+  Map drawing = tracedFromTheAir(world.map, 3);
+  const Outcome run = runThrough(world, drawing, 1000);
+  for (const BuildingError& error : compareMaps(run.refined, world.map, false).buildings) {
+    EXPECT_GT(error.iou, 0.95) << error.id;
+  }
+  EXPECT_NEAR(scaleAfter(drawing, world), 1.0, 1e-3);
+  drawing.whole = {};  // as people draw: what is seen tells the scale
+  EXPECT_GT(scaleAfter(drawing, world), 1.01);
 }
 
 TEST(HandmapEstimator, ClosesALoop) {

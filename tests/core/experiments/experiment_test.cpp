@@ -78,7 +78,7 @@ TEST(Experiment, ShardsPutTogetherEqualOneRun) {
   EXPECT_EQ(run(small(), shards, {2, 3}), 1);
   EXPECT_EQ(run(small(), shards), 0) << "all are there";
   for (const ExperimentKind kind :
-       {ExperimentKind::Table1, ExperimentKind::Table2, ExperimentKind::Figure8}) {
+       {ExperimentKind::Table2, ExperimentKind::Figure8, ExperimentKind::Way}) {
     Experiment experiment = small();
     experiment.kind = kind;
     const Report report = reportOf(experiment, readTrials(whole.path(), settings));

@@ -48,15 +48,16 @@ TEST(Report, CountsLooseAndStrictSuccess) {
             "sigma_m,method,trials,loose,loose_low,loose_high,strict,strict_low,strict_high\n"
             "5,handmap,4,3,0.3006,0.9544,1,0.0456,0.6994\n"
             "5,paper,4,1,0.0456,0.6994,0,0.0000,0.4899\n");
-  EXPECT_TRUE(contains(report.markdown, "| 5 | handmap | 4 | 3 [30–95 %] | 1 [5–70 %] |  |\n"));
-  EXPECT_TRUE(contains(report.markdown, "| 5 | paper | 4 | 1 [5–70 %] | 0 [0–49 %] | 10/10 |\n"));
+  EXPECT_TRUE(contains(report.markdown, "| 5 | handmap | 4 | 3 [30–95 %] | 1 [5–70 %] |  |  |\n"));
+  EXPECT_TRUE(
+      contains(report.markdown, "| 5 | paper | 4 | 1 [5–70 %] | 0 [0–49 %] | 5/5 | 10/10 |\n"));
   EXPECT_FALSE(contains(report.markdown, "Not whole"));
 }
 
 TEST(Report, SaysWhatIsMissing) {
   const auto some = trials(5.0, Method::Handmap, {0.9, 0.9});
   for (const ExperimentKind kind :
-       {ExperimentKind::Table1, ExperimentKind::Table2, ExperimentKind::Figure8}) {
+       {ExperimentKind::Table2, ExperimentKind::Figure8, ExperimentKind::Way}) {
     const Report report = reportOf(experiment(kind, 3), some);
     EXPECT_TRUE(contains(report.markdown, "**Not whole: 2 of 6 trials are there.**"));
     EXPECT_FALSE(report.charts.empty());
@@ -72,19 +73,23 @@ TEST(Report, SaysWhatIsMissing) {
 TEST(Report, TellsAbsoluteErrorsBeforeAndAfter) {
   auto all = trials(5.0, Method::Handmap, {0.9, 0.9, 0.9});
   all.at({Method::Handmap, 5.0, 2}).buildings[0].found[0] = -3.5;
-  const Report report = reportOf(experiment(ExperimentKind::Table1, 3), all);
+  const Report report = reportOf(experiment(ExperimentKind::Figure8, 3), all);
   EXPECT_TRUE(contains(report.csv, "5,handmap,N1,x,3,5.0000,5.0000,1.5000,0.5000,0.5000,3.5000\n"));
   EXPECT_TRUE(contains(
       report.markdown,
       "| N1 | handmap | 5.00 / 5.00 → 1.50 / 0.50 | 10.00 / 10.00 → 1.00 / 1.00 | 15.00 / 15.00 → "
       "1.50 / 1.50 |\n"));
   EXPECT_TRUE(contains(report.csv, "5,handmap,all,x,3,5.0000,5.0000,0.6667,0.5000,"));
-  EXPECT_EQ(report.charts.front().first, "table1-x-5m.png");
+  EXPECT_EQ(report.charts.front().first, "fig8-x-5m.png");
+  const auto& [name, against_sigma] = report.charts[3];
+  EXPECT_EQ(name, "fig8-x.png");
+  ASSERT_EQ(against_sigma.series.size(), 2U);  // nothing of the paper's method is there
+  EXPECT_NEAR(against_sigma.series[1].points.at(0).y.value, 0.6667, 1e-4);
 }
 
 TEST(Report, FollowsTheErrorsAsFarAsAllTrialsGo) {
   const auto all = trials(5.0, Method::Handmap, {0.9, 0.9});  // ways of 3 and 4 steps
-  const Report report = reportOf(experiment(ExperimentKind::Figure8, 2), all);
+  const Report report = reportOf(experiment(ExperimentKind::Way, 2), all);
   EXPECT_EQ(report.csv,
             "sigma_m,method,trials,way_m,pose,pose_low,pose_high,odometry,odometry_low,"
             "odometry_high,map,map_low,map_high\n"

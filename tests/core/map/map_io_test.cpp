@@ -55,6 +55,22 @@ TEST(MapIo, NeedsOnlyFormatVersionAndBuildings) {
   EXPECT_FALSE(map.start);
 }
 
+TEST(MapIo, TellsHowTrueTheDrawingIsAsAWhole) {
+  const std::string begin = R"({"format": "handmap", "version": 1, "buildings": [], )";
+  EXPECT_EQ(parseMap(begin + R"("uncertainty": {"size_m": 1}})", "m").whole, WholeUncertainty{});
+  const Map scaled = parseMap(begin + R"("uncertainty": {"scale": 0}})", "m");
+  EXPECT_EQ(scaled.whole.scale, 0.0);
+  EXPECT_FALSE(scaled.whole.turn);
+  const Map map =
+      parseMap(begin + R"("uncertainty": {"turn_deg": 0.3, "scale": 0.02, "source": "air"}})", "m");
+  EXPECT_EQ(map.whole, (WholeUncertainty{0.02, toRadians(0.3)}));
+  EXPECT_EQ(map.uncertainty, Uncertainty{});
+  const std::string text = formatMap(map);
+  EXPECT_NE(text.find(R"("scale": 0.02, "turn_deg": 0.3, "source": "air"})"), std::string::npos)
+      << text;
+  EXPECT_EQ(parseMap(text, "m"), map);
+}
+
 TEST(MapIo, KeepsUnknownMembersAtEveryLevel) {
   const Map map = parseMap(kFullMap, "m");
   EXPECT_EQ(map.unknown.at("author"), "\"Ann\"");

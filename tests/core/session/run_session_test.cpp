@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/evaluation/comparison.h"
 #include "core/map/map_io.h"
+#include "core/session/pose_trust.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -216,6 +217,50 @@ TEST(RunSession, OurMethodGivesTheSameBytesOnAnyNumberOfThreads) {
     return formatMap(session.refinedMap()) + formatTum(session.trajectory());
   };
   EXPECT_EQ(bytes(1), bytes(2));
+}
+
+TEST(RunSession, LocalizesOnAMapThatIsRightAndLeavesItAsItIs) {
+  const World world = twoRowWorld(21);
+  RunSettings ours;
+  ours.slam.refine = false;
+  ours.threads = 1;
+  RunSession session(world.map, simulate(world, laserOnTheMove(1.0), 21), ours);
+  std::shared_ptr<const Snapshot> last;
+  while (const auto snapshot = session.step()) last = snapshot;
+  const auto& truth = session.source().truth;
+  const auto way = session.trajectory();
+  ASSERT_EQ(way.size(), truth.size());
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    EXPECT_EQ(way[i].time_s, truth[i].time_s);
+    EXPECT_LT((way[i].pose.position() - truth[i].pose.position()).norm(), 1.0) << i;
+  }
+  Map refined = session.refinedMap();
+  refined.refinement.clear();
+  EXPECT_EQ(refined, world.map);
+  EXPECT_GT(last->report.visible_buildings, 0);
+  const auto report = nlohmann::json::parse(session.reportJson());
+  EXPECT_EQ(report["settings"]["method"], "localization");
+  EXPECT_TRUE(report["warnings"].empty());
+}
+
+TEST(RunSession, SaysWithEachFrameHowProbablyItIsRight) {
+  RunSession session = farOff(21, 1);
+  std::shared_ptr<const Snapshot> last;
+  while (const auto snapshot = session.step()) {
+    last = snapshot;
+    const auto& within = snapshot->report.within;
+    EXPECT_GT(within[0], 0.0);
+    EXPECT_LE(within[0], within[1]);
+    EXPECT_LE(within[1], within[2]);
+    EXPECT_LE(within[2], 1.0);
+  }
+  EXPECT_EQ(trustOf(*last->map).size(), 6U);
+  const auto report = nlohmann::json::parse(session.reportJson());
+  EXPECT_EQ(report["frames"][3]["within"].size(), 3U);
+  EXPECT_GT(report["frames"][3]["within"]["5_m"], 0.5);
+  ASSERT_EQ(report["buildings"].size(), 6U);
+  EXPECT_EQ(report["buildings"][0]["wall_sigma_m"].size(), 4U);
+  EXPECT_LE(report["buildings"][0]["within_sigma"], 0.683);
 }
 
 TEST(RunSession, ReportHasWhatTheFormatSays) {

@@ -92,5 +92,25 @@ TEST(PoseGraph, LeavesWhatNothingHolds) {
   EXPECT_EQ(graph.poses()[2], (Pose2{2.0, 0.0, 0.0}));
 }
 
+TEST(PoseGraph, KnowsHowUncertainAPoseIs) {
+  PoseGraph graph({Pose2{}});
+  graph.addPose({10.0, 0.0, 0.0});
+  graph.addEdge({0, 1, motion({10.0, 0.0, 0.0}, 0.3, 0.02), 9.0});
+  graph.addPose({10.0, 10.0, 0.0});
+  graph.addEdge({1, 2, motion({0.0, 10.0, 0.0}, 0.4, 0.02), 9.0});
+  EXPECT_TRUE(graph.covariance(0).isZero());
+  EXPECT_NEAR(graph.covariance(1)(0, 0), 0.09, 1e-6);
+  EXPECT_NEAR(graph.covariance(1)(2, 2), 4e-4, 1e-8);
+  // The heading of the first swings the second: 10 m · 0.02 across.
+  EXPECT_NEAR(graph.covariance(2)(0, 0), 0.09 + 0.16 + 0.04, 1e-6);
+  EXPECT_NEAR(graph.covariance(2)(1, 1), 0.09 + 0.16, 1e-6);
+  EXPECT_NEAR(graph.covariance(2)(2, 2), 8e-4, 1e-8);
+  // A second way to the same place makes it surer; what nothing holds is not known.
+  graph.addEdge({0, 2, motion({10.0, 10.0, 0.0}, 0.1, 0.02), 9.0});
+  EXPECT_LT(graph.covariance(2)(0, 0), 0.01);
+  graph.addPose({});
+  EXPECT_GT(graph.covariance(3)(0, 0), 1e6);
+}
+
 }  // namespace
 }  // namespace handmap

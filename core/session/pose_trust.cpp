@@ -1,0 +1,70 @@
+#include "core/session/pose_trust.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/base/text.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kLeastSigma_m = 0.01;
+constexpr double kMostSigmas = 6.0;
+constexpr int kSteps = 60;  // of the integral: exact to 1e-4
+constexpr double kInsideOneSigma = 0.6827;
+
+double cumulative(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+
+}  // namespace
+
+double probabilityWithin(const Eigen::Matrix2d& covariance, double distance_m) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);
+  const auto sigma = [&](Eigen::Index i) {
+    return std::sqrt(std::max(axes.eigenvalues()[i], kLeastSigma_m * kLeastSigma_m));
+  };
+  const double narrow = sigma(0);
+  const double wide = sigma(1);
+  // Along the wide axis by the midpoint rule, across it exactly.
+  const double end = std::min(distance_m, kMostSigmas * wide);
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double at = end * (i + 0.5) / kSteps;
+    const double across = std::sqrt(std::max(0.0, distance_m * distance_m - at * at));
+    const double z = at / wide;
+    sum += std::exp(-0.5 * z * z) * (2.0 * cumulative(across / narrow) - 1.0);
+  }
+  return std::min(1.0, 2.0 * sum * end / kSteps / (wide * std::sqrt(2.0 * kPi)));
+}
+
+void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
+  const Eigen::Array3d sigma = covariance.diagonal().array().max(0.0).sqrt();
+  report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
+  for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
+    report.within[i] = probabilityWithin(covariance.topLeftCorner<2, 2>(), kWithin_m[i]);
+  }
+}
+
+std::vector<BuildingTrust> trustOf(const Map& refined) {
+  std::vector<BuildingTrust> trusts;
+  for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
+    const Building& building = refined.buildings[b];
+    if (!building.estimate || building.estimate->observations == 0) continue;
+    const Estimate& estimate = *building.estimate;
+    const Vec2 along = unitVector(building.box().heading);
+    const Vec2 sigma(estimate.sigma_x, estimate.sigma_y);
+    const double ahead = std::hypot(sigma.cwiseProduct(along).norm(), 0.5 * estimate.sigma_width);
+    // Of two opposite sides that are off each for itself.
+    const double aside = std::numbers::sqrt2 * sigma.cwiseProduct(perpendicular(along)).norm();
+    const auto doubtful = building.unknown.find("doubtful");
+    const double doubt =
+        doubtful == building.unknown.end() ? 0.0 : parseFinite(doubtful->second).value_or(0.0);
+    trusts.push_back({b, {ahead, aside, ahead, aside}, kInsideOneSigma * (1.0 - doubt)});
+  }
+  return trusts;
+}
+
+}  // namespace handmap

@@ -1,0 +1,27 @@
+// How uncertain a pose is that recorded odometry alone tells.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/geometry/pose2.h"
+
+namespace handmap {
+
+/// Turns (x, y, heading) of one frame into another.
+Eigen::Matrix3d rotation(double heading_rad);
+
+class WheelUncertainty {
+ public:
+  /// The odometry of the next observation.
+  void add(const Pose2& odometry);
+  /// Of the newest pose, (x, y, heading) in the odometry frame, given the first.
+  const Eigen::Matrix3d& covariance() const { return covariance_; }
+
+ private:
+  std::optional<Pose2> last_;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
+};
+
+}  // namespace handmap
