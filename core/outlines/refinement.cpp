@@ -139,7 +139,8 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
                           const SeenFrames& seen, const std::vector<Pose2>& way, std::uint64_t seed,
                           const std::stop_token& stop,
                           const std::function<void(double)>& progress) {
-  const PlacedRays placed = placeRays(seen, way);
+  const PlacedRays placed = placeRays(seen, way, stop);
+  if (stop.stop_requested()) return std::nullopt;
   std::vector<OutlineTask> tasks;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
     tasks.push_back(taskOf(drawing, b, found, placed, seen.rangeLimit()));

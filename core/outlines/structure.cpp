@@ -64,8 +64,9 @@ int cellOf(double metres) { return static_cast<int>(std::floor(metres / kCell_m)
 
 class Cells {
  public:
-  Cells(const std::vector<PlacedRay>& rays, const RayNoise& noise) {
+  Cells(const std::vector<PlacedRay>& rays, const RayNoise& noise, const std::stop_token& stop) {
     for (const PlacedRay& ray : rays) {
+      if (stop.stop_requested()) return;
       if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > kFar_m) continue;
       const Vec2 end = ray.end();
       const double variance = std::pow(noise.at(static_cast<double>(ray.range)), 2);
@@ -73,6 +74,7 @@ class Cells {
       moments_[keyOf(cellOf(end.x()), cellOf(end.y()))].add(end.x(), end.y(), weight, variance);
     }
     for (const auto& [key, own] : moments_) {
+      if (stop.stop_requested()) return;
       const auto column = static_cast<int>(key >> 32);
       const auto row = static_cast<int>(static_cast<std::int32_t>(key & 0xffffffff));
       pieces_[key] = pieceAt(column, row);
@@ -178,7 +180,8 @@ void shareOut(std::vector<PlacedRay>& rays) {
 
 }  // namespace
 
-PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses) {
+PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses,
+                     const std::stop_token& stop) {
   PlacedRays placed;
   for (const SeenFrame& frame : seen) {
     placed.frame_begin.push_back(placed.rays.size());
@@ -199,10 +202,10 @@ PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& 
   placed.frame_begin.push_back(placed.rays.size());
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds; ++round) {
-    const Cells cells(placed.rays, placed.noise);
+    const Cells cells(placed.rays, placed.noise, stop);
     placed.noise = measured(placed.rays, cells, placed.noise);
   }
-  const Cells cells(placed.rays, placed.noise);
+  const Cells cells(placed.rays, placed.noise, stop);
   shareOut(placed.rays);
   for (PlacedRay& ray : placed.rays) {
     const Piece* piece = ray.echo == Echo::Tall ? cells.of(ray) : nullptr;

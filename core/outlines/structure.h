@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/geometry/pose2.h"
@@ -49,9 +50,12 @@ struct PlacedRays {
 
 /// `poses`: of all observations. Tells structure and noise from each other: what is straight shows
 /// how far single returns are off, and that shows how thick a straight thing may look.
-PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses);
-inline PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses) {
-  return placeRays(seen.frames(), poses);
+/// Where `stop` is requested the rest is left out.
+PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses,
+                     const std::stop_token& stop = {});
+inline PlacedRays placeRays(const SeenFrames& seen, const std::vector<Pose2>& poses,
+                            const std::stop_token& stop = {}) {
+  return placeRays(seen.frames(), poses, stop);
 }
 
 }  // namespace handmap
