@@ -15,15 +15,15 @@ constexpr int kLook_ms = 250;
 constexpr int kMostReasons = 3;
 enum Column { Device, State, Rate, Age, Columns };
 
-QString roleInWords(Role role) {
+QString roleInWords(DeviceRole role) {
   switch (role) {
-    case Role::Odometry:
+    case DeviceRole::Odometry:
       return LivePanel::tr("Wheels");
-    case Role::Scanner:
+    case DeviceRole::Scanner:
       return LivePanel::tr("Scanner");
-    case Role::Camera:
+    case DeviceRole::Camera:
       return LivePanel::tr("Camera");
-    case Role::Head:
+    case DeviceRole::Head:
       return LivePanel::tr("Head");
   }
   return {};
@@ -150,7 +150,7 @@ void LivePanel::show(const RigStatus& status) {
                                             : QStringLiteral("\u2013"));
     item.setText(
         Age, device.age_s ? tr("%1 s").arg(*device.age_s, 0, 'f', 1) : QStringLiteral("\u2013"));
-    has_head |= device.role == Role::Head;
+    has_head |= device.role == DeviceRole::Head;
   }
   look_around_->setVisible(has_head);
   QStringList lines{tr("%1 observations taken, %2 passed over for newer ones")

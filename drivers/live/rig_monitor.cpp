@@ -13,19 +13,19 @@ constexpr double kSilent_s = 1.0;
 constexpr std::size_t kMostReasons = 64;
 
 /// A head speaks when it is asked only.
-bool deliversByItself(Role role) { return role != Role::Head; }
+bool deliversByItself(DeviceRole role) { return role != DeviceRole::Head; }
 
 }  // namespace
 
-const char* nameOf(Role role) {
+const char* nameOf(DeviceRole role) {
   switch (role) {
-    case Role::Odometry:
+    case DeviceRole::Odometry:
       return "odometry";
-    case Role::Scanner:
+    case DeviceRole::Scanner:
       return "scanner";
-    case Role::Camera:
+    case DeviceRole::Camera:
       return "camera";
-    case Role::Head:
+    case DeviceRole::Head:
       return "head";
   }
   return "";
@@ -81,21 +81,21 @@ bool RigMonitor::takeLookAround() {
   return std::exchange(look_around_, false);
 }
 
-RigMonitor::Watched* RigMonitor::find(Role role) {
+RigMonitor::Watched* RigMonitor::find(DeviceRole role) {
   const auto found = std::find_if(devices_.begin(), devices_.end(), [role](const Watched& watched) {
     return watched.status.role == role;
   });
   return found == devices_.end() ? nullptr : &*found;
 }
 
-void RigMonitor::add(Role role) {
+void RigMonitor::add(DeviceRole role) {
   const std::scoped_lock lock(mutex_);
   if (find(role) != nullptr) return;
   devices_.push_back({});
   devices_.back().status.role = role;
 }
 
-void RigMonitor::setState(Role role, DeviceState state, const std::string& detail) {
+void RigMonitor::setState(DeviceRole role, DeviceState state, const std::string& detail) {
   const std::scoped_lock lock(mutex_);
   Watched* device = find(role);
   if (device == nullptr) return;
@@ -103,7 +103,7 @@ void RigMonitor::setState(Role role, DeviceState state, const std::string& detai
   device->status.detail = detail;
 }
 
-void RigMonitor::datum(Role role, double time_s) {
+void RigMonitor::datum(DeviceRole role, double time_s) {
   const double now = clock_();
   const double measured_s =
       time_s <= now ? time_s : now;  // a clock that is off makes nothing young
