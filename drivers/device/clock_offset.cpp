@@ -12,6 +12,8 @@ constexpr double kWindow_s = 30.0;
 constexpr double kJump_s = 0.3;
 /// Messages of a network may overtake each other by so much.
 constexpr double kDisorder_s = 0.05;
+/// The first messages may have waited somewhere until somebody listened.
+constexpr double kSettle_s = 2.0;
 /// A delay that stays is no delay: the clock was set back by less than the time between messages.
 /// What had to wait somewhere comes in a burst, however much it is.
 constexpr int kLateInARow = 10;
@@ -42,14 +44,15 @@ std::optional<double> ClockOffset::rigTime(double stamp_s, double arrival_s) {
 
 void ClockOffset::restart(double delay_s, double arrival_s) {
   smallest_s_ = previous_s_ = delay_s;
-  half_minute_begin_s_ = arrival_s;
+  half_minute_begin_s_ = restart_s_ = arrival_s;
   late_in_a_row_ = 0;
 }
 
 bool ClockOffset::hasJumped(double stamp_s, double arrival_s) {
   const double delay_s = arrival_s - stamp_s;
   const double offset_s = std::min(smallest_s_, previous_s_);
-  if (stamp_s < last_stamp_s_ - kDisorder_s || delay_s < offset_s - kJump_s) return true;
+  if (stamp_s < last_stamp_s_ - kDisorder_s) return true;
+  if (delay_s < offset_s - kJump_s) return arrival_s - restart_s_ > kSettle_s;
   if (delay_s < offset_s + kJump_s) {
     late_in_a_row_ = 0;
     return false;

@@ -23,6 +23,7 @@ class ClockOffset {
   void take(double delay_s, double arrival_s);
 
   bool begun_ = false;
+  double restart_s_ = 0.0;
   double last_stamp_s_ = 0.0;
   double last_told_s_ = 0.0;
   double smallest_s_ = 0.0;  ///< of this half minute
