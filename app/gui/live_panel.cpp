@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLook_ms = 250;
 constexpr int kMostReasons = 3;
-enum Column { Device, State, Rate, Age, Columns };
+enum Column { Name, State, Rate, Age, Columns };
 
 QString roleInWords(DeviceRole role) {
   switch (role) {
@@ -142,7 +142,7 @@ void LivePanel::show(const RigStatus& status) {
     const DeviceStatus& device = status.devices[static_cast<std::size_t>(row)];
     if (row == devices_->topLevelItemCount()) devices_->addTopLevelItem(new QTreeWidgetItem);
     QTreeWidgetItem& item = *devices_->topLevelItem(row);
-    item.setText(Device, QString::fromUtf8(signOf(device.state)) + QLatin1Char(' ') +
+    item.setText(Name, QString::fromUtf8(signOf(device.state)) + QLatin1Char(' ') +
                              roleInWords(device.role));
     item.setText(State, stateInWords(device));
     item.setToolTip(State, stateInWords(device));
