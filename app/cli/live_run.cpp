@@ -114,7 +114,7 @@ void LiveDrive::watch(const std::stop_token& stop, Progress& progress) const {
   std::mutex mutex;
   std::condition_variable_any never;
   std::unique_lock lock(mutex);
-  std::map<Role, std::string> told;
+  std::map<DeviceRole, std::string> told;
   std::string recording_told;
   const double begin = job_.monitor->now();
   while (!stop.stop_requested()) {

@@ -69,12 +69,12 @@ class RigHost::Hosting {
     if (devices_.head) work(*devices_.head);
   }
 
-  void watch(Device& device, Role role) {
+  void watch(Device& device, DeviceRole role) {
     monitor_.add(role);
     QObject::connect(&device, &Device::stateChanged, &context_,
                      [this, role](DeviceState state, const QString& detail) {
                        monitor_.setState(role, state, detail.toStdString());
-                       if (role == Role::Head && state == DeviceState::Lost) {
+                       if (role == DeviceRole::Head && state == DeviceState::Lost) {
                          guarded([this] { assembler_.headLost(); });
                        }
                      });
@@ -82,27 +82,27 @@ class RigHost::Hosting {
 
   void connectSensors() {
     if (devices_.odometry) {
-      watch(*devices_.odometry, Role::Odometry);
+      watch(*devices_.odometry, DeviceRole::Odometry);
       QObject::connect(devices_.odometry.get(), &OdometrySensor::moved, &context_,
                        [this](double time_s, const Pose2& pose) {
-                         monitor_.datum(Role::Odometry, time_s);
+                         monitor_.datum(DeviceRole::Odometry, time_s);
                          guarded([&] { assembler_.moved(time_s, pose, monitor_.now()); });
                        });
     }
     if (devices_.scanner) {
-      watch(*devices_.scanner, Role::Scanner);
+      watch(*devices_.scanner, DeviceRole::Scanner);
       QObject::connect(devices_.scanner.get(), &RangeSensor::scanned, &context_,
                        [this](double time_s, const std::vector<RangePoint>& points) {
-                         monitor_.datum(Role::Scanner, time_s);
+                         monitor_.datum(DeviceRole::Scanner, time_s);
                          guarded([&] { assembler_.scanned(time_s, points, monitor_.now()); });
                        });
     }
     if (devices_.camera) {
-      watch(*devices_.camera, Role::Camera);
+      watch(*devices_.camera, DeviceRole::Camera);
       QObject::connect(
           devices_.camera.get(), &PairCamera::pairTaken, &context_,
           [this](double time_s, const cv::Mat& left, const cv::Mat& right) {
-            monitor_.datum(Role::Camera, time_s);
+            monitor_.datum(DeviceRole::Camera, time_s);
             monitor_.show(left, right);
             guarded([&] { assembler_.pairTaken(time_s, left, right, monitor_.now()); });
           });
@@ -111,10 +111,10 @@ class RigHost::Hosting {
 
   void connectHead() {
     if (!devices_.head) return;
-    watch(*devices_.head, Role::Head);
+    watch(*devices_.head, DeviceRole::Head);
     QObject::connect(devices_.head.get(), &PanTiltHead::arrived, &context_,
                      [this](double pan, double) {
-                       monitor_.datum(Role::Head, monitor_.now());
+                       monitor_.datum(DeviceRole::Head, monitor_.now());
                        guarded([&] { assembler_.headArrived(pan, monitor_.now()); });
                      });
   }

@@ -9,23 +9,28 @@ namespace handmap {
 namespace {
 
 constexpr double kRateOver_s = 2.0;
-constexpr double kSilent_s = 1.0;
+constexpr double kSilent_s = 0.7;
+constexpr double kSilentPeriods = 3.0;  // of a slow device
 constexpr std::size_t kMostReasons = 64;
 
-/// A head speaks when it is asked only.
-bool deliversByItself(Role role) { return role != Role::Head; }
+/// A head speaks when it is asked only; all others deliver by themselves.
+bool isSilent(const DeviceStatus& device) {
+  if (device.role == DeviceRole::Head || !device.age_s) return false;
+  const double periods_s = device.rate_hz > 0.0 ? kSilentPeriods / device.rate_hz : 0.0;
+  return *device.age_s > std::max(kSilent_s, periods_s);
+}
 
 }  // namespace
 
-const char* nameOf(Role role) {
+const char* nameOf(DeviceRole role) {
   switch (role) {
-    case Role::Odometry:
+    case DeviceRole::Odometry:
       return "odometry";
-    case Role::Scanner:
+    case DeviceRole::Scanner:
       return "scanner";
-    case Role::Camera:
+    case DeviceRole::Camera:
       return "camera";
-    case Role::Head:
+    case DeviceRole::Head:
       return "head";
   }
   return "";
@@ -55,11 +60,11 @@ RigStatus RigMonitor::status() const {
   for (const Watched& watched : devices_) {
     DeviceStatus device = watched.status;
     if (device.count > 0) device.age_s = now - watched.newest_s;
-    const bool silent = deliversByItself(device.role) && device.age_s && *device.age_s > kSilent_s;
+    const bool silent = isSilent(device);
     if (silent) device.rate_hz = 0.0;
     if (silent && device.state == DeviceState::Ready) {
       device.state = DeviceState::Degraded;
-      device.detail = fmt::format("silent for {:.0f} s", *device.age_s);
+      device.detail = fmt::format("silent for {:.1f} s", *device.age_s);
     }
     status.devices.push_back(std::move(device));
   }
@@ -81,21 +86,21 @@ bool RigMonitor::takeLookAround() {
   return std::exchange(look_around_, false);
 }
 
-RigMonitor::Watched* RigMonitor::find(Role role) {
+RigMonitor::Watched* RigMonitor::find(DeviceRole role) {
   const auto found = std::find_if(devices_.begin(), devices_.end(), [role](const Watched& watched) {
     return watched.status.role == role;
   });
   return found == devices_.end() ? nullptr : &*found;
 }
 
-void RigMonitor::add(Role role) {
+void RigMonitor::add(DeviceRole role) {
   const std::scoped_lock lock(mutex_);
   if (find(role) != nullptr) return;
   devices_.push_back({});
   devices_.back().status.role = role;
 }
 
-void RigMonitor::setState(Role role, DeviceState state, const std::string& detail) {
+void RigMonitor::setState(DeviceRole role, DeviceState state, const std::string& detail) {
   const std::scoped_lock lock(mutex_);
   Watched* device = find(role);
   if (device == nullptr) return;
@@ -103,7 +108,7 @@ void RigMonitor::setState(Role role, DeviceState state, const std::string& detai
   device->status.detail = detail;
 }
 
-void RigMonitor::datum(Role role, double time_s) {
+void RigMonitor::datum(DeviceRole role, double time_s) {
   const double now = clock_();
   const double measured_s =
       time_s <= now ? time_s : now;  // a clock that is off makes nothing young

@@ -18,13 +18,13 @@
 
 namespace handmap {
 
-enum class Role { Odometry, Scanner, Camera, Head };
-inline constexpr int kRoles = 4;
-const char* nameOf(Role role);
+enum class DeviceRole { Odometry, Scanner, Camera, Head };
+inline constexpr int kDeviceRoles = 4;
+const char* nameOf(DeviceRole role);
 const char* nameOf(DeviceState state);
 
 struct DeviceStatus {
-  Role role = Role::Odometry;
+  DeviceRole role = DeviceRole::Odometry;
   DeviceState state = DeviceState::Closed;
   std::string detail;           ///< in plain words; may be empty
   std::optional<double> age_s;  ///< of the newest datum; nullopt before the first
@@ -61,7 +61,7 @@ class RigMonitor {
  public:
   explicit RigMonitor(RigClock clock = startedRigClock()) : clock_(std::move(clock)) {}
 
-  /// A device that is silent for a second counts as degraded, and says so.
+  /// A device that is silent for longer than it should counts as degraded, and says so.
   RigStatus status() const;
   RigPreview preview() const;
   double now() const { return clock_(); }
@@ -74,9 +74,9 @@ class RigMonitor {
   bool takeLookAround();  ///< by the rig: whether it was asked for since
 
   // Told by the rig and the run.
-  void add(Role role);
-  void setState(Role role, DeviceState state, const std::string& detail);
-  void datum(Role role, double time_s);
+  void add(DeviceRole role);
+  void setState(DeviceRole role, DeviceState state, const std::string& detail);
+  void datum(DeviceRole role, double time_s);
   void refused(const std::string& reason, const std::string& detail = {});
   void observed(double time_s);
   void given();
@@ -93,7 +93,7 @@ class RigMonitor {
     double rate_since_s = 0.0;
     long rate_count = 0;
   };
-  Watched* find(Role role);
+  Watched* find(DeviceRole role);
 
   RigClock clock_;
   std::stop_source end_;

@@ -18,7 +18,7 @@ class FaultLine {
   using Emit = std::function<void(double time_s, const Datum&)>;
   using Tell = std::function<void(DeviceState, const QString&)>;
 
-  FaultLine(std::vector<Fault> faults, Role role, RigClock clock, Emit emit, Tell tell)
+  FaultLine(std::vector<Fault> faults, DeviceRole role, RigClock clock, Emit emit, Tell tell)
       : faults_(std::move(faults)),
         role_(role),
         clock_(std::move(clock)),
@@ -74,7 +74,7 @@ class FaultLine {
   }
 
   std::vector<Fault> faults_;
-  Role role_;
+  DeviceRole role_;
   RigClock clock_;
   Emit emit_;
   Tell tell_;

@@ -16,7 +16,7 @@ constexpr std::array kKinds = {
     std::pair(FaultKind::Drop, "drop"), std::pair(FaultKind::Late, "late"),
     std::pair(FaultKind::Unplug, "unplug"), std::pair(FaultKind::Freeze, "freeze"),
     std::pair(FaultKind::Clock, "clock")};
-constexpr std::array kSensors = {Role::Odometry, Role::Scanner, Role::Camera};
+constexpr std::array kSensors = {DeviceRole::Odometry, DeviceRole::Scanner, DeviceRole::Camera};
 constexpr double kMostSeconds = 1e6;
 
 [[noreturn]] void refuse(std::string_view fault) {
@@ -36,7 +36,7 @@ Fault parseFault(std::string_view text) {
   }
   Fault fault;
   bool role_known = false;
-  for (const Role role : kSensors) {
+  for (const DeviceRole role : kSensors) {
     if (text.substr(0, colon) != nameOf(role)) continue;
     fault.role = role;
     role_known = true;
@@ -66,7 +66,7 @@ std::vector<Fault> parseFaults(std::string_view text) {
   return faults;
 }
 
-std::optional<FaultKind> faultAt(const std::vector<Fault>& faults, Role role, double now_s) {
+std::optional<FaultKind> faultAt(const std::vector<Fault>& faults, DeviceRole role, double now_s) {
   for (const Fault& fault : faults) {
     if (fault.role == role && now_s >= fault.begin_s && now_s < fault.end_s) return fault.kind;
   }

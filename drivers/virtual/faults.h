@@ -18,7 +18,7 @@ enum class FaultKind {
 };
 
 struct Fault {
-  Role role = Role::Scanner;
+  DeviceRole role = DeviceRole::Scanner;
   FaultKind kind = FaultKind::Drop;
   double begin_s = 0.0;  ///< of the rig's clock
   double end_s = 0.0;
@@ -28,6 +28,6 @@ struct Fault {
 std::vector<Fault> parseFaults(std::string_view text);
 
 /// The first that is at work.
-std::optional<FaultKind> faultAt(const std::vector<Fault>& faults, Role role, double now_s);
+std::optional<FaultKind> faultAt(const std::vector<Fault>& faults, DeviceRole role, double now_s);
 
 }  // namespace handmap

@@ -14,7 +14,7 @@ VirtualOdometry::VirtualOdometry(std::shared_ptr<DriveClock> clock, Trajectory w
     : clock_(std::move(clock)),
       way_(std::move(way)),
       line_(
-          std::move(faults), Role::Odometry, clock_->rig(),
+          std::move(faults), DeviceRole::Odometry, clock_->rig(),
           [this](double time_s, const Pose2& pose) { Q_EMIT moved(time_s, pose); },
           [this](DeviceState state, const QString& detail) {
             Q_EMIT stateChanged(state, detail);
@@ -48,7 +48,7 @@ VirtualScanner::VirtualScanner(std::shared_ptr<DriveClock> clock,
       period_s_(period_s),
       next_(source_->next()),
       line_(
-          std::move(faults), Role::Scanner, clock_->rig(),
+          std::move(faults), DeviceRole::Scanner, clock_->rig(),
           [this](double time_s, const std::vector<RangePoint>& points) {
             Q_EMIT scanned(time_s, points);
           },

@@ -46,7 +46,7 @@ std::vector<Observation> takeUntil(ObservationSource& source, const RigMonitor& 
   return taken;
 }
 
-const DeviceStatus& statusOf(const RigStatus& status, Role role) {
+const DeviceStatus& statusOf(const RigStatus& status, DeviceRole role) {
   for (const DeviceStatus& device : status.devices) {
     if (device.role == role) return device;
   }
@@ -115,7 +115,7 @@ TEST(LiveSource, TellsStateAgeAndRateOfEachDevice) {
   takeUntil(*source, *live.monitor, 3.0);
   const RigStatus status = live.monitor->status();
   ASSERT_EQ(status.devices.size(), 2U);
-  for (const Role role : {Role::Odometry, Role::Scanner}) {
+  for (const DeviceRole role : {DeviceRole::Odometry, DeviceRole::Scanner}) {
     const DeviceStatus& device = statusOf(status, role);
     EXPECT_EQ(device.state, DeviceState::Ready) << device.detail;
     ASSERT_TRUE(device.age_s);
@@ -131,12 +131,12 @@ TEST(LiveSource, AScannerThatIsUnpluggedAndPluggedInAgainIsSaidAndLivedWith) {
   takeUntil(*source, *live.monitor, 0.8);
   std::this_thread::sleep_for(700ms);
   const RigStatus gone = live.monitor->status();
-  EXPECT_EQ(statusOf(gone, Role::Scanner).state, DeviceState::Lost);
-  EXPECT_EQ(statusOf(gone, Role::Scanner).detail, "unplugged");
-  EXPECT_EQ(statusOf(gone, Role::Odometry).state, DeviceState::Ready);
+  EXPECT_EQ(statusOf(gone, DeviceRole::Scanner).state, DeviceState::Lost);
+  EXPECT_EQ(statusOf(gone, DeviceRole::Scanner).detail, "unplugged");
+  EXPECT_EQ(statusOf(gone, DeviceRole::Odometry).state, DeviceState::Ready);
   const auto after = takeUntil(*source, *live.monitor, 3.5);
   EXPECT_GT(after.back().time_s, 2.5);
-  EXPECT_EQ(statusOf(live.monitor->status(), Role::Scanner).state, DeviceState::Ready);
+  EXPECT_EQ(statusOf(live.monitor->status(), DeviceRole::Scanner).state, DeviceState::Ready);
 }
 
 struct FaultCase {
@@ -242,9 +242,9 @@ TEST(LiveSource, WhatTheDevicesRefuseIsThrown) {
 TEST(Faults, AreReadFromText) {
   const auto faults = parseFaults("scanner:unplug@10+5,odometry:late@20.5+3");
   ASSERT_EQ(faults.size(), 2U);
-  EXPECT_EQ(faultAt(faults, Role::Scanner, 12.0), FaultKind::Unplug);
-  EXPECT_EQ(faultAt(faults, Role::Scanner, 15.0), std::nullopt);
-  EXPECT_EQ(faultAt(faults, Role::Odometry, 21.0), FaultKind::Late);
+  EXPECT_EQ(faultAt(faults, DeviceRole::Scanner, 12.0), FaultKind::Unplug);
+  EXPECT_EQ(faultAt(faults, DeviceRole::Scanner, 15.0), std::nullopt);
+  EXPECT_EQ(faultAt(faults, DeviceRole::Odometry, 21.0), FaultKind::Late);
   for (const char* wrong : {"scanner", "scanner:melt@1+1", "wheel:late@1+1", "scanner:late@1",
                             "scanner:late@-1+1", "scanner:late@1+0", "scanner:late@nan+1", ","}) {
     EXPECT_THROW(parseFaults(wrong), Error) << wrong;
