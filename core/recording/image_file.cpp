@@ -78,8 +78,10 @@ Header readHeader(std::string_view bytes, const std::string& file) {
 }  // namespace
 
 cv::Mat readImage(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  const std::string bytes = readFile(path, kMaxBytes);
+  return decodeImage(readFile(path, kMaxBytes), path.string());
+}
+
+cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
   const Header header = readHeader(bytes, file);
   // The sides first: their product may be more than a number holds.
   const bool fits = header.width <= kMaxPixels && header.height <= kMaxPixels &&
@@ -92,6 +94,7 @@ cv::Mat readImage(const std::filesystem::path& path) {
 
   cv::Mat image;
   try {
+    if (bytes.size() > kMaxBytes) throwBadInput(file, "", "more than 256 MiB", "a smaller image");
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
                          const_cast<char*>(bytes.data()));
     image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include <opencv2/core/mat.hpp>
 
@@ -10,6 +12,8 @@ namespace handmap {
 /// 8 bit, one or three channels, at most 64 megapixels. Throws BadInput for anything else, and for
 /// a file that is missing, empty or cut off.
 cv::Mat readImage(const std::filesystem::path& path);
+/// The same of the bytes of such a file, from wherever; `name` stands for it in messages.
+cv::Mat decodeImage(std::string_view bytes, const std::string& name);
 
 /// Throws RunFailed.
 void writePng(const cv::Mat& image, const std::filesystem::path& path);

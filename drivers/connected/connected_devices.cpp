@@ -1,28 +1,24 @@
 #include "drivers/connected/connected_devices.h"
 
+#include <cstdint>
 #include <map>
 
-#include "core/base/error.h"
 #include "drivers/camera/video_camera.h"
-
-// What has no library in this build is refused by name.
-#if HANDMAP_WIRED_DEVICES
 #include "drivers/odometry_lines/line_odometry.h"
 #include "drivers/pan_tilt/ptu_head.h"
 #include "drivers/rosbridge/ros_devices.h"
 #include "drivers/scanner/hokuyo_scanner.h"
 #include "drivers/scanner/rplidar_scanner.h"
-#endif
 
 namespace handmap {
 
 namespace {
 
 /// Each waits by a seed of its own before it tries again.
-[[maybe_unused]] constexpr std::uint64_t kRosSeed = 11;
-[[maybe_unused]] constexpr std::uint64_t kScannerSeed = 12;
-[[maybe_unused]] constexpr std::uint64_t kHeadSeed = 13;
-[[maybe_unused]] constexpr std::uint64_t kOdometrySeed = 14;
+constexpr std::uint64_t kRosSeed = 11;
+constexpr std::uint64_t kScannerSeed = 12;
+constexpr std::uint64_t kHeadSeed = 13;
+constexpr std::uint64_t kOdometrySeed = 14;
 
 class Maker {
  public:
@@ -38,7 +34,6 @@ class Maker {
         [&monitor = monitor_](const std::string& reason) { monitor.refused(reason); });
   }
 
-#if HANDMAP_WIRED_DEVICES
   std::unique_ptr<OdometrySensor> odometry() {
     const OdometryRig& odometry = rig_.odometry;
     if (odometry.kind == OdometryRigKind::Lines) {
@@ -91,28 +86,9 @@ class Maker {
     return client;
   }
 
-  std::map<std::string, std::shared_ptr<RosbridgeClient>> ros_clients_;
-#else
-  [[noreturn]] static void refuse(const char* device) {
-    throw Error(ErrorCode::BadInput,
-                std::string("this program was built without drivers for ") + device);
-  }
-  std::unique_ptr<OdometrySensor> odometry() const {
-    if (rig_.odometry.isMeasured()) refuse("wheels");
-    return nullptr;
-  }
-  std::unique_ptr<RangeSensor> scanner() const {
-    if (rig_.scanner) refuse("scanners");
-    return nullptr;
-  }
-  std::unique_ptr<PanTiltHead> head() const {
-    if (rig_.head) refuse("pan-tilt heads");
-    return nullptr;
-  }
-#endif
-
   const Rig& rig_;
   RigMonitor& monitor_;
+  std::map<std::string, std::shared_ptr<RosbridgeClient>> ros_clients_;
 };
 
 }  // namespace

@@ -1,0 +1,180 @@
+#include "drivers/foxglove/foxglove_server.h"
+
+#include <QtEndian>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/json.h"
+
+namespace handmap {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostClients = 8;
+constexpr std::size_t kMostSubscriptions = 64;
+constexpr quint64 kLongestRequest = 64 * 1024;
+constexpr qint64 kMostWaiting = 4 << 20;  // bytes that a client has not yet taken
+constexpr std::int64_t kLargestId = 0xffffffff;
+constexpr quint8 kMessageData = 1;
+
+std::uint64_t now_ns() {
+  using namespace std::chrono;
+  return static_cast<std::uint64_t>(
+      duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count());
+}
+
+void sendJson(QWebSocket& socket, const json& message) {
+  socket.sendTextMessage(
+      QString::fromStdString(message.dump(-1, ' ', false, json::error_handler_t::replace)));
+}
+
+json described(const FoxgloveChannel& channel) {
+  return {{"id", channel.id},
+          {"topic", channel.topic.toStdString()},
+          {"encoding", "json"},
+          {"schemaName", channel.schema_name.toStdString()},
+          {"schemaEncoding", "jsonschema"},
+          {"schema", channel.schema.toStdString()}};
+}
+
+}  // namespace
+
+FoxgloveServer::FoxgloveServer(QObject* parent)
+    : QObject(parent),
+      server_(QStringLiteral("Handmap"), QWebSocketServer::NonSecureMode),
+      pose_(poseChannel(1, QStringLiteral("/handmap/pose"))),
+      scene_(sceneChannel(2, QStringLiteral("/handmap/map"))) {
+  server_.setSupportedSubprotocols(
+      {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
+  connect(&server_, &QWebSocketServer::newConnection, this, &FoxgloveServer::welcome);
+}
+
+FoxgloveServer::~FoxgloveServer() { close(); }
+
+void FoxgloveServer::listen(quint16 port, const QHostAddress& address) {
+  if (server_.isListening()) return;
+  if (server_.listen(address, port)) return;
+  throw Error(ErrorCode::RunFailed,
+              fmt::format("Foxglove: port {} cannot be opened: {}", port,
+                          server_.errorString().toStdString()),
+              "another program may have it: choose another port");
+}
+
+void FoxgloveServer::close() {
+  server_.close();
+  for (const auto& [socket, client] : std::exchange(clients_, {})) {
+    socket->disconnect(this);
+    socket->close();
+    socket->deleteLater();
+  }
+}
+
+void FoxgloveServer::welcome() {
+  QWebSocket* socket = server_.nextPendingConnection();
+  if (!socket) return;
+  if (clients_.size() == kMostClients || socket->subprotocol().isEmpty()) {
+    socket->close(QWebSocketProtocol::CloseCodePolicyViolated,
+                  QStringLiteral("expected the protocol foxglove.websocket.v1 and a free place"));
+    return socket->deleteLater();
+  }
+  socket->setMaxAllowedIncomingMessageSize(kLongestRequest);
+  socket->setMaxAllowedIncomingFrameSize(kLongestRequest);
+  clients_[socket] = {};
+  connect(socket, &QWebSocket::textMessageReceived, this,
+          [this, socket](const QString& text) { take(*socket, text); });
+  connect(socket, &QWebSocket::disconnected, this, [this, socket] {
+    clients_.erase(socket);
+    socket->deleteLater();
+  });
+  sendJson(*socket, {{"op", "serverInfo"},
+                     {"name", "Handmap " HANDMAP_VERSION},
+                     {"capabilities", json::array()},
+                     {"supportedEncodings", json::array()},
+                     {"metadata", json::object()},
+                     {"sessionId", fmt::format("{}", now_ns())}});
+  sendJson(*socket,
+           {{"op", "advertise"}, {"channels", json::array({described(pose_), described(scene_)})}});
+}
+
+void FoxgloveServer::take(QWebSocket& socket, const QString& text) {
+  try {
+    obey(socket, text);
+  } catch (const Error& error) {
+    sendJson(socket, {{"op", "status"}, {"level", 2}, {"message", error.what()}});
+  }
+}
+
+void FoxgloveServer::obey(QWebSocket& socket, const QString& text) {
+  const json request = parseJson(text.toStdString(), "request");
+  const JsonValue value(request, "request");
+  const std::string op = value.at("op").text(40);
+  const auto id = [](const JsonValue& number) {
+    return static_cast<std::uint32_t>(number.integer(0, kLargestId));
+  };
+  if (op == "subscribe") {
+    for (const JsonValue& each : value.at("subscriptions").items(kMostSubscriptions)) {
+      subscribe(socket, id(each.at("id")), id(each.at("channelId")));
+    }
+  } else if (op == "unsubscribe") {
+    for (const JsonValue& each : value.at("subscriptionIds").items(kMostSubscriptions)) {
+      clients_[&socket].channels.erase(id(each));
+    }
+  } else {
+    value.at("op").fail("subscribe or unsubscribe");
+  }
+}
+
+void FoxgloveServer::subscribe(QWebSocket& socket, std::uint32_t subscription,
+                               std::uint32_t channel) {
+  if (channel != pose_.id && channel != scene_.id) {
+    throwBadInput("request", "channelId", fmt::format("{}", channel), "one that was advertised");
+  }
+  auto& channels = clients_[&socket].channels;
+  if (channels.size() >= kMostSubscriptions) {
+    throwBadInput("request", "", "too many subscriptions",
+                  fmt::format("at most {}", kMostSubscriptions));
+  }
+  channels[subscription] = channel;
+  if (channel != scene_.id || !map_) return;
+  const std::uint64_t time_ns = now_ns();
+  send(socket, subscription, time_ns, sceneUpdate(time_ns, *map_));
+}
+
+// 1, the subscription, nanoseconds since 1970, little-endian; then the message.
+void FoxgloveServer::send(QWebSocket& socket, std::uint32_t subscription, std::uint64_t time_ns,
+                          const QByteArray& payload) {
+  if (socket.bytesToWrite() > kMostWaiting) return;  // it is too slow: it misses some
+  QByteArray frame(13, '\0');
+  frame[0] = static_cast<char>(kMessageData);
+  qToLittleEndian(subscription, frame.data() + 1);
+  qToLittleEndian(time_ns, frame.data() + 5);
+  socket.sendBinaryMessage(frame + payload);
+}
+
+void FoxgloveServer::publish(std::uint32_t channel, std::uint64_t time_ns,
+                             const QByteArray& payload) {
+  for (const auto& [socket, client] : clients_) {
+    for (const auto& [subscription, subscribed] : client.channels) {
+      if (subscribed == channel) send(*socket, subscription, time_ns, payload);
+    }
+  }
+}
+
+void FoxgloveServer::publishPose(const Pose2& pose) {
+  const std::uint64_t time_ns = now_ns();
+  publish(pose_.id, time_ns, poseInFrame(time_ns, pose));
+}
+
+void FoxgloveServer::publishMap(std::shared_ptr<const Map> map) {
+  map_ = std::move(map);
+  const std::uint64_t time_ns = now_ns();
+  if (map_) publish(scene_.id, time_ns, sceneUpdate(time_ns, *map_));
+}
+
+}  // namespace handmap

@@ -1,0 +1,114 @@
+#include "drivers/rosbridge/ros_devices.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kSameMoment_s = 0.005;
+constexpr std::size_t kMostWaiting = 4;  // images for their partner
+
+RosType scanType(RosScanner::Kind kind) {
+  return {QStringLiteral("sensor_msgs"), kind == RosScanner::Kind::LaserScan
+                                             ? QStringLiteral("LaserScan")
+                                             : QStringLiteral("PointCloud2")};
+}
+
+}  // namespace
+
+RosOdometry::RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic,
+                         RigClock clock)
+    : topic_(std::move(client), topic, {QStringLiteral("nav_msgs"), QStringLiteral("Odometry")},
+             std::move(clock), [this](const RosValue& message, double arrival_s) {
+               const RosOdometryMessage read = readOdometry(message);
+               const auto told = stream_.take(read.stamp_s, read.pose, arrival_s);
+               if (told) Q_EMIT moved(told->time_s, told->pose);
+               return stream_.detail();
+             }) {
+  connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
+}
+
+RosScanner::RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& topic, Kind kind,
+                       RigClock clock)
+    : topic_(std::move(client), topic, scanType(kind), std::move(clock),
+             [this, kind](const RosValue& message, double arrival_s) {
+               const RosPointsMessage read =
+                   kind == Kind::LaserScan ? readLaserScan(message) : readPointCloud(message);
+               const auto time_s = offset_.rigTime(read.stamp_s, arrival_s);
+               if (time_s) Q_EMIT scanned(*time_s, read.points);
+               return QString();
+             }) {
+  connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
+}
+
+RosCamera::RosCamera(std::shared_ptr<RosbridgeClient> client, const QString& left,
+                     const QString& right, RigClock clock)
+    : left_(client, left, {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")}, clock,
+            [this](const RosValue& message, double arrival_s) {
+              return take(left_images_, right_images_, message, arrival_s);
+            }),
+      right_(client, right, {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")},
+             clock, [this](const RosValue& message, double arrival_s) {
+               return take(right_images_, left_images_, message, arrival_s);
+             }) {
+  connect(&left_, &RosTopic::stateChanged, this, [this](DeviceState state, const QString& detail) {
+    left_state_.changes(state, detail);
+    left_detail_ = detail;
+    tell();
+  });
+  connect(&right_, &RosTopic::stateChanged, this, [this](DeviceState state, const QString& detail) {
+    right_state_.changes(state, detail);
+    right_detail_ = detail;
+    tell();
+  });
+}
+
+void RosCamera::open() {
+  left_.open();
+  right_.open();
+}
+
+void RosCamera::close() {
+  left_.close();
+  right_.close();
+}
+
+QString RosCamera::take(Images& own, Images& other, const RosValue& message, double arrival_s) {
+  RosImageMessage image = readCompressedImage(message);
+  while (!other.empty() && other.front().stamp_s < image.stamp_s - kSameMoment_s) {
+    other.pop_front();
+    ++unpaired_;
+  }
+  if (other.empty() || other.front().stamp_s > image.stamp_s + kSameMoment_s) {
+    own.push_back(std::move(image));
+    if (own.size() <= kMostWaiting) return {};
+    own.pop_front();
+    ++unpaired_;
+    return QStringLiteral("the images of one camera find no partner of the same moment");
+  }
+  const RosImageMessage partner = std::move(other.front());
+  other.pop_front();
+  const RosImageMessage& left = &own == &left_images_ ? image : partner;
+  const RosImageMessage& right = &own == &left_images_ ? partner : image;
+  const auto time_s = offset_.rigTime(left.stamp_s, arrival_s);
+  if (time_s) Q_EMIT pairTaken(*time_s, left.image, right.image);
+  return {};
+}
+
+// As bad as the worse of the two.
+void RosCamera::tell() {
+  const auto rank = [](DeviceState state) {
+    constexpr DeviceState kOrder[] = {DeviceState::Ready, DeviceState::Degraded,
+                                      DeviceState::Connecting, DeviceState::Lost,
+                                      DeviceState::Closed};
+    return std::find(std::begin(kOrder), std::end(kOrder), state) - std::begin(kOrder);
+  };
+  const bool left_worse = rank(left_state_.state()) >= rank(right_state_.state());
+  Q_EMIT stateChanged(left_worse ? left_state_.state() : right_state_.state(),
+                      left_worse ? left_detail_ : right_detail_);
+}
+
+}  // namespace handmap

@@ -1,0 +1,69 @@
+// Devices of a rig whose data come over rosbridge.
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "drivers/device/clock_offset.h"
+#include "drivers/device/odometry_stream.h"
+#include "drivers/rosbridge/ros_messages.h"
+#include "drivers/rosbridge/ros_topic.h"
+
+namespace handmap {
+
+/// nav_msgs/Odometry.
+class RosOdometry : public OdometrySensor {
+  Q_OBJECT
+ public:
+  RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic, RigClock clock);
+  void open() override { topic_.open(); }
+  void close() override { topic_.close(); }
+
+ private:
+  OdometryStream stream_;
+  RosTopic topic_;
+};
+
+/// sensor_msgs/LaserScan or sensor_msgs/PointCloud2.
+class RosScanner : public RangeSensor {
+  Q_OBJECT
+ public:
+  enum class Kind { LaserScan, PointCloud2 };
+  RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& topic, Kind kind,
+             RigClock clock);
+  void open() override { topic_.open(); }
+  void close() override { topic_.close(); }
+
+ private:
+  ClockOffset offset_;
+  RosTopic topic_;
+};
+
+/// Two sensor_msgs/CompressedImage whose stamps are at most 5 ms apart.
+class RosCamera : public PairCamera {
+  Q_OBJECT
+ public:
+  RosCamera(std::shared_ptr<RosbridgeClient> client, const QString& left, const QString& right,
+            RigClock clock);
+  void open() override;
+  void close() override;
+  int unpaired() const { return unpaired_; }  ///< images whose partner never came
+
+ private:
+  using Images = std::deque<RosImageMessage>;
+  QString take(Images& own, Images& other, const RosValue& message, double arrival_s);
+  void tell();
+
+  ClockOffset offset_;
+  Images left_images_;
+  Images right_images_;
+  int unpaired_ = 0;
+  ToldState left_state_;
+  ToldState right_state_;
+  QString left_detail_;
+  QString right_detail_;
+  RosTopic left_;  // last: they say that they close when they end
+  RosTopic right_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,137 @@
+#include "drivers/rosbridge/ros_messages.h"
+
+#include <QtEndian>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/recording/image_file.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kFarthest_m = 1e7;
+constexpr double kFarthestPoint_m = 1e4;
+constexpr std::size_t kMostRays = 100'000;
+constexpr std::int64_t kMostPoints = 2'000'000;
+constexpr std::int64_t kMostPointBytes = 1024;
+constexpr std::size_t kMostBytes = 32 << 20;
+constexpr std::int64_t kFloat32 = 7;
+constexpr std::int64_t kFloat64 = 8;
+
+double stampOf(const RosValue& message) {
+  const RosValue stamp = message.at("header").at("stamp");
+  const bool ros1 = stamp.find("secs").has_value();
+  const double seconds = stamp.at(ros1 ? "secs" : "sec").number(-2147483648.0, 4294967295.0);
+  return seconds + 1e-9 * stamp.at(ros1 ? "nsecs" : "nanosec").number(0.0, 4294967295.0);
+}
+
+double yawOf(const RosValue& orientation) {
+  const auto part = [&](const char* key) { return orientation.at(key).number(-2.0, 2.0); };
+  const double x = part("x");
+  const double y = part("y");
+  const double z = part("z");
+  const double w = part("w");
+  const double norm = x * x + y * y + z * z + w * w;
+  if (norm < 0.5 || norm > 2.0) orientation.fail("no rotation", "a quaternion of length 1");
+  return std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
+}
+
+/// Where a coordinate lies in the bytes of a point.
+struct Field {
+  std::int64_t offset = 0;
+  bool is_double = false;
+  double read(const char* point, bool big) const {
+    const char* at = point + offset;
+    if (is_double) return big ? qFromBigEndian<double>(at) : qFromLittleEndian<double>(at);
+    return static_cast<double>(big ? qFromBigEndian<float>(at) : qFromLittleEndian<float>(at));
+  }
+};
+
+Field fieldOf(const RosValue& message, const std::string& name, std::int64_t point_bytes) {
+  const RosValue fields = message.at("fields");
+  for (const RosValue& field : fields.items(100)) {
+    if (field.at("name").text(200) != name) continue;
+    const std::int64_t type = field.at("datatype").integer(0, 255);
+    if (type != kFloat32 && type != kFloat64) {
+      field.at("datatype").fail(fmt::format("{}", type), "7 (float32) or 8 (float64)");
+    }
+    const std::int64_t size = type == kFloat32 ? 4 : 8;
+    return {field.at("offset").integer(0, point_bytes - size), type == kFloat64};
+  }
+  fields.fail("no field " + name, "x, y and z");
+}
+
+}  // namespace
+
+RosOdometryMessage readOdometry(const RosValue& message) {
+  const RosValue pose = message.at("pose").at("pose");
+  const RosValue position = pose.at("position");
+  return {stampOf(message),
+          {position.at("x").number(-kFarthest_m, kFarthest_m),
+           position.at("y").number(-kFarthest_m, kFarthest_m), yawOf(pose.at("orientation"))}};
+}
+
+RosPointsMessage readLaserScan(const RosValue& message) {
+  const double first = message.at("angle_min").number(-100.0, 100.0);
+  const double step = message.at("angle_increment").number(-1.0, 1.0);
+  const double between_s = message.at("time_increment").number(0.0, 1.0);
+  const double nearest = message.at("range_min").number(0.0, kFarthestPoint_m);
+  const double farthest = message.at("range_max").number(0.0, 1e9);
+  const std::vector<double> ranges = message.at("ranges").numbers(kMostRays);
+  RosPointsMessage scan;
+  const auto rays = static_cast<double>(ranges.size());
+  scan.stamp_s = stampOf(message) + 0.5 * std::min(between_s * rays, 1.0);
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const double range = ranges[i];  // infinite or no number: nothing there
+    if (!(range >= nearest && range <= std::min(farthest, kFarthestPoint_m))) continue;
+    const Vec2 point = range * unitVector(first + step * static_cast<double>(i));
+    scan.points.push_back(
+        {static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F, 1.0F});
+  }
+  return scan;
+}
+
+RosPointsMessage readPointCloud(const RosValue& message) {
+  const std::int64_t width = message.at("width").integer(0, kMostPoints);
+  const std::int64_t height = message.at("height").integer(0, kMostPoints);
+  if (width * height > kMostPoints) {
+    message.at("width").fail(fmt::format("{} × {} points", width, height),
+                             fmt::format("at most {}", kMostPoints));
+  }
+  const std::int64_t step = message.at("point_step").integer(1, kMostPointBytes);
+  const std::int64_t row = message.at("row_step").integer(width * step, std::int64_t{kMostBytes});
+  const bool big = message.at("is_bigendian").flag();
+  const Field x = fieldOf(message, "x", step);
+  const Field y = fieldOf(message, "y", step);
+  const Field z = fieldOf(message, "z", step);
+  const QByteArray data = message.at("data").bytes(kMostBytes);
+  const std::int64_t needed = height == 0 ? 0 : row * (height - 1) + width * step;
+  if (data.size() < needed) {
+    message.at("data").fail(fmt::format("{} bytes", data.size()), fmt::format("{}", needed));
+  }
+  RosPointsMessage cloud;
+  cloud.stamp_s = stampOf(message);
+  cloud.points.reserve(static_cast<std::size_t>(width * height));
+  for (std::int64_t v = 0; v < height; ++v) {
+    for (std::int64_t u = 0; u < width; ++u) {
+      const char* point = data.constData() + v * row + u * step;
+      const Eigen::Vector3d p(x.read(point, big), y.read(point, big), z.read(point, big));
+      if (!(p.cwiseAbs().maxCoeff() <= kFarthestPoint_m) || !p.allFinite()) continue;
+      cloud.points.push_back(
+          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 1.0F});
+    }
+  }
+  return cloud;
+}
+
+RosImageMessage readCompressedImage(const RosValue& message) {
+  const QByteArray data = message.at("data").bytes(kMostBytes);
+  const std::string_view bytes(data.constData(), static_cast<std::size_t>(data.size()));
+  return {stampOf(message), decodeImage(bytes, "image over rosbridge")};
+}
+
+}  // namespace handmap

@@ -1,0 +1,39 @@
+// The ROS messages that tell something to a rig, out of what came over rosbridge. Stamps of ROS 1
+// (secs, nsecs) and ROS 2 (sec, nanosec) are both understood. All throw BadInput.
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/geometry/pose2.h"
+#include "core/recording/observation.h"
+#include "drivers/rosbridge/ros_value.h"
+
+namespace handmap {
+
+/// nav_msgs/Odometry: the pose in the odometry frame.
+struct RosOdometryMessage {
+  double stamp_s = 0.0;
+  Pose2 pose;
+};
+RosOdometryMessage readOdometry(const RosValue& message);
+
+/// In the sensor's frame, w = 1.
+struct RosPointsMessage {
+  double stamp_s = 0.0;  ///< of the middle of the scan
+  std::vector<RangePoint> points;
+};
+/// sensor_msgs/LaserScan; z = 0.
+RosPointsMessage readLaserScan(const RosValue& message);
+/// sensor_msgs/PointCloud2 with x, y, z as float32 or float64; at most 2 million points.
+RosPointsMessage readPointCloud(const RosValue& message);
+
+/// sensor_msgs/CompressedImage: PNG or JPEG, 8 bit.
+struct RosImageMessage {
+  double stamp_s = 0.0;
+  cv::Mat image;
+};
+RosImageMessage readCompressedImage(const RosValue& message);
+
+}  // namespace handmap

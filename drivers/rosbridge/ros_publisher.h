@@ -1,0 +1,37 @@
+// Tells ROS of a run, over rosbridge.
+#pragma once
+
+#include <memory>
+
+#include "drivers/rosbridge/ros_publications.h"
+
+namespace handmap {
+
+struct RosTopics {
+  QString pose = QStringLiteral("/handmap/pose");
+  QString grid = QStringLiteral("/handmap/map");
+  QString markers = QStringLiteral("/handmap/buildings");
+  QString frame = QStringLiteral("map");
+};
+
+/// Lives in the thread of its client. What is published while there is no connection is not lost
+/// but for poses: the map is sent again when there is one.
+class RosPublisher : public QObject {
+  Q_OBJECT
+ public:
+  explicit RosPublisher(std::shared_ptr<RosbridgeClient> client, RosTopics topics = {});
+  ~RosPublisher() override;
+
+  void publishPose(const Pose2& pose, const std::array<double, 3>& sigma);
+  void publishMap(std::shared_ptr<const Map> map);
+
+ private:
+  RosHeader header() const;
+  void sendMap();
+
+  std::shared_ptr<RosbridgeClient> client_;
+  RosTopics topics_;
+  std::shared_ptr<const Map> map_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,80 @@
+#include "drivers/rosbridge/ros_topic.h"
+
+#include <utility>
+
+namespace handmap {
+
+namespace {
+
+constexpr int kWatch_ms = 100;
+constexpr double kSilence_s = 1.0;
+
+}  // namespace
+
+RosTopic::RosTopic(std::shared_ptr<RosbridgeClient> client, QString topic, RosType type,
+                   RigClock clock, Take take)
+    : client_(std::move(client)),
+      topic_(std::move(topic)),
+      type_(std::move(type)),
+      clock_(std::move(clock)),
+      take_(std::move(take)) {
+  connect(client_.get(), &RosbridgeClient::connected, this, [this] {
+    if (open_) tell(DeviceState::Connecting, QStringLiteral("waiting for %1").arg(topic_));
+  });
+  connect(client_.get(), &RosbridgeClient::lost, this, [this](const QString& why) {
+    if (open_) tell(DeviceState::Lost, why);
+  });
+  connect(client_.get(), &RosbridgeClient::troubled, this,
+          [this](const QString& about, const QString& why) {
+            if (!open_ || (!about.isEmpty() && about != topic_)) return;
+            health_.bad();
+            const bool silent = told_.state() == DeviceState::Connecting;
+            if (silent || health_.degraded()) tell(DeviceState::Degraded, why);
+          });
+  connect(&timer_, &QTimer::timeout, this, &RosTopic::watch);
+}
+
+RosTopic::~RosTopic() {
+  if (open_) RosTopic::close();
+}
+
+void RosTopic::open() {
+  if (std::exchange(open_, true)) return;
+  tell(DeviceState::Connecting, QStringLiteral("connecting to the rosbridge"));
+  client_->subscribe(topic_, type_, [this](const RosValue& message) { come(message); });
+  client_->open();
+  timer_.start(kWatch_ms);
+}
+
+void RosTopic::close() {
+  if (!std::exchange(open_, false)) return;
+  timer_.stop();
+  client_->unsubscribe(topic_);
+  client_->close();
+  tell(DeviceState::Closed, {});
+}
+
+void RosTopic::come(const RosValue& message) {
+  const double now_s = clock_();
+  const QString remark = take_(message, now_s);
+  last_s_ = now_s;
+  health_.good();
+  const bool degraded = health_.degraded();
+  if (!remark.isEmpty()) return tell(DeviceState::Degraded, remark);
+  if (!degraded) tell(DeviceState::Ready, {});
+}
+
+void RosTopic::watch() {
+  const bool delivered =
+      told_.state() == DeviceState::Ready || told_.state() == DeviceState::Degraded;
+  if (delivered && client_->isConnected() && clock_() - last_s_ > kSilence_s) {
+    tell(DeviceState::Degraded,
+         QStringLiteral("nothing has come of %1 for %2 s").arg(topic_).arg(kSilence_s));
+  }
+}
+
+void RosTopic::tell(DeviceState state, const QString& detail) {
+  if (told_.changes(state, detail)) Q_EMIT stateChanged(state, detail);
+}
+
+}  // namespace handmap

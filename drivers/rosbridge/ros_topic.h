@@ -1,0 +1,48 @@
+// One topic that a device lives on: what it sends, and how well it is.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "drivers/device/device.h"
+#include "drivers/device/health.h"
+#include "drivers/device/rig_clock.h"
+#include "drivers/device/told_state.h"
+#include "drivers/rosbridge/rosbridge_client.h"
+
+namespace handmap {
+
+class RosTopic : public QObject {
+  Q_OBJECT
+ public:
+  /// What comes; throws Error for what cannot be used. Returns a remark, empty where all is well.
+  using Take = std::function<QString(const RosValue& message, double arrival_s)>;
+
+  RosTopic(std::shared_ptr<RosbridgeClient> client, QString topic, RosType type, RigClock clock,
+           Take take);
+  ~RosTopic() override;
+  void open();
+  void close();
+
+ Q_SIGNALS:
+  void stateChanged(handmap::DeviceState state, const QString& detail);
+
+ private:
+  void come(const RosValue& message);
+  void watch();
+  void tell(DeviceState state, const QString& detail);
+
+  std::shared_ptr<RosbridgeClient> client_;
+  QString topic_;
+  RosType type_;
+  RigClock clock_;
+  Take take_;
+  QTimer timer_;
+  Health health_;
+  double last_s_ = 0.0;
+  bool open_ = false;
+  ToldState told_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,53 @@
+// A Hokuyo laser scanner that speaks SCIP 2.0, on a serial line (USB) or TCP.
+#pragma once
+
+#include <QTimer>
+#include <optional>
+
+#include "drivers/device/clock_offset.h"
+#include "drivers/device/device.h"
+#include "drivers/device/rig_clock.h"
+#include "drivers/device/told_state.h"
+#include "drivers/scanner/scip.h"
+#include "drivers/serial/byte_port.h"
+#include "drivers/serial/line_buffer.h"
+
+namespace handmap {
+
+class HokuyoScanner : public RangeSensor {
+  Q_OBJECT
+ public:
+  static constexpr std::int32_t kBaud = 115200;  ///< USB has none, older serial ones this
+
+  HokuyoScanner(PortAddress address, RigClock clock, std::uint64_t seed = 1,
+                QObject* parent = nullptr);
+  ~HokuyoScanner() override;
+
+  void open() override;
+  void close() override;
+  int damagedAnswers() const { return reader_.damaged(); }
+
+ private:
+  enum class Step { Closed, Stopping, Asking, LightingUp, Starting, Scanning };
+  void go(Step step);
+  void take(const ScipAnswer& answer);
+  void takeScan(const ScipAnswer& answer);
+  void watch();
+  void tell(DeviceState state, const QString& detail);
+
+  RigClock clock_;
+  BytePort port_;
+  LineBuffer lines_;
+  ScipReader reader_;
+  QTimer timer_;
+  Step step_ = Step::Closed;
+  double step_since_s_ = 0.0;
+  int attempts_ = 0;
+  std::optional<ScipParameters> parameters_;
+  ScipClock scanner_clock_;
+  ClockOffset offset_;
+  double last_scan_s_ = 0.0;
+  ToldState told_;
+};
+
+}  // namespace handmap

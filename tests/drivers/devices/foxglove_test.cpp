@@ -1,0 +1,149 @@
+#include <QWebSocketHandshakeOptions>
+#include <QtEndian>
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "drivers/foxglove/foxglove_server.h"
+#include "tests/drivers/devices/peer.h"
+#include "tests/drivers/devices/waiting.h"
+
+namespace handmap {
+namespace {
+
+using nlohmann::json;
+using test::Peer;
+using test::waitUntil;
+
+std::shared_ptr<const Map> oneBuilding() {
+  auto map = std::make_shared<Map>();
+  map->buildings.resize(1);
+  map->buildings[0].id = "Ä\xff";  // no UTF-8: it must not end the program
+  map->buildings[0].shape = Rectangle{{10.0, 5.0}, 8.0, 4.0, 0.0};
+  return map;
+}
+
+/// A client in a few lines.
+struct Viewer {
+  explicit Viewer(quint16 port, const QString& protocol = QStringLiteral("foxglove.websocket.v1")) {
+    QObject::connect(
+        &socket, &QWebSocket::textMessageReceived, &socket,
+        [this](const QString& text) { texts.push_back(json::parse(text.toStdString())); });
+    QObject::connect(&socket, &QWebSocket::binaryMessageReceived, &socket,
+                     [this](const QByteArray& bytes) { frames.push_back(bytes); });
+    QWebSocketHandshakeOptions options;
+    if (!protocol.isEmpty()) options.setSubprotocols({protocol});
+    socket.open(QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(port)), options);
+  }
+  bool hears(std::size_t count) {
+    return waitUntil([&] { return texts.size() >= count; });
+  }
+  void send(const json& message) { socket.sendTextMessage(QString::fromStdString(message.dump())); }
+
+  QWebSocket socket;
+  std::vector<json> texts;
+  std::vector<QByteArray> frames;
+};
+
+TEST(FoxgloveServer, NothingListensUnlessAskedAndThenOnTheLoopback) {
+  FoxgloveServer server;
+  EXPECT_EQ(server.port(), 0);
+  server.listen(0);
+  EXPECT_NE(server.port(), 0);
+  FoxgloveServer other;
+  EXPECT_THROW(other.listen(server.port()), Error);
+  const quint16 port = server.port();
+  server.close();
+  EXPECT_NO_THROW(other.listen(port));
+}
+
+class FoxgloveServerOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(FoxgloveServerOf, TellsWhatThereIsAndSendsWhatIsAskedFor) {
+  FoxgloveServer server;
+  server.listen(0);
+  server.publishMap(oneBuilding());
+  Viewer viewer(server.port(), QString::fromLatin1(GetParam()));
+  ASSERT_TRUE(viewer.hears(2));
+  EXPECT_EQ(viewer.socket.subprotocol().toStdString(), GetParam());
+  EXPECT_EQ(viewer.texts[0]["op"], "serverInfo");
+  ASSERT_EQ(viewer.texts[1]["channels"].size(), 2U);
+  server.publishPose({0.0, 0.0, 0.0});  // nobody asked for it
+  viewer.send({{"op", "subscribe"},
+               {"subscriptions",
+                json::array({{{"id", 7}, {"channelId", 1}}, {{"id", 8}, {"channelId", 2}}})}});
+  ASSERT_TRUE(waitUntil([&] { return viewer.frames.size() == 1; }));
+  EXPECT_EQ(qFromLittleEndian<quint32>(viewer.frames[0].constData() + 1), 8U);
+  server.publishPose({1.5, 2.0, 0.0});
+  ASSERT_TRUE(waitUntil([&] { return viewer.frames.size() == 2; }));
+  EXPECT_EQ(viewer.frames[1][0], 1);
+  EXPECT_EQ(qFromLittleEndian<quint32>(viewer.frames[1].constData() + 1), 7U);
+  const json pose = json::parse(viewer.frames[1].mid(13).toStdString());
+  EXPECT_EQ(pose["pose"]["position"]["x"], 1.5);
+  EXPECT_EQ(pose["frame_id"], "map");
+  viewer.send({{"op", "unsubscribe"}, {"subscriptionIds", {7}}});
+  test::pass(100);
+  server.publishPose({3.0, 2.0, 0.0});
+  server.publishMap(oneBuilding());
+  ASSERT_TRUE(waitUntil([&] { return viewer.frames.size() == 3; }));
+  EXPECT_EQ(qFromLittleEndian<quint32>(viewer.frames[2].constData() + 1), 8U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Protocols, FoxgloveServerOf,
+                         testing::Values("foxglove.websocket.v1", "foxglove.sdk.v1"));
+
+TEST(FoxgloveServer, WhatItDoesNotUnderstandIsSaid) {
+  FoxgloveServer server;
+  server.listen(0);
+  Viewer viewer(server.port());
+  ASSERT_TRUE(viewer.hears(2));
+  const std::vector<std::string> bad = {
+      "nonsense",
+      "[]",
+      R"({"op":"advertise"})",
+      R"({"op":"subscribe","subscriptions":5})",
+      R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":99}]})",
+      R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})",
+      std::string(50'000, '[')};
+  for (const std::string& text : bad) viewer.socket.sendTextMessage(QString::fromStdString(text));
+  ASSERT_TRUE(viewer.hears(2 + bad.size()));
+  for (std::size_t i = 2; i < viewer.texts.size(); ++i) EXPECT_EQ(viewer.texts[i]["op"], "status");
+  viewer.socket.sendTextMessage(QString(200'000, QLatin1Char(' ')));
+  EXPECT_TRUE(waitUntil([&] { return server.clients() == 0; }));  // too large to be listened to
+}
+
+TEST(FoxgloveServer, OthersAreTurnedAwayAndPlacesAreFew) {
+  FoxgloveServer server;
+  server.listen(0);
+  Viewer stranger(server.port(), {});
+  std::vector<std::unique_ptr<Viewer>> viewers;
+  for (int i = 0; i < 10; ++i) viewers.push_back(std::make_unique<Viewer>(server.port()));
+  ASSERT_TRUE(waitUntil([&] { return server.clients() == 8; }));
+  test::pass(200);
+  EXPECT_EQ(server.clients(), 8);
+  EXPECT_TRUE(stranger.texts.empty());
+}
+
+TEST(FoxglovePeer, FoxglovesOwnClientUnderstandsPoseAndMap) {
+  const std::string missing = Peer::missing(QStringLiteral("@foxglove/ws-protocol"));
+  if (!missing.empty()) GTEST_SKIP() << missing;
+  for (const char* protocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
+    FoxgloveServer server;
+    server.listen(0);
+    server.publishMap(oneBuilding());
+    Peer peer(
+        QStringLiteral("foxglove_peer.mjs"),
+        {QStringLiteral("ws://127.0.0.1:%1").arg(server.port()), QString::fromLatin1(protocol)});
+    EXPECT_TRUE(peer.says("SERVER Handmap")) << peer.said;
+    EXPECT_TRUE(peer.says("CHANNEL foxglove.PoseInFrame foxglove.PoseInFrame json")) << peer.said;
+    EXPECT_TRUE(peer.says("CHANNEL foxglove.SceneUpdate foxglove.SceneUpdate json")) << peer.said;
+    EXPECT_TRUE(peer.says("MAP 1 5")) << peer.said;
+    server.publishPose({-3.25, 0.0, 0.0});
+    EXPECT_TRUE(peer.says("POSE -3.25 true")) << peer.said;
+  }
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,245 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/error.h"
+#include "drivers/emulators/ros_emulated_messages.h"
+#include "drivers/emulators/rosbridge_emulator.h"
+#include "drivers/rosbridge/ros_devices.h"
+#include "drivers/rosbridge/ros_publisher.h"
+#include "tests/drivers/devices/peer.h"
+#include "tests/drivers/devices/waiting.h"
+
+namespace handmap {
+namespace {
+
+using test::Peer;
+using test::StateLog;
+using test::waitUntil;
+
+std::shared_ptr<RosbridgeClient> clientOf(const RosbridgeEmulator& server, bool cbor = true,
+                                          RosVersion ros = RosVersion::Ros2) {
+  return std::make_shared<RosbridgeClient>(RosbridgeOptions{server.url(), ros, cbor});
+}
+
+struct Odometry {
+  explicit Odometry(const std::shared_ptr<RosbridgeClient>& client)
+      : device(client, QStringLiteral("/odom"), startedRigClock()), log(device) {
+    QObject::connect(&device, &OdometrySensor::moved, &device,
+                     [this](double time_s, const Pose2& pose) {
+                       EXPECT_GT(time_s, last_s);
+                       last_s = time_s;
+                       last = pose;
+                       ++count;
+                     });
+  }
+  RosOdometry device;
+  StateLog log;
+  Pose2 last;
+  double last_s = -1.0;
+  int count = 0;
+};
+
+/// Sends odometry while it waits.
+bool movesUntil(RosbridgeEmulator& server, const std::function<bool()>& holds,
+                RosVersion ros = RosVersion::Ros2) {
+  static const RigClock clock = startedRigClock();
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, &server, [&] {
+    const double stamp_s = 1.7e9 + clock();
+    server.publish(QStringLiteral("/odom"), emulated::odometry(stamp_s, {1.5, -2.0, 0.5}, ros));
+  });
+  timer.start(20);
+  return waitUntil(holds);
+}
+
+TEST(RosbridgeClient, OtherAddressesAreRefused) {
+  for (const char* url : {"", "http://host:9090", "ws://", "host:9090", "/dev/ttyUSB0"}) {
+    EXPECT_THROW(RosbridgeClient(RosbridgeOptions{QUrl(QString::fromLatin1(url))}), Error) << url;
+  }
+}
+
+class RosbridgeOf : public testing::TestWithParam<std::tuple<bool, RosVersion, int>> {};
+
+TEST_P(RosbridgeOf, OdometryComes) {
+  const auto [cbor, ros, fragment_bytes] = GetParam();
+  RosbridgeEmulator server;
+  server.setFragmentSize(fragment_bytes);
+  Odometry odometry(clientOf(server, cbor, ros));
+  odometry.device.open();
+  ASSERT_TRUE(movesUntil(
+      server, [&] { return odometry.count >= 5; }, ros));
+  EXPECT_TRUE(odometry.log.is(DeviceState::Ready));
+  EXPECT_NEAR(odometry.last.x, 1.5, 1e-9);
+  EXPECT_NEAR(odometry.last.heading, 0.5, 1e-9);
+  EXPECT_EQ(server.typeOf(QStringLiteral("/odom")).toStdString(),
+            ros == RosVersion::Ros1 ? "nav_msgs/Odometry" : "nav_msgs/msg/Odometry");
+  odometry.device.close();
+  EXPECT_TRUE(waitUntil([&] { return !server.hasSubscriber(QStringLiteral("/odom")); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, RosbridgeOf,
+                         testing::Values(std::tuple(true, RosVersion::Ros2, 0),
+                                         std::tuple(false, RosVersion::Ros2, 0),
+                                         std::tuple(false, RosVersion::Ros1, 50),
+                                         std::tuple(true, RosVersion::Ros1, 0)));
+
+TEST(Rosbridge, ScansCloudsAndPairsOfImagesComeOverOneConnection) {
+  for (const bool cbor : {true, false}) {
+    RosbridgeEmulator server;
+    const auto client = clientOf(server, cbor);
+    const RigClock clock = startedRigClock();
+    RosScanner laser(client, QStringLiteral("/scan"), RosScanner::Kind::LaserScan, clock);
+    RosScanner lidar(client, QStringLiteral("/points"), RosScanner::Kind::PointCloud2, clock);
+    RosCamera camera(client, QStringLiteral("/left"), QStringLiteral("/right"), clock);
+    std::size_t rays = 0;
+    std::size_t points = 0;
+    int pairs = 0;
+    QObject::connect(&laser, &RangeSensor::scanned, &laser,
+                     [&](double, const std::vector<RangePoint>& scan) { rays = scan.size(); });
+    QObject::connect(&lidar, &RangeSensor::scanned, &lidar,
+                     [&](double, const std::vector<RangePoint>& scan) { points = scan.size(); });
+    QObject::connect(&camera, &PairCamera::pairTaken, &camera,
+                     [&](double, const cv::Mat& left, const cv::Mat& right) {
+                       EXPECT_EQ(left.at<uchar>(0, 0) + 1, right.at<uchar>(0, 0));
+                       ++pairs;
+                     });
+    const StateLog log(camera);
+    for (Device* device : {static_cast<Device*>(&laser), static_cast<Device*>(&lidar),
+                           static_cast<Device*>(&camera)}) {
+      device->open();
+    }
+    ASSERT_TRUE(waitUntil([&] { return server.hasSubscriber(QStringLiteral("/right")); }));
+    std::vector<float> ranges(100, 2.0F);
+    ranges[5] = std::numeric_limits<float>::infinity();
+    const std::vector<RangePoint> cloud(1000, RangePoint{1, 2, 3, 1});
+    const auto picture = [](int grey) {
+      std::vector<unsigned char> file;
+      cv::imencode(".png", cv::Mat(8, 8, CV_8UC1, cv::Scalar(grey)), file);
+      return QByteArray(reinterpret_cast<const char*>(file.data()),
+                        static_cast<qsizetype>(file.size()));
+    };
+    for (int i = 0; i < 10; ++i) {
+      const double stamp_s = 50.0 + i;
+      server.publish(QStringLiteral("/scan"),
+                     emulated::laserScan(stamp_s, ranges, RosVersion::Ros2));
+      server.publish(QStringLiteral("/points"),
+                     emulated::pointCloud(stamp_s, cloud, RosVersion::Ros2));
+      server.publish(QStringLiteral("/right"),
+                     emulated::compressedImage(stamp_s, picture(2 * i + 1), RosVersion::Ros2));
+      if (i == 5) continue;  // one left image is lost
+      server.publish(QStringLiteral("/left"),
+                     emulated::compressedImage(stamp_s + 0.001, picture(2 * i), RosVersion::Ros2));
+    }
+    ASSERT_TRUE(waitUntil([&] { return pairs == 9; })) << pairs;
+    EXPECT_EQ(rays, 99U);
+    EXPECT_EQ(points, 1000U);
+    EXPECT_EQ(camera.unpaired(), 1);
+    EXPECT_TRUE(log.is(DeviceState::Ready));
+  }
+}
+
+TEST(Rosbridge, MessagesThatNoRosbridgeSendsAreSaidAndDoNoHarm) {
+  RosbridgeEmulator server;
+  Odometry odometry(clientOf(server));
+  odometry.device.open();
+  ASSERT_TRUE(movesUntil(server, [&] { return odometry.count >= 3; }));
+  const QByteArray deep = "{\"op\":" + QByteArray(100'000, '[');
+  for (const QByteArray& bad :
+       {QByteArray("nonsense"), QByteArray("{}"), QByteArray("{\"op\":5}"), deep,
+        QByteArray(R"({"op":"publish","topic":"/odom","msg":{"pose":[]}})"),
+        QByteArray(R"({"op":"fragment","id":"1","num":5,"total":2,"data":""})"),
+        QByteArray(R"({"op":"status","level":"error","msg":"no such topic"})")}) {
+    for (int i = 0; i < 5; ++i) server.sendRaw(bad, false);
+  }
+  server.sendRaw(QByteArray(100'000, '\x81'), true);
+  ASSERT_TRUE(waitUntil([&] { return odometry.log.is(DeviceState::Degraded); }));
+  const int before = odometry.count;
+  EXPECT_TRUE(movesUntil(server, [&] { return odometry.count > before; }));
+  EXPECT_TRUE(movesUntil(server, [&] { return odometry.log.is(DeviceState::Ready); }));
+}
+
+TEST(Rosbridge, AMessageTooLargeEndsTheConnectionAndItIsMadeAgain) {
+  RosbridgeEmulator server;
+  Odometry odometry(clientOf(server));
+  odometry.device.open();
+  ASSERT_TRUE(movesUntil(server, [&] { return odometry.count >= 3; }));
+  server.sendRaw(QByteArray(40 << 20, ' '), true);
+  ASSERT_TRUE(waitUntil([&] { return odometry.log.was(DeviceState::Lost); }));
+  const int before = odometry.count;
+  EXPECT_TRUE(movesUntil(server, [&] { return odometry.count > before; }));
+}
+
+TEST(Rosbridge, AServerThatGoesIsSaidAndFoundAgain) {
+  RosbridgeEmulator server;
+  Odometry odometry(clientOf(server));
+  odometry.device.open();
+  for (int round = 0; round < 2; ++round) {
+    const int before = odometry.count;
+    ASSERT_TRUE(movesUntil(server, [&] { return odometry.count > before + 2; }));
+    server.unplug();
+    ASSERT_TRUE(waitUntil([&] { return odometry.log.is(DeviceState::Lost); }));
+    EXPECT_NE(odometry.log.details.back().find("127.0.0.1"), std::string::npos);
+    server.plug();
+  }
+  const int before = odometry.count;
+  ASSERT_TRUE(movesUntil(server, [&] { return odometry.count > before + 2; }));
+  ASSERT_TRUE(waitUntil([&] { return odometry.log.is(DeviceState::Degraded); }));  // silence
+  EXPECT_NE(odometry.log.details.back().find("/odom"), std::string::npos);
+}
+
+std::shared_ptr<const Map> oneBuilding() {
+  auto map = std::make_shared<Map>();
+  map->buildings.resize(1);
+  map->buildings[0].id = "A";
+  map->buildings[0].shape = Rectangle{{10.0, 5.0}, 8.0, 4.0, 0.0};
+  return map;
+}
+
+TEST(RosPublisher, WhoHearsGetsPosesAndTheMapAlsoAfterALoss) {
+  RosbridgeEmulator server;
+  QStringList heard;
+  QObject::connect(&server, &RosbridgeEmulator::published, &server,
+                   [&](const QString& topic, const QCborMap&) { heard << topic; });
+  const auto client = clientOf(server);
+  RosPublisher publisher(client);
+  publisher.publishMap(oneBuilding());  // before there is a connection
+  ASSERT_TRUE(waitUntil([&] { return heard.contains(QStringLiteral("/handmap/buildings")); }));
+  EXPECT_TRUE(heard.contains(QStringLiteral("/handmap/map")));
+  publisher.publishPose({1.0, 2.0, 3.0}, {0.1, 0.1, 0.01});
+  ASSERT_TRUE(waitUntil([&] { return heard.contains(QStringLiteral("/handmap/pose")); }));
+  heard.clear();
+  server.unplug();
+  ASSERT_TRUE(waitUntil([&] { return !client->isConnected(); }));
+  server.plug();
+  EXPECT_TRUE(waitUntil([&] { return heard.contains(QStringLiteral("/handmap/map")); }));
+}
+
+TEST(RosbridgePeer, RoslibSendsOdometryAndHearsWhatIsPublished) {
+  const std::string missing = Peer::missing(QStringLiteral("roslib"));
+  if (!missing.empty()) GTEST_SKIP() << missing;
+  RosbridgeEmulator server;
+  const auto client = clientOf(server);
+  Odometry odometry(client);
+  odometry.device.open();
+  Peer peer(QStringLiteral("roslib_peer.mjs"), {server.url().toString()});
+  ASSERT_TRUE(waitUntil([&] { return odometry.count >= 20; }, Peer::kPatience_ms));
+  EXPECT_EQ(odometry.last.y, -2.0);
+  EXPECT_NEAR(std::abs(odometry.last.heading), kPi, 1e-9);
+  ASSERT_TRUE(waitUntil([&] { return server.hasSubscriber(QStringLiteral("/scan")); }));
+  RosPublisher publisher(client);
+  ASSERT_TRUE(waitUntil([&] { return client->isConnected(); }));
+  publisher.publishMap(oneBuilding());
+  publisher.publishPose({7.5, 2.0, 3.0}, {0.1, 0.1, 0.5});
+  server.publish(QStringLiteral("/scan"),
+                 emulated::laserScan(1.0, {1.0F, 2.0F, 3.0F, 4.5F}, RosVersion::Ros2));
+  EXPECT_TRUE(peer.says("POSE 7.5 0.25 map true")) << peer.said;
+  EXPECT_TRUE(peer.says("GRID true 512 0.25")) << peer.said;  // 8 m × 4 m
+  EXPECT_TRUE(peer.says("MARKERS 2 5")) << peer.said;
+  EXPECT_TRUE(peer.says("SCAN Float32Array 4 4.5")) << peer.said;
+}
+
+}  // namespace
+}  // namespace handmap
