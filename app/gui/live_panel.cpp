@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLook_ms = 250;
 constexpr int kMostReasons = 3;
-enum Column { Name, State, Rate, Age, Columns };
+enum Column { NameColumn, StateColumn, RateColumn, AgeColumn, Columns };
 
 QString roleInWords(DeviceRole role) {
   switch (role) {
@@ -97,7 +97,7 @@ LivePanel::LivePanel(QWidget* parent)
   devices_->setFocusPolicy(Qt::NoFocus);
   devices_->header()->setStretchLastSection(false);
   devices_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  devices_->header()->setSectionResizeMode(State, QHeaderView::Stretch);
+  devices_->header()->setSectionResizeMode(StateColumn, QHeaderView::Stretch);
   devices_->setMinimumHeight(60);
   counts_->setWordWrap(true);
   counts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -142,12 +142,12 @@ void LivePanel::show(const RigStatus& status) {
     const DeviceStatus& device = status.devices[static_cast<std::size_t>(row)];
     if (row == devices_->topLevelItemCount()) devices_->addTopLevelItem(new QTreeWidgetItem);
     QTreeWidgetItem& item = *devices_->topLevelItem(row);
-    item.setText(Name, QString::fromUtf8(signOf(device.state)) + QLatin1Char(' ') +
-                             roleInWords(device.role));
-    item.setText(State, stateInWords(device));
-    item.setToolTip(State, stateInWords(device));
-    item.setText(Rate, device.rate_hz > 0.0 ? tr("%1 Hz").arg(device.rate_hz, 0, 'f', 1)
-                                            : QStringLiteral("\u2013"));
+    item.setText(NameColumn, QString::fromUtf8(signOf(device.state)) + QLatin1Char(' ') +
+                                 roleInWords(device.role));
+    item.setText(StateColumn, stateInWords(device));
+    item.setToolTip(StateColumn, stateInWords(device));
+    item.setText(RateColumn, device.rate_hz > 0.0 ? tr("%1 Hz").arg(device.rate_hz, 0, 'f', 1)
+                                                  : QStringLiteral("\u2013"));
     item.setText(
         Age, device.age_s ? tr("%1 s").arg(*device.age_s, 0, 'f', 1) : QStringLiteral("\u2013"));
     has_head |= device.role == DeviceRole::Head;

@@ -52,7 +52,7 @@ class FrameError : public std::runtime_error {
 
 struct SourceInfo {
   std::string name;
-  int observations = 0;                ///< how many next() will give, unreadable ones included
+  int observations = 0;                ///< next() will give, unreadable ones too; 0: without end
   double range_limit_m = 40.0;         ///< nothing farther is measured
   std::optional<StereoCamera> camera;  ///< where views carry images
   /// Odometry at the first selected frame, whatever that frame carries: a drawing's start pose is

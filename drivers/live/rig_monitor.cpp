@@ -9,11 +9,16 @@ namespace handmap {
 namespace {
 
 constexpr double kRateOver_s = 2.0;
-constexpr double kSilent_s = 1.0;
+constexpr double kSilent_s = 0.7;
+constexpr double kSilentPeriods = 3.0;  // of a slow device
 constexpr std::size_t kMostReasons = 64;
 
-/// A head speaks when it is asked only.
-bool deliversByItself(DeviceRole role) { return role != DeviceRole::Head; }
+/// A head speaks when it is asked only; all others deliver by themselves.
+bool isSilent(const DeviceStatus& device) {
+  if (device.role == DeviceRole::Head || !device.age_s) return false;
+  const double periods_s = device.rate_hz > 0.0 ? kSilentPeriods / device.rate_hz : 0.0;
+  return *device.age_s > std::max(kSilent_s, periods_s);
+}
 
 }  // namespace
 
@@ -55,11 +60,11 @@ RigStatus RigMonitor::status() const {
   for (const Watched& watched : devices_) {
     DeviceStatus device = watched.status;
     if (device.count > 0) device.age_s = now - watched.newest_s;
-    const bool silent = deliversByItself(device.role) && device.age_s && *device.age_s > kSilent_s;
+    const bool silent = isSilent(device);
     if (silent) device.rate_hz = 0.0;
     if (silent && device.state == DeviceState::Ready) {
       device.state = DeviceState::Degraded;
-      device.detail = fmt::format("silent for {:.0f} s", *device.age_s);
+      device.detail = fmt::format("silent for {:.1f} s", *device.age_s);
     }
     status.devices.push_back(std::move(device));
   }

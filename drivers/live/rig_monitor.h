@@ -19,7 +19,7 @@
 namespace handmap {
 
 enum class DeviceRole { Odometry, Scanner, Camera, Head };
-inline constexpr int kRoles = 4;
+inline constexpr int kDeviceRoles = 4;
 const char* nameOf(DeviceRole role);
 const char* nameOf(DeviceState state);
 
@@ -61,7 +61,7 @@ class RigMonitor {
  public:
   explicit RigMonitor(RigClock clock = startedRigClock()) : clock_(std::move(clock)) {}
 
-  /// A device that is silent for a second counts as degraded, and says so.
+  /// A device that is silent for longer than it should counts as degraded, and says so.
   RigStatus status() const;
   RigPreview preview() const;
   double now() const { return clock_(); }
