@@ -161,7 +161,8 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
       building.estimate = results[b].estimate;
       if (!found) {
         // Nothing but the start tells how the way lies on the drawing.
-        const double turned = kStartTurn * (centroid(outline) - way.front().position()).norm();
+        const double turned = drawing.whole.turn.value_or(kStartTurn) *
+                              (centroid(outline) - way.front().position()).norm();
         building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, turned);
         building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, turned);
       }

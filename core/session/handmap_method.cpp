@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/anchoring/anchored_way.h"
 #include "core/estimation/estimator.h"
 #include "core/outlines/refinement.h"
 #include "core/session/pose_trust.h"
@@ -26,7 +27,7 @@ constexpr double kReference_m = 0.3;
 
 /// A way of the robot that is thought of: poses of all observations, map frame.
 struct Way {
-  enum class By { Buildings, Odometry, Scans };
+  enum class By { Buildings, Odometry, Scans, Walls };
   By by;
   std::vector<Pose2> poses;
 };
@@ -46,17 +47,22 @@ class HandmapMethod : public EstimationMethod {
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
+    if (observations_ == 0) anchor(odometry);
     trajectory_.add(time_s, odometry, percept.points, stop);
     wheels_.add(odometry);
     followTrajectory();
     const Pose2& here = trajectory_.poses().back();
     estimator_.step(time_s, here, percept.scan, stop, progress);
     seen_.add(observations_++, odometry, percept.scan, percept.points);
+    if (anchored_) {
+      anchored_->add(trajectory_.poses(), by_scans_ ? WayNoise::Scans : WayNoise::Recorded);
+    }
     return true;
   }
 
   bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
     estimator_.finish(stop);
+    if (anchored_) anchored_->finish(stop);
     if (stop.stop_requested()) return true;
     Way way = chosenWay();
     const Map found_map = estimator_.refinedMap();
@@ -93,6 +99,18 @@ class HandmapMethod : public EstimationMethod {
   }
 
  private:
+  /// A drawing that says that it is true as a whole, and nearly so in its parts, is one to lay the
+  /// way on.
+  void anchor(const Pose2& odometry) {
+    constexpr double kNearlyTrue_m = 1.0;
+    const auto& [scale, turn] = drawing_.whole;
+    if (!scale || *scale > 0.0 || !turn || *turn > 0.0) return;
+    if (drawing_.uncertainty.position > kNearlyTrue_m) return;
+    Map from_here = drawing_;
+    from_here.start = start_ * odometry;
+    anchored_.emplace(from_here, seen_);
+  }
+
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
   /// where a loop was closed.
   void followTrajectory() {
@@ -105,8 +123,8 @@ class HandmapMethod : public EstimationMethod {
     estimator_.reviseOdometry(before, trajectory_.noiseScale());
   }
 
-  /// The odometry, matched scans and the buildings each tell a way. That of the buildings is
-  /// dropped where it makes what was seen less sharp.
+  /// The odometry, matched scans, the walls of a drawing that is true and the buildings each tell a
+  /// way. Those of walls and buildings are dropped where they make what was seen less sharp.
   Way chosenWay() const {
     constexpr double kMargin = 0.015;  // of sharpness: less is chance
     const bool scans = trajectory_.usable();
@@ -118,9 +136,12 @@ class HandmapMethod : public EstimationMethod {
     for (const StampedPose& pose : estimator_.trajectory().all()) {
       buildings.poses.push_back(pose.pose);
     }
-    const bool blurs =
-        trajectory_.sharpness(buildings.poses) < trajectory_.sharpness(alone.poses) - kMargin;
-    return blurs ? alone : buildings;
+    const double needed = trajectory_.sharpness(alone.poses) - kMargin;
+    if (anchored_) {
+      Way walls{Way::By::Walls, anchored_->poses()};
+      if (trajectory_.sharpness(walls.poses) >= needed) return walls;
+    }
+    return trajectory_.sharpness(buildings.poses) < needed ? alone : buildings;
   }
 
   /// Of the stated pose. A way without the buildings was told by one thing alone: where the
@@ -128,7 +149,9 @@ class HandmapMethod : public EstimationMethod {
   Eigen::Matrix3d poseCovariance() const {
     const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
     Eigen::Matrix3d covariance = buildings;
-    if (way_ && way_->by != Way::By::Buildings) {
+    if (way_ && way_->by == Way::By::Walls) {
+      covariance = anchored_->covariance();
+    } else if (way_ && way_->by != Way::By::Buildings) {
       const Eigen::Matrix3d turn = rotation(start_.heading);
       const bool scans = way_->by == Way::By::Scans;
       covariance =
@@ -151,6 +174,7 @@ class HandmapMethod : public EstimationMethod {
   bool by_scans_ = false;
   int loops_ = 0;
   HandmapEstimator estimator_;
+  std::optional<AnchoredWay> anchored_;
   std::optional<Way> way_;      ///< after the end of the run, and
   std::optional<Map> refined_;  ///< the drawing on it
 };
