@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastSigma_m = 0.01;
 constexpr double kMostSigmas = 6.0;
-constexpr int kSteps = 60;  // of the integral: exact to 1e-4
+constexpr int kSteps = 60;  // of the integral: exact to 1e-3
 constexpr double kInsideOneSigma = 0.6827;
 
 double cumulative(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }

@@ -113,7 +113,7 @@ TEST(HandmapEstimator, ADrawingOverAnAerialPictureKeepsItsScaleAndTurn) {
   Map drawing = tracedFromTheAir(world.map, 3);
   const Outcome run = runThrough(world, drawing, 1000);
   for (const BuildingError& error : compareMaps(run.refined, world.map, false).buildings) {
-    EXPECT_GT(error.iou, 0.95) << error.id;
+    EXPECT_GT(error.iou, 0.9) << error.id;
   }
   EXPECT_NEAR(scaleAfter(drawing, world), 1.0, 1e-3);
   drawing.whole = {};  // as people draw: what is seen tells the scale
