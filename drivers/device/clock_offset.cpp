@@ -14,6 +14,7 @@ constexpr double kJump_s = 0.3;
 constexpr double kDisorder_s = 0.05;
 /// The first messages may have waited somewhere until somebody listened.
 constexpr double kSettle_s = 2.0;
+constexpr double kLongestWait_s = 5.0;
 /// A delay that stays is no delay: the clock was set back by less than the time between messages.
 /// What had to wait somewhere comes in a burst, however much it is.
 constexpr int kLateInARow = 10;
@@ -52,7 +53,9 @@ bool ClockOffset::hasJumped(double stamp_s, double arrival_s) {
   const double delay_s = arrival_s - stamp_s;
   const double offset_s = std::min(smallest_s_, previous_s_);
   if (stamp_s < last_stamp_s_ - kDisorder_s) return true;
-  if (delay_s < offset_s - kJump_s) return arrival_s - restart_s_ > kSettle_s;
+  if (delay_s < offset_s - kJump_s) {
+    return arrival_s - restart_s_ > kSettle_s || delay_s < offset_s - kLongestWait_s;
+  }
   if (delay_s < offset_s + kJump_s) {
     late_in_a_row_ = 0;
     return false;

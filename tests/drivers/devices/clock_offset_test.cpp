@@ -73,6 +73,15 @@ TEST(ClockOffset, RepeatedAndDisorderedOnesAreNotUsed) {
   EXPECT_EQ(offset.jumps(), 0);
 }
 
+TEST(ClockOffset, WhatWaitedBeforeAnybodyListenedIsNoJump) {
+  ClockOffset offset;
+  for (int i = 0; i < 10; ++i) offset.rigTime(0.1 * i, 3.0 + 1e-3 * i);
+  for (int i = 30; i < 100; ++i) {
+    EXPECT_NEAR(offset.rigTime(0.1 * i, 0.1 * i + 0.05).value(), 0.1 * i + 0.05, 1e-6);
+  }
+  EXPECT_EQ(offset.jumps(), 0);
+}
+
 // As when a program did not get to run for a while: all comes at once, and nothing is out of place.
 TEST(ClockOffset, WhatComesLateIsPlacedWhereItWasMeasured) {
   ClockOffset offset;
