@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "core/base/text.h"
 #include "core/map/map_io.h"
