@@ -147,7 +147,8 @@ class TableReader {
 
 }  // namespace
 
-std::vector<FrameRow> readFrameTable(const std::filesystem::path& path, const std::stop_token& stop) {
+std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
+                                     const std::stop_token& stop) {
   const std::string content = readFile(path, kMaxBytes);
   const std::string file = path.string();
   ContentLines lines(content);

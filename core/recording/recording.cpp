@@ -105,7 +105,8 @@ Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop)
     const auto defaults = nlohmann::json::object();
     readCamera(JsonValue(defaults, path.string()), recording);
   }
-  if (fileExists(folder / "odometry.tum")) recording.odometry = readTum(folder / "odometry.tum", stop);
+  if (fileExists(folder / "odometry.tum"))
+    recording.odometry = readTum(folder / "odometry.tum", stop);
   if (fileExists(folder / "truth.tum")) recording.truth = readTum(folder / "truth.tum", stop);
   return recording;
 }
@@ -122,7 +123,8 @@ Recording openRecording(const fs::path& folder, const std::stop_token& stop) {
     throwBadInput(folder.string(), "", "neither recording.json nor a KITTI sequence",
                   "recording.json, or times.txt and image_0 or image_2");
   }
-  Recording recording = is_handmap ? openHandmapFolder(folder, stop) : openKittiFolder(folder, stop);
+  Recording recording =
+      is_handmap ? openHandmapFolder(folder, stop) : openKittiFolder(folder, stop);
   if (recording.name.empty()) {
     recording.name = fs::weakly_canonical(folder, error).filename().string();
   }

@@ -154,7 +154,8 @@ void stoppingAtTheEnd(benchmark::State& state) {
       }
       std::stop_source stop;
       Clock::time_point asked = Clock::time_point::max();
-      const double wait_ms = seed == 1 ? 1e4 : std::uniform_real_distribution(0.0, whole_ms)(random);
+      const double wait_ms =
+          seed == 1 ? 1e4 : std::uniform_real_distribution(0.0, whole_ms)(random);
       std::atomic<bool> over = false;
       std::thread asking([&] {
         const auto until = Clock::now() + std::chrono::duration<double, std::milli>(wait_ms);

@@ -86,9 +86,9 @@ TEST(RigFile, RefusesWhatDoesNotGoTogether) {
 }
 
 TEST(RigFile, NamesTheKeyThatIsWrong) {
-  EXPECT_EQ(
-      refusal(R"("scanner": {"kind": "sick", "port": "x"})"),
-      "rig.json: scanner.kind: found \"sick\" (string), expected one of hokuyo, rplidar, ros, ros-cloud");
+  EXPECT_EQ(refusal(R"("scanner": {"kind": "sick", "port": "x"})"),
+            "rig.json: scanner.kind: found \"sick\" (string), expected one of hokuyo, rplidar, "
+            "ros, ros-cloud");
   EXPECT_NE(refusal(R"("scanner": {"kind": "hokuyo", "prot": "x"})")
                 .find("scanner.prot: found an unknown key, expected one of kind, port"),
             std::string::npos);

@@ -1,7 +1,7 @@
 #!/bin/bash
 # What a crash costs: kills the program at random moments of drawing, running, saving, exporting,
-# teaching and training,
-# and counts what the next session does not get back. Not one of the tests, as it takes minutes:
+# teaching and training, and counts what the next session does not get back. Not one of the tests,
+# as it takes minutes:
 # crash_trials.sh PROGRAM IMAGE OUT [TRIALS_OF_EACH [SEED]]
 set -eu
 program=$1
@@ -18,8 +18,8 @@ now_ms() { date +%s%3N; }
 buildings() { last_said drawing | grep -Eo '[0-9]+' | head -1; }
 
 fresh() {  # of every trial: nothing left from the one before, and not the first start
-  rm -rf "$HOME/handmap" "$out/work"
-  mkdir -p "$HOME/handmap" "$out/work"
+  rm -rf "$HOME/handmap" "$out/trial"
+  mkdir -p "$HOME/handmap" "$out/trial"
   printf '[window]\ngeometry=\n' >"$conf"
 }
 crash() {
@@ -32,7 +32,7 @@ draw_until() {
   while [ "$(now_ms)" -lt "$end" ]; do
     draw_rectangle $((120 + RANDOM % 500)) $((250 + RANDOM % 380))
     n=$(buildings)
-    [ "$n" = "${drawn:-}" ] || echo "$(now_ms) $n" >>"$out/work/times"
+    [ "$n" = "${drawn:-}" ] || echo "$(now_ms) $n" >>"$out/trial/times"
     drawn=$n
     $then
   done
@@ -88,13 +88,13 @@ export_until() {
     wait_until "the file dialog" has_window 'Export a picture'
     xdotool search --onlyvisible --name 'Export a picture' windowactivate --sync
     key ctrl+a
-    xdotool type "$out/work/$exported.png"
+    xdotool type "$out/trial/$exported.png"
     key Return
   done
 }
 torn_pictures() {
   local picture
-  for picture in "$out"/work/*.png; do
+  for picture in "$out"/trial/*.png; do
     [ ! -e "$picture" ] || tail -c 8 "$picture" | grep -q IEND || echo "TORN: $picture"
   done
 }
@@ -107,7 +107,7 @@ trial() {
   fresh
   drawn= painted=0 exported=0
   [ "$kind" != saving ] || {
-    file=$out/work/mine.handmap
+    file=$out/trial/mine.handmap
     echo '{"format":"handmap","version":1,"buildings":[]}' >"$file"
   }
   start_program before ${file:+"$file"}
@@ -143,7 +143,7 @@ trial() {
   lost=$((${drawn:-0} - ${back:-0}))
   [ "$lost" -gt 0 ] || lost=0
   # How old the oldest lost change was.
-  [ "$lost" -eq 0 ] || oldest=$((killed - $(awk -v n="${back:-0}" '$2 > n { print $1; exit }' "$out/work/times")))
+  [ "$lost" -eq 0 ] || oldest=$((killed - $(awk -v n="${back:-0}" '$2 > n { print $1; exit }' "$out/trial/times")))
   echo "$kind moment_ms=$moment drawn=${drawn:-0} lost=$lost age_ms=$oldest"
 }
 

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QUrl>
 #include <thread>
+
 #include <unistd.h>
 
 #include "app/gui/application.h"
@@ -67,9 +68,8 @@ class Playground::Answers : public Dialogs {
   explicit Answers(const Playground& playground) : playground_(playground) {}
 
   QString fileToOpen(const File&) override {
-    return choose(
-        {"saved.handmap", "large.handmap", "empty.handmap", "locked/locked.handmap", "torn.handmap",
-         "gone.handmap"});
+    return choose({"saved.handmap", "large.handmap", "empty.handmap", "locked/locked.handmap",
+                   "torn.handmap", "gone.handmap"});
   }
   QString fileToSave(const File& file) override {
     if (playground_.value_ % 5 == 0) return QStringLiteral("/proc/none/x.") + file.suffix;
@@ -211,8 +211,9 @@ void Playground::take(const Step& step) {
     case StepKind::Button:
       return press(value_);
     case StepKind::Drop:
-      return drop(
-          path(chosen(QStringList{"recording", "saved.handmap", "locked/locked.handmap", "torn.handmap", "."}, value_)));
+      return drop(path(chosen(
+          QStringList{"recording", "saved.handmap", "locked/locked.handmap", "torn.handmap", "."},
+          value_)));
     case StepKind::Undo:
       return document_->undoStack().undo();
     case StepKind::Redo:
