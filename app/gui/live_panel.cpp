@@ -148,13 +148,8 @@ void LivePanel::show(const RigStatus& status) {
     item.setToolTip(StateColumn, stateInWords(device));
     item.setText(RateColumn, device.rate_hz > 0.0 ? tr("%1 Hz").arg(device.rate_hz, 0, 'f', 1)
                                                   : QStringLiteral("\u2013"));
-<<<<<<< HEAD
     item.setText(AgeColumn, device.age_s ? tr("%1 s").arg(*device.age_s, 0, 'f', 1)
                                          : QStringLiteral("\u2013"));
-=======
-    item.setText(AgeColumn, device.age_s ? tr("%1 s").arg(*device.age_s, 0, 'f', 1)
-                                         : QStringLiteral("\u2013"));
->>>>>>> live
     has_head |= device.role == DeviceRole::Head;
   }
   look_around_->setVisible(has_head);
