@@ -115,7 +115,8 @@ int simulateCommand(const SimulateArguments& arguments) {
 void addImageOptions(CLI::App& command, SimulateArguments& a) {
   RenderOptions& r = a.rendering;
   CLI::Option* images =
-      command.add_flag("--images", a.images, "Rendered stereo images in place of range points");
+      command.add_flag("--images", a.images, "Rendered stereo images in place of range points")
+          ->option_text("Excludes: --view --laser");
   const auto only = [&](CLI::Option* option) { option->needs(images); };
   only(command.add_flag("--moving", a.moving, "Look ahead, not around at stops"));
   images->excludes("--laser");

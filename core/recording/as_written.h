@@ -15,7 +15,8 @@ Pose2 asWritten(const Pose2& pose);
 /// Whether the file ends in this line and without a line end: it may be only a part of what was to
 /// be written when the power went.
 inline bool isCutOff(const TextLine& line, std::string_view content) {
-  return line.text.data() + line.text.size() == content.data() + content.size();
+  const auto end = static_cast<std::size_t>(line.text.data() + line.text.size() - content.data());
+  return content.find('\n', end) == std::string_view::npos;
 }
 
 }  // namespace handmap

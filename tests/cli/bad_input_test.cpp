@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Empty", fileIs("odometry.tum", ""),
              "rec/odometry.tum: found no pose, expected lines of time x y z qx qy qz qw\n"},
         Case{"Truncated", fileHas("odometry.tum", "2 4 0 0 0 0 0 1\n", "2 4 0"),
-             "rec/odometry.tum: line 3: found 3 fields, expected 8: time x y z qx qy qz qw\n"},
+             "rec: frame 2 is at 2 s, but the odometry ends at 1 s\nhint: end earlier: --to 1\n"},
         Case{"NotFinite", fileHas("odometry.tum", "2 4", "2 nan"),
              "rec/odometry.tum: line 3: found \"nan\", expected a finite number, at most "
              "100000000\n"},

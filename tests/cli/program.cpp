@@ -66,7 +66,7 @@ std::string complaints(const std::string& err) {
   for (std::size_t begin = 0; begin < err.size();) {
     const std::size_t end = std::min(err.find('\n', begin), err.size() - 1) + 1;
     const std::string line = err.substr(begin, end - begin);
-    if (line.find("frames/s") == std::string::npos) kept += line;
+    if (line.find("frames/s") == std::string::npos && !line.ends_with(" %\n")) kept += line;
     begin = end;
   }
   return kept;

@@ -28,7 +28,7 @@ fail() {
 }
 # Runs a command until it succeeds.
 wait_until() {
-  local what=$1 tries=600
+  local what=$1 tries=1800  # three minutes: what the demonstration sees is rendered first
   shift
   until "$@"; do
     tries=$((tries - 1))
