@@ -190,7 +190,7 @@ double JsonValue::number(double low, double high) const {
   if (!(value >= low && value <= high)) {
     fail(fmt::format("a number from {} to {}", formatNumber(low), formatNumber(high)));
   }
-  return value;
+  return value + 0.0;  // -0 is 0: written as "-0" it would come back as the whole number 0
 }
 
 double JsonValue::positive(double high) const {

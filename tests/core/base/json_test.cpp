@@ -1,5 +1,7 @@
 #include "core/base/json.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/base/expect_error.h"
@@ -88,6 +90,11 @@ TEST_F(Values, GivesTheMembersThatAreNotKnown) {
 TEST(Json, QuotesAnyBytes) {
   EXPECT_EQ(quotedJson("a\"b\n"), R"("a\"b\n")");
   EXPECT_NO_THROW(parseJson(quotedJson("\xff\xfe"), "f"));
+}
+
+TEST(Json, HasOneZero) {
+  const auto json = parseJson("[-0.0]", "f");
+  EXPECT_FALSE(std::signbit(JsonValue(json, "f").items(1)[0].number(-1.0, 1.0)));
 }
 
 }  // namespace
