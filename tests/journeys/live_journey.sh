@@ -12,7 +12,7 @@ start_program live --virtual-rig
 expect run '^run: Ready'
 for drive in 1 2; do
   key F5
-  expect run '^run: Running, [0-9]+$'
+  expect run '^run: Running, [0-9]+'
   picture "running$drive"
   key F6
   expect run '^run: Paused'
@@ -37,5 +37,5 @@ expect drawing '^drawing: 6 buildings, saved'
 
 # Left in the middle of a drive.
 key F5
-expect run '^run: Running, [0-9]+$'
+expect run '^run: Running, [0-9]+'
 leave
