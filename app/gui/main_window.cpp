@@ -37,7 +37,7 @@ namespace {
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
 constexpr int kStateVersion = 4;  // of the set of docks and bars
-constexpr QSize kFirstSize(1280, 800);
+constexpr QSize kFirstSize(1280, 900);
 
 /// The file or folder that is dragged; empty for anything else.
 QString draggedPath(const QMimeData& data) {
