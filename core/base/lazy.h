@@ -25,6 +25,9 @@ class Lazy {
   }
   const T& operator*() const { return get(); }
   const T* operator->() const { return &get(); }
+  /// One that keeps what is made to itself: who reads the copy leaves this one as small as it is.
+  /// Only before anybody else has it; of one that was read, the same one.
+  Lazy again() const { return state_ && state_->make ? Lazy(state_->make) : *this; }
   bool operator==(const Lazy&) const = default;  ///< the same one, not only an equal one
 
  private:

@@ -57,6 +57,12 @@ class LazyLocalMap {
   double range() const { return range_m_; }  ///< of the map; renders nothing
   const LocalMap& get() const { return map_.get(); }
   operator const LocalMap&() const { return get(); }  // NOLINT(google-explicit-constructor)
+  /// See Lazy::again().
+  LazyLocalMap again() const {
+    LazyLocalMap other = *this;
+    other.map_ = map_.again();
+    return other;
+  }
   bool operator==(const LazyLocalMap&) const = default;
 
  private:

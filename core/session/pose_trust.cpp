@@ -43,6 +43,7 @@ double probabilityWithin(const Eigen::Matrix2d& covariance, double distance_m) {
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
   const Eigen::Array3d sigma = covariance.diagonal().array().max(0.0).sqrt();
   report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
+  report.pose_xy = covariance(0, 1);
   for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
     report.within[i] = probabilityWithin(covariance.topLeftCorner<2, 2>(), kWithin_m[i]);
   }

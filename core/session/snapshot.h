@@ -45,6 +45,7 @@ struct FrameReport {
   int visible_buildings = 0;
   Pose2 pose;
   std::array<double, 3> pose_sigma{};  ///< x, y in metres, heading in radians
+  double pose_xy = 0.0;                ///< covariance of x and y, square metres
   /// Probability that the pose is off by no more than kWithin_m.
   std::array<double, kWithin_m.size()> within{};
   bool odometry_guessed = false;  ///< see Observation
