@@ -67,6 +67,7 @@ struct Snapshot {
   cv::Mat image;                       ///< left image, not to be written to; empty without a camera
   cv::Mat1f disparity;                 ///< the same
   cv::Mat1f buildings;  ///< probability of each of its 16×16 windows, see StereoResult
+  int pictured = 0;     ///< the frame that these three are of; an earlier one where it was long ago
 };
 
 }  // namespace handmap
