@@ -17,6 +17,7 @@
 #include "app/gui/message_bar.h"
 #include "app/gui/recovery_offer.h"
 #include "app/gui/reference_trust.h"
+#include "app/gui/revision_actions.h"
 #include "app/gui/rig_actions.h"
 #include "app/gui/run_actions.h"
 #include "app/gui/welcome_strip.h"
@@ -72,6 +73,8 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
                           docks_->charts(), docks_->camera(), docks_->buildings()});
   rigs_ = new RigActions({*this, run_, *runs_, *docks_, actions_, *messages_, settings_, *dialogs_},
                          this);
+  revisions_ = std::make_unique<RevisionActions>(
+      RevisionActions::Parts{document_, run_, actions_, *messages_, *canvas_, runs_->past()});
   auto* trust = new ReferenceTrust({document_, *files_, *messages_, settings_}, this);
   model_ = new MapModel({document_, *files_, docks_->teach(), *messages_, *dialogs_}, this);
   connect(trust, &ReferenceTrust::granted, model_, &MapModel::loadOfDrawing);
@@ -212,9 +215,10 @@ void MainWindow::connectView() {
   docks_->layers().setAvailable(Layer::Truth, false);
 
   static constexpr std::pair<const char*, ToolId> kTools[] = {
-      {"draw.select", ToolId::Select},   {"draw.rectangle", ToolId::Rectangle},
-      {"draw.polygon", ToolId::Corners}, {"draw.start", ToolId::Start},
-      {"draw.route", ToolId::Route},     {"draw.landmark", ToolId::Landmark}};
+      {"draw.select", ToolId::Select},     {"draw.rectangle", ToolId::Rectangle},
+      {"draw.polygon", ToolId::Corners},   {"draw.start", ToolId::Start},
+      {"draw.route", ToolId::Route},       {"draw.landmark", ToolId::Landmark},
+      {"run.give_pose", ToolId::RobotPose}};
   for (const auto& [id, tool] : kTools) {
     actions_[id].setChecked(tool == canvas_->tool());
     actions_.on(id, canvas_, [this, tool = tool] { canvas_->setTool(tool); });

@@ -24,6 +24,7 @@ class MapModel;
 class MessageBar;
 class Recovery;
 class RecoveryOffer;
+class RevisionActions;
 class RigActions;
 class RunActions;
 class RunOverlays;
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   QLabel* scale_;
   QLabel* run_state_;
   std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
+  std::unique_ptr<RevisionActions> revisions_;
   FileActions* files_;
   RunActions* runs_;
   RigActions* rigs_;

@@ -24,6 +24,7 @@
 #include "widgets/background/background.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/run_setup_panel.h"
+#include "widgets/run/timeline.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/teach/teach_panel.h"
 
@@ -220,6 +221,13 @@ void Playground::take(const Step& step) {
       return document_->undoStack().redo();
     case StepKind::Speed:
       return window_->transport().setSpeed(chosen(std::array{0.0, 1.0, 10.0}, value_));
+    case StepKind::Seek: {
+      Timeline& timeline = window_->transport().timeline();
+      constexpr std::uint32_t kBeyond = 3;
+      const auto count = static_cast<std::uint32_t>(timeline.maximum()) + kBeyond;
+      Q_EMIT timeline.seekWanted(static_cast<int>(value_ % count));
+      return;
+    }
     case StepKind::Wait:
       return QTest::qWait(static_cast<int>(value_ % 20));
     case StepKind::Settle:

@@ -11,6 +11,7 @@
 #include "widgets/canvas/tools/landmark_tool.h"
 #include "widgets/canvas/tools/polygon_tool.h"
 #include "widgets/canvas/tools/rectangle_tool.h"
+#include "widgets/canvas/tools/robot_pose_tool.h"
 #include "widgets/canvas/tools/route_tool.h"
 #include "widgets/canvas/tools/select_tool.h"
 #include "widgets/canvas/tools/start_tool.h"
@@ -84,6 +85,12 @@ void MapCanvas::makeTools() {
   tools_.push_back(std::make_unique<StartTool>(document_));
   tools_.push_back(std::make_unique<RouteTool>(document_));
   tools_.push_back(std::make_unique<LandmarkTool>(document_));
+  auto robot_pose = std::make_unique<RobotPoseTool>(document_);
+  connect(robot_pose.get(), &RobotPoseTool::given, this, [this](const Pose2& pose) {
+    setTool(ToolId::Select);
+    Q_EMIT robotPoseGiven(pose);
+  });
+  tools_.push_back(std::move(robot_pose));
   tool_ = tools_.front().get();
   for (const auto& tool : tools_)
     connect(tool.get(), &Tool::changed, this, &MapCanvas::onToolChanged);

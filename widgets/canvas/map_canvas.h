@@ -55,6 +55,8 @@ class MapCanvas : public QGraphicsView {
   void scaleChanged(double pixels_per_metre);
   void toolChanged(handmap::ToolId id);
   void hintChanged(const QString& hint);
+  /// Somebody says that the robot is there, at the moment that is shown.
+  void robotPoseGiven(const handmap::Pose2& pose);
 
  protected:
   bool viewportEvent(QEvent* event) override;
