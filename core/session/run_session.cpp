@@ -1,5 +1,8 @@
 #include "core/session/run_session.h"
 
+#include <algorithm>
+#include <mutex>
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -30,6 +33,31 @@ std::optional<Pose2> poseAt(const std::vector<StampedPose>& poses, double time_s
   return interpolated(before.pose, same->pose,
                       (time_s - before.time_s) / (same->time_s - before.time_s));
 }
+
+/// Whoever is told of the progress may have the run wait; that is not the time of a step. Told from
+/// any thread: times that overlap count once.
+class Waiting {
+ public:
+  explicit Waiting(const std::function<void(double)>& progress) : progress_(progress) {}
+
+  std::function<void(double)> progress() {
+    if (!progress_) return {};
+    return [this](double share) {
+      const auto told = Clock::now();
+      progress_(share);
+      const std::scoped_lock lock(mutex_);
+      ms_ += millisecondsSince(std::max(told, counted_to_));
+      counted_to_ = Clock::now();
+    };
+  }
+  double ms() const { return ms_; }
+
+ private:
+  const std::function<void(double)>& progress_;
+  std::mutex mutex_;
+  Clock::time_point counted_to_{};
+  double ms_ = 0.0;
+};
 
 }  // namespace
 
@@ -137,6 +165,7 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
     percept = &with_map;
   }
   const auto slam_begin = Clock::now();
+  Waiting waiting(progress);
   bool done = false;
   const Pose2 odometry = state.given(observation.time_s, observation.odometry);
   state.arena.execute(
