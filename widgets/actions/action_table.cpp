@@ -104,7 +104,7 @@ constexpr std::array kActions = {
     ActionSpec{"run.not_there", "Building Is &Not There", "", "Ctrl+Del",
                "Take the selected buildings out of the drawing, and do the run again without them.",
                Menu::Run},
-    ActionSpec{"run.teach", "Teach &Buildings…", "", "",
+    ActionSpec{"run.teach", "Teach Bu&ildings…", "", "",
                "Show in your own images what is a building and what is not.", Menu::Run,
                ToolBar::None, Push, true},
 
