@@ -63,9 +63,9 @@ RevisionActions::RevisionActions(const Parts& parts)
   RunController& run = parts_.run;
   connect(&run, &RunController::revisionReady, this, &RevisionActions::onReady);
   connect(&run, &RunController::revisionProgressed, this, [this](double share) {
-    parts_.messages.show(MessageBar::Kind::Info,
-                         tr("%1: %2 %").arg(text_).arg(static_cast<int>(100.0 * share)), {},
-                         kTopic);
+    left_.update(share, steadySeconds());
+    const QString how_far = tr("%1: %2 %").arg(text_).arg(static_cast<int>(100.0 * share));
+    parts_.messages.show(MessageBar::Kind::Info, how_far + left_.inWords(), {}, kTopic);
     parts_.messages.addAction(tr("Cancel"), [this] { parts_.run.dropRevision(); });
   });
   connect(&run, &RunController::revisionFailed, this, [this](const RunFailure& failure) {
@@ -105,6 +105,7 @@ void RevisionActions::revise(std::vector<StampedPose> given, Then then, const QS
   }
   then_ = then;
   text_ = text;
+  left_.begin();
   parts_.run.revise(parts_.document.map(), given);
 }
 

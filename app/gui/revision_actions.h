@@ -9,6 +9,7 @@
 
 #include "core/recording/trajectory.h"
 #include "core/session/snapshot.h"
+#include "widgets/background/time_left.h"
 #include "widgets/run/run_worker.h"
 
 class QGraphicsScene;
@@ -59,6 +60,7 @@ class RevisionActions : public QObject {
   std::unique_ptr<PathItem> outcome_;  ///< of a revision that is not taken yet
   Then then_ = Then::Ask;
   QString text_;
+  TimeLeft left_;
 };
 
 }  // namespace handmap

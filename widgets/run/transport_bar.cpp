@@ -88,10 +88,16 @@ void TransportBar::setShown(int index, int count, const FrameReport& report) {
 
 void TransportBar::setSpeedEnabled(bool enabled) { speed_->setEnabled(enabled); }
 
-void TransportBar::setShareOfStep(double share) { timeline_->setShareOfStep(share); }
+void TransportBar::setShareOfStep(double share) {
+  timeline_->setShareOfStep(share);
+  if (timeline_->done() > 0) return;
+  opening_.update(share, steadySeconds());
+  frame_->setText(tr("%1 %%2").arg(static_cast<int>(100.0 * share)).arg(opening_.inWords()));
+}
 
 void TransportBar::clearProgress() {
   timeline_->clear();
+  opening_.begin();
   frame_->setText(QStringLiteral("\u2013"));
 }
 

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include "widgets/background/time_left.h"
+
 class QComboBox;
 class QLabel;
 class QToolBar;
@@ -31,6 +33,7 @@ class TransportBar : public QWidget {
   void setShown(int index, int count, const FrameReport& report);
   /// A live robot keeps to its own clock.
   void setSpeedEnabled(bool enabled);
+  /// Of the observation that is worked on, or, before the first, of what opens the source.
   void setShareOfStep(double share);
   void clearProgress();
 
@@ -43,6 +46,7 @@ class TransportBar : public QWidget {
   QComboBox* speed_;
   Timeline* timeline_;
   QLabel* frame_;
+  TimeLeft opening_;
 };
 
 }  // namespace handmap

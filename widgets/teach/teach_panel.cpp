@@ -229,8 +229,11 @@ void TeachPanel::train() {
     if (painted) job.images.push_back({path.toStdString(), labels});
   }
   worker_ = std::make_unique<TeachWorker>(std::move(job));
-  connect(worker_.get(), &TeachWorker::progressed, this,
-          [this](double share) { progress_->setValue(static_cast<int>(share * kProgressSteps)); });
+  connect(worker_.get(), &TeachWorker::progressed, this, [this](double share) {
+    left_.update(share, steadySeconds());
+    progress_->setValue(static_cast<int>(share * kProgressSteps));
+    progress_->setFormat(QStringLiteral("%p %") + left_.inWords());
+  });
   connect(worker_.get(), &TeachWorker::finished, this,
           [this, strokes = strokes_](const std::shared_ptr<const BuildingClassifier>& classifier) {
             trainingEnded();
