@@ -213,7 +213,7 @@ void Docks::showWhy() {
   QTimer::singleShot(0, this, &Docks::resize);
 }
 
-bool Docks::isWhyShown() const { return !why_dock_->isHidden(); }
+bool Docks::isWhyShown() const { return why_->isVisible(); }
 
 void Docks::setKeys(KeysPanel* keys) { keys_dock_->setWidget(keys); }
 
