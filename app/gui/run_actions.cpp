@@ -332,15 +332,18 @@ void RunActions::updateActions() {
   const bool has_result = parts_.run.result() != nullptr;
   const Playback& past = past_.playback();
   const bool can_play = !past.atNewest() && !past.isPlaying();
-  parts_.actions.setEnabled({"run.run"}, can_start || can_go_on || can_play);
-  parts_.actions.setEnabled({"run.step"}, can_start || can_go_on || !past.atNewest());
-  parts_.actions.setEnabled({"run.pause"}, state == RunState::Running || past.isPlaying());
+  const QString why_not =
+      robot_ ? tr("a run is under way") : tr("no recording, robot or simulator is open");
+  parts_.actions.setEnabled({"run.run"}, can_start || can_go_on || can_play, why_not);
+  parts_.actions.setEnabled({"run.step"}, can_start || can_go_on || !past.atNewest(), why_not);
+  parts_.actions.setEnabled({"run.pause"}, state == RunState::Running || past.isPlaying(),
+                            tr("nothing is running"));
   // The drive of a live robot is ended first, and then, if need be, the run that smooths it.
   const bool can_stop = state == RunState::Running || state == RunState::Paused ||
                         (state == RunState::Stopping && parts_.run.live());
-  parts_.actions.setEnabled({"run.stop"}, can_stop);
-  parts_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"},
-                            has_result);
+  parts_.actions.setEnabled({"run.stop"}, can_stop, tr("nothing is running"));
+  parts_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"}, has_result,
+                            tr("no run has corrected anything yet"));
 }
 
 QString RunActions::stateInWords() const {

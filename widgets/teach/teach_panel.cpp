@@ -52,6 +52,7 @@ TeachPanel::TeachPanel(QWidget* parent)
       figures_(new QLabel) {
   auto* layout = new QGridLayout(this);
   makeFileButtons(*layout);
+  images_->setAccessibleName(tr("Your own images"));
   images_->setMaximumWidth(200);
   layout->addWidget(images_, 1, 0, 3, 1);
   layout->addWidget(makeBrushes(), 0, 1);
