@@ -676,6 +676,17 @@
     </message>
 </context>
 <context>
+    <name>TimeLeft</name>
+    <message numerus="yes">
+        <source>, about %n second(s) left</source>
+        <translation><numerusform>、残り約 %n 秒</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>, about %n minute(s) left</source>
+        <translation><numerusform>、残り約 %n 分</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>handmap::Application</name>
     <message>
         <source>It was left undone; the program goes on.</source>
@@ -3254,6 +3265,10 @@ Corrected by a run.</source>
     <message>
         <source>Speed</source>
         <translation>速さ</translation>
+    </message>
+    <message>
+        <source>%1 %%2</source>
+        <translation>%1 %%2</translation>
     </message>
 </context>
 <context>
