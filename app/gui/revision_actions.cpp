@@ -2,7 +2,6 @@
 
 #include <QGraphicsScene>
 #include <algorithm>
-#include <utility>
 
 #include "app/gui/message_bar.h"
 #include "app/gui/playback_actions.h"
