@@ -705,6 +705,21 @@
     </message>
 </context>
 <context>
+    <name>TimeLeft</name>
+    <message numerus="yes">
+        <source>, about %n second(s) left</source>
+        <translation>
+            <numerusform>、残り約 %n 秒</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, about %n minute(s) left</source>
+        <translation>
+            <numerusform>、残り約 %n 分</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::Application</name>
     <message>
         <source>It was left undone; the program goes on.</source>
@@ -3601,17 +3616,6 @@ Corrected by a run.</source>
     <message>
         <source>New fro&amp;m Template</source>
         <translation>テンプレートから新規作成(&amp;M)</translation>
-    </message>
-</context>
-<context>
-    <name>handmap::TimeLeft</name>
-    <message>
-        <source>, about %n second(s) left</source>
-        <translation>、残り約 %n 秒</translation>
-    </message>
-    <message>
-        <source>, about %n minute(s) left</source>
-        <translation>、残り約 %n 分</translation>
     </message>
 </context>
 <context>
