@@ -41,7 +41,10 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
 }
 
 void RunController::listenTo(RunWorker& worker) {
-  connect(&worker.mailbox(), &RunMailbox::arrived, this, &RunController::newsArrived);
+  connect(&worker.mailbox(), &RunMailbox::arrived, this, [this](const RunNews& news) {
+    if (live_) live_->tell(news.newest);
+    Q_EMIT newsArrived(news);
+  });
   connect(&worker, &RunWorker::started, this, &RunController::sourceOpened);
   connect(&worker, &RunWorker::progressed, this, &RunController::progressed);
   connect(&worker, &RunWorker::frameSkipped, this, &RunController::frameSkipped);
