@@ -38,6 +38,7 @@ struct RunArguments {
   std::string report;
   std::string local_map;
   std::string model;
+  std::string given_poses;
   bool allow_outside = false;
 };
 
@@ -51,8 +52,12 @@ void check(const CLI::App& command, const RunArguments& arguments) {
   if (!arguments.free.empty() && fixed) {
     throw Error(ErrorCode::Usage, "--free: not with --method paper or --localize-only");
   }
-  checkOutputFiles({arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
-                   {arguments.map, arguments.replay.odometry, arguments.model});
+  if (!arguments.given_poses.empty() && arguments.live.any()) {
+    throw Error(ErrorCode::Usage, "--given-poses: not with a live robot; run its recording");
+  }
+  checkOutputFiles(
+      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
+      {arguments.map, arguments.replay.odometry, arguments.model, arguments.given_poses});
 }
 
 Map readDrawing(const std::string& path) {
@@ -190,6 +195,9 @@ int run(const CLI::App& command, RunArguments arguments) {
   arguments.settings.slam.refine = !arguments.localize_only;
   arguments.settings.perception.classify = arguments.model != "none";
   Map drawing = readDrawing(arguments.map);
+  if (!arguments.given_poses.empty()) {
+    arguments.settings.given_poses = readTum(arguments.given_poses).poses();
+  }
   if (arguments.settings.perception.classify) {
     arguments.settings.perception.classifier = classifierFor(arguments, drawing);
   }
@@ -243,6 +251,10 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   addChoice(*command, "--effective-ratio", slam.effective_ratio,
             {{"to-all", EffectiveRatio::ToAll}, {"to-zero", EffectiveRatio::ToZero}},
             "Hit cells of a wall against all, or against those not hit");
+  command
+      ->add_option("--given-poses", a.given_poses,
+                   "Where the robot was at some times, in the frame of the map, as you know it")
+      ->option_text("FILE.tum");
   command->add_flag("--localize-only", a.localize_only, "Leave the buildings as they are drawn");
   addNumber(*command, "--speed", a.speed, 0.0, 1e3,
             "Keep to the recording's clock times N and pass over what comes too late; 0: wait");

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
+#include "core/map/issues.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "core/recording/validation.h"
@@ -30,6 +31,8 @@ int validateFile(const std::string& path, Outside outside) {
     const Map map = readMap(path);
     checkReferences(map, path, outside);
     fmt::print("ok: {}: map of {} buildings\n", path, map.buildings.size());
+    for (const Issue& issue : findIssues(map))
+      fmt::print(stderr, "handmap-cli: note: {}: {}\n", path, inWords(issue));
   }
   return 0;
 }

@@ -6,11 +6,16 @@
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
-#include <QTextBrowser>
 #include <QTimer>
+#include <QUndoView>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/gui/live_panel.h"
+#include "widgets/actions/keys_panel.h"
+#include "widgets/document/map_document.h"
+#include "widgets/panels/drawing_layers_panel.h"
+#include "widgets/panels/issues_panel.h"
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
 #include "widgets/run/buildings_panel.h"
@@ -25,7 +30,7 @@ namespace handmap {
 namespace {
 
 constexpr QSize kRoomyWindow(1000, 700);
-constexpr QSize kHelpSize(520, 480);
+constexpr QSize kKeysSize(640, 520);
 constexpr QPoint kFloatingAt(160, 240);  // below the messages; where nobody has moved them
 
 /// A panel that may be taller than its dock.
@@ -36,6 +41,26 @@ QScrollArea* scrolled(QWidget* panel) {
   area->setWidgetResizable(true);
   area->setWidget(panel);
   return area;
+}
+
+/// One below the other.
+QWidget* stacked(std::initializer_list<QWidget*> panels) {
+  auto* stack = new QWidget;
+  auto* layout = new QVBoxLayout(stack);
+  layout->setContentsMargins({});
+  layout->setSpacing(0);
+  for (QWidget* panel : panels) layout->addWidget(panel);
+  layout->addStretch();
+  return stack;
+}
+
+/// Every step since the drawing was opened; a click goes back or forth to it.
+QWidget* historyOf(MapDocument& document) {
+  auto* view = new QUndoView(&document.undoStack());
+  view->setAccessibleName(Docks::tr("Steps of editing"));
+  view->setEmptyLabel(Docks::tr("As it was opened"));
+  view->setFrameShape(QFrame::NoFrame);
+  return view;
 }
 
 /// A floating panel that is partly on no screen, or larger than it, is moved and made smaller.
@@ -60,6 +85,7 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       objects_(new ObjectsPanel(document)),
       properties_(new PropertyPanel(document)),
       layers_(new LayersPanel),
+      issues_(new IssuesPanel(document)),
       setup_(new RunSetupPanel),
       charts_(new ChartsPanel),
       camera_(new CameraPanel),
@@ -68,26 +94,32 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       live_(new LivePanel),
       objects_dock_(add("objects", tr("Objects"), objects_)),
       properties_dock_(add("properties", tr("Properties"), properties_)),
-      layers_dock_(add("layers", tr("Layers"), scrolled(layers_))),
+      layers_dock_(add("layers", tr("Layers"),
+                       scrolled(stacked({new DrawingLayersPanel(document), layers_})))),
+      issues_dock_(add("issues", tr("Issues"), issues_)),
+      history_dock_(add("history", tr("History"), historyOf(document))),
       setup_dock_(add("setup", tr("Run settings"), scrolled(setup_))),
       charts_dock_(add("charts", tr("Charts"), charts_)),
       camera_dock_(add("camera", tr("Camera"), camera_)),
       buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
       teach_dock_(add("teach", tr("Teach buildings"), scrolled(teach_))),
       live_dock_(add("live", tr("Robot"), live_)),
-      help_dock_(add("help", tr("Help"), new QTextBrowser)) {
+      keys_dock_(add("keys", tr("Keyboard shortcuts"), nullptr)) {
   window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                          QMainWindow::AllowNestedDocks);
   window_.tabifyDockWidget(objects_dock_, layers_dock_);
-  window_.tabifyDockWidget(properties_dock_, setup_dock_);
+  window_.tabifyDockWidget(properties_dock_, issues_dock_);
+  window_.tabifyDockWidget(issues_dock_, history_dock_);
+  window_.tabifyDockWidget(history_dock_, setup_dock_);
   window_.tabifyDockWidget(charts_dock_, camera_dock_);
   window_.tabifyDockWidget(camera_dock_, buildings_dock_);
   window_.tabifyDockWidget(buildings_dock_, live_dock_);
   layers_dock_->raise();
   properties_dock_->raise();
   setup_dock_->hide();
+  history_dock_->hide();
   for (const auto& [dock, size] :
-       {std::pair(teach_dock_, teach_->sizeHint()), std::pair(help_dock_, kHelpSize)}) {
+       {std::pair(teach_dock_, teach_->sizeHint()), std::pair(keys_dock_, kKeysSize)}) {
     dock->hide();
     dock->setFloating(true);
     dock->resize(size);
@@ -104,12 +136,16 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
   }
   showRunDocks(false, false);
   showLiveDock(false);
+  connect(issues_, &IssuesPanel::found, this, [this] {
+    const auto count = issues_->issues().size();
+    issues_dock_->setWindowTitle(count == 0 ? tr("Issues") : tr("Issues (%1)").arg(count));
+  });
 }
 
 QDockWidget* Docks::add(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(name);
-  dock->setWidget(panel);
+  if (panel) dock->setWidget(panel);
   window_.addDockWidget(Qt::RightDockWidgetArea, dock);
   connect(dock, &QDockWidget::visibilityChanged, this, [dock](bool visible) {
     if (visible && dock->isFloating()) keepOnScreen(*dock);
@@ -156,17 +192,17 @@ void Docks::showTeach() {
   teach_dock_->raise();
 }
 
-void Docks::showHelp(const QString& title, const QString& html) {
-  help_dock_->setWindowTitle(title);
-  static_cast<QTextBrowser*>(help_dock_->widget())->setHtml(html);
-  help_dock_->show();
-  help_dock_->raise();
+void Docks::setKeys(KeysPanel* keys) { keys_dock_->setWidget(keys); }
+
+void Docks::showKeys() {
+  keys_dock_->show();
+  keys_dock_->raise();
 }
 
 void Docks::addSwitches(QMenu& menu) const {
   for (const QDockWidget* dock :
-       {objects_dock_, layers_dock_, properties_dock_, setup_dock_, charts_dock_, camera_dock_,
-        buildings_dock_, live_dock_, teach_dock_}) {
+       {objects_dock_, layers_dock_, properties_dock_, issues_dock_, history_dock_, setup_dock_,
+        charts_dock_, camera_dock_, buildings_dock_, live_dock_, teach_dock_}) {
     menu.addAction(dock->toggleViewAction());
   }
 }
@@ -175,7 +211,9 @@ void Docks::arrange(QSize window) {
   compact_ = window.width() < kRoomyWindow.width() || window.height() < kRoomyWindow.height();
   if (compact_) {
     window_.tabifyDockWidget(layers_dock_, properties_dock_);
-    window_.tabifyDockWidget(properties_dock_, setup_dock_);
+    window_.tabifyDockWidget(properties_dock_, issues_dock_);
+    window_.tabifyDockWidget(issues_dock_, history_dock_);
+    window_.tabifyDockWidget(history_dock_, setup_dock_);
     layers_dock_->raise();
   }
   resize();
@@ -191,7 +229,8 @@ void Docks::resize() {
     heights << height;
   };
   for (QDockWidget* dock : {objects_dock_, layers_dock_}) add(dock, compact_ ? 200 : 250);
-  for (QDockWidget* dock : {properties_dock_, setup_dock_}) add(dock, compact_ ? 200 : 150);
+  for (QDockWidget* dock : {properties_dock_, issues_dock_, setup_dock_})
+    add(dock, compact_ ? 200 : 150);
   for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_, live_dock_}) {
     add(dock, compact_ ? 240 : 290);
   }

@@ -14,6 +14,8 @@ namespace handmap {
 class BuildingsPanel;
 class CameraPanel;
 class ChartsPanel;
+class IssuesPanel;
+class KeysPanel;
 class LayersPanel;
 class LivePanel;
 class MapDocument;
@@ -29,6 +31,7 @@ class Docks : public QObject {
 
   ObjectsPanel& objects() { return *objects_; }
   PropertyPanel& properties() { return *properties_; }
+  IssuesPanel& issues() { return *issues_; }
   LayersPanel& layers() { return *layers_; }
   RunSetupPanel& setup() { return *setup_; }
   ChartsPanel& charts() { return *charts_; }
@@ -44,7 +47,9 @@ class Docks : public QObject {
   void showProperties();
   void showSetup();
   void showTeach();
-  void showHelp(const QString& title, const QString& html);
+  /// The sheet of all keys.
+  void setKeys(KeysPanel* keys);
+  void showKeys();
   void addSwitches(QMenu& menu) const;
   /// As they are at the first start in a window of that size: side by side, or one over another
   /// where there is little room.
@@ -58,6 +63,7 @@ class Docks : public QObject {
   ObjectsPanel* objects_;
   PropertyPanel* properties_;
   LayersPanel* layers_;
+  IssuesPanel* issues_;
   RunSetupPanel* setup_;
   ChartsPanel* charts_;
   CameraPanel* camera_;
@@ -67,13 +73,15 @@ class Docks : public QObject {
   QDockWidget* objects_dock_;
   QDockWidget* properties_dock_;
   QDockWidget* layers_dock_;
+  QDockWidget* issues_dock_;
+  QDockWidget* history_dock_;
   QDockWidget* setup_dock_;
   QDockWidget* charts_dock_;
   QDockWidget* camera_dock_;
   QDockWidget* buildings_dock_;
   QDockWidget* teach_dock_;
   QDockWidget* live_dock_;
-  QDockWidget* help_dock_;
+  QDockWidget* keys_dock_;
   QSet<QDockWidget*> closed_by_user_;
   bool live_shown_ = false;
   bool compact_ = false;

@@ -53,6 +53,7 @@ bool FileActions::guarded(Work work) {
 void FileActions::connectActions() {
   const ActionSet& actions = parts_.actions;
   actions.on("file.new", this, [this] { replace({}); });
+  actions.on("file.new_window", this, [this] { openWindow(); });
   actions.on("file.open", this, [this] {
     const QString path = parts_.dialogs.fileToOpen(
         {tr("Open a drawing"), parts_.settings.value(kFolderKey).toString(), mapFilter(), {}, {}});
@@ -82,6 +83,13 @@ bool FileActions::open(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   if (!guarded([&] { parts_.document.open(absolute); })) return false;
   remember(absolute);
+  Q_EMIT drawingReplaced();
+  return true;
+}
+
+bool FileActions::reload() {
+  const QString path = parts_.document.filePath();
+  if (path.isEmpty() || !guarded([&] { parts_.document.open(path); })) return false;
   Q_EMIT drawingReplaced();
   return true;
 }

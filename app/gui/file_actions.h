@@ -41,6 +41,8 @@ class FileActions : public QObject {
   bool open(const QString& path);
   bool save();
   bool saveAs();
+  /// The file as it is now on disk, whatever is unsaved.
+  bool reload();
   /// Takes another map in place of the drawing, after mayLeave().
   bool replace(const Map& map);
   /// Called with the path before the drawing is saved there; an Error it throws is told, and
@@ -48,6 +50,11 @@ class FileActions : public QObject {
   void setBeforeSave(std::function<void(const QString& path)> work) {
     before_save_ = std::move(work);
   }
+  /// Opens another window of the program, with the drawing of that path where there is one.
+  void setWindowOpener(std::function<void(const QString& path)> open) {
+    open_window_ = std::move(open);
+  }
+  void openWindow(const QString& path = {}) const { open_window_(path); }
   QMenu& recentMenu() { return *recent_; }
 
  Q_SIGNALS:
@@ -80,6 +87,7 @@ class FileActions : public QObject {
   Parts parts_;
   QMenu* recent_;
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
+  std::function<void(const QString& path)> open_window_ = [](const QString&) {};
 };
 
 }  // namespace handmap

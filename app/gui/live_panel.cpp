@@ -76,10 +76,11 @@ QString recordingInWords(const RecordingStatus& recording) {
 }  // namespace
 
 QString stateInWords(const DeviceStatus& device) {
-  static constexpr const char* kWords[] = {
-      QT_TRANSLATE_NOOP("LivePanel", "closed"), QT_TRANSLATE_NOOP("LivePanel", "connecting"),
-      QT_TRANSLATE_NOOP("LivePanel", "ready"), QT_TRANSLATE_NOOP("LivePanel", "degraded"),
-      QT_TRANSLATE_NOOP("LivePanel", "lost")};
+  static constexpr const char* kWords[] = {QT_TRANSLATE_NOOP("handmap::LivePanel", "closed"),
+                                           QT_TRANSLATE_NOOP("handmap::LivePanel", "connecting"),
+                                           QT_TRANSLATE_NOOP("handmap::LivePanel", "ready"),
+                                           QT_TRANSLATE_NOOP("handmap::LivePanel", "degraded"),
+                                           QT_TRANSLATE_NOOP("handmap::LivePanel", "lost")};
   const QString state = LivePanel::tr(kWords[static_cast<int>(device.state)]);
   if (device.detail.empty()) return state;
   return state + QStringLiteral(": ") + QString::fromStdString(device.detail);
@@ -94,6 +95,7 @@ LivePanel::LivePanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   devices_->setObjectName("live_devices");
+  devices_->setAccessibleName(tr("Devices"));
   devices_->setColumnCount(Columns);
   devices_->setHeaderLabels({tr("Device"), tr("State"), tr("Rate"), tr("Age")});
   devices_->setRootIsDecorated(false);

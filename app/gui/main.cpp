@@ -1,5 +1,6 @@
 // handmap: the desktop program.
 
+#include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <chrono>
@@ -13,6 +14,7 @@
 #include "app/gui/command_line.h"
 #include "app/gui/docks.h"
 #include "app/gui/file_actions.h"
+#include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/narrator.h"
@@ -86,7 +88,10 @@ int runProgram(Application& app, const CommandLine& line) {
   QSettings own;
   QSettings none(scratch.filePath("settings.ini"), QSettings::IniFormat);
   QSettings& settings = line.isBatch() ? none : own;
-  const bool first_start = !line.isBatch() && !settings.contains("window/geometry");
+  constexpr auto kStartedKey = "window/started";
+  const bool first_start = !line.isBatch() && !settings.contains(kStartedKey);
+  settings.setValue(kStartedKey, true);
+  installLanguage(app, settings);
 
   MapDocument document;
   MainWindow window(document, settings);
@@ -94,6 +99,11 @@ int runProgram(Application& app, const CommandLine& line) {
                    [&window](const QString& message, const QString& hint) {
                      window.messages().show(MessageBar::Kind::Error, message, hint);
                    });
+  window.files().setWindowOpener([](const QString& path) {
+    // A window is a process of its own: what one of them meets does not touch the others.
+    QProcess::startDetached(QApplication::applicationFilePath(),
+                            path.isEmpty() ? QStringList() : QStringList{path});
+  });
   applySetup(window, line);
   if (line.verbose) new Narrator(window);
   if (line.isBatch()) new Batch(window, line);

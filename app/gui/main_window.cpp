@@ -11,23 +11,31 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/comfort.h"
+#include "app/gui/disk_watch.h"
 #include "app/gui/docks.h"
 #include "app/gui/file_actions.h"
 #include "app/gui/map_model.h"
 #include "app/gui/message_bar.h"
+#include "app/gui/picture_actions.h"
 #include "app/gui/recovery_offer.h"
 #include "app/gui/reference_trust.h"
+#include "app/gui/revision_actions.h"
 #include "app/gui/rig_actions.h"
 #include "app/gui/run_actions.h"
+#include "app/gui/template_menu.h"
 #include "app/gui/welcome_strip.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/panels/issues_panel.h"
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
+#include "widgets/pictures/picture_file.h"
 #include "widgets/run/buildings_panel.h"
 #include "widgets/run/layers_panel.h"
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/run_setup_panel.h"
 #include "widgets/run/transport_bar.h"
+#include "widgets/style/names.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {
@@ -36,7 +44,7 @@ namespace {
 
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
-constexpr int kStateVersion = 4;  // of the set of docks and bars
+constexpr int kStateVersion = 5;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 900);
 
 /// The file or folder that is dragged; empty for anything else.
@@ -44,7 +52,9 @@ QString draggedPath(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
   const QString path = urls.front().toLocalFile();
-  return path.endsWith(QLatin1String(".handmap")) || QDir(path).exists() ? path : QString();
+  const bool is_known =
+      path.endsWith(QLatin1String(".handmap")) || isPictureName(path) || QDir(path).exists();
+  return is_known ? path : QString();
 }
 
 }  // namespace
@@ -72,9 +82,15 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
                           docks_->charts(), docks_->camera(), docks_->buildings()});
   rigs_ = new RigActions({*this, run_, *runs_, *docks_, actions_, *messages_, settings_, *dialogs_},
                          this);
+  revisions_ = std::make_unique<RevisionActions>(
+      RevisionActions::Parts{document_, run_, actions_, *messages_, *canvas_, runs_->past()});
   auto* trust = new ReferenceTrust({document_, *files_, *messages_, settings_}, this);
+  pictures_ = new PictureActions(
+      {document_, *canvas_, actions_, *docks_, *messages_, *trust, settings_, *dialogs_}, this);
   model_ = new MapModel({document_, *files_, docks_->teach(), *messages_, *dialogs_}, this);
   connect(trust, &ReferenceTrust::granted, model_, &MapModel::loadOfDrawing);
+  templates_ = new TemplateMenu({*this, document_, *files_, *messages_, *dialogs_}, this);
+  new DiskWatch({document_, *files_, *messages_}, this);
   connectRecovery();
   makeBars();
   makeStatusBar();
@@ -82,6 +98,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   connectView();
   connectWelcome();
   setAcceptDrops(true);
+  nameInputs(*this);
   restoreState();
   updateTitle();
 }
@@ -112,10 +129,15 @@ void MainWindow::makeBars() {
   addToolBar(Qt::LeftToolBarArea, tool_bar);
   actions_.fillToolBar(*tool_bar, ToolBar::Tools);
   addToolBar(Qt::BottomToolBarArea, makeTransport());
+  comfort_ = new Comfort(
+      {*this, actions_, *docks_, *files_, *canvas_, *tool_bar, *transport_, *messages_, settings_},
+      this);
+  Comfort::tidy(*menuBar(), actions_);
 
   for (QAction* top : menuBar()->actions()) {
     QMenu* menu = top->menu();
     if (menu->actions().contains(&actions_["file.save"])) {
+      menu->insertMenu(&actions_["file.open"], &templates_->menu());
       menu->insertMenu(&actions_["file.save"], &files_->recentMenu());
     }
     if (menu->actions().contains(&actions_["view.grid"])) {
@@ -185,9 +207,8 @@ void MainWindow::connectEditing() {
           &RunSetupPanel::setTaughtClassifier);
   connect(&docks_->teach(), &TeachPanel::messageRaised, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
+  actions_.on("file.keep_template", this, [this] { templates_->keep(); });
   actions_.on("file.quit", this, [this] { close(); });
-  actions_.on("help.shortcuts", this,
-              [this] { docks_->showHelp(tr("Keyboard shortcuts"), shortcutSheet()); });
   actions_.on("help.about", this, [this] {
     messages_->show(MessageBar::Kind::Info, tr("Handmap %1").arg(HANDMAP_VERSION),
                     tr("Draw the map you remember; Handmap finds the robot on it and corrects the "
@@ -207,14 +228,17 @@ void MainWindow::connectView() {
   actions_.on("view.zoom_fit", canvas_, [this] { canvas_->zoomToFit(); });
   actions_["view.grid"].setChecked(canvas_->isGridVisible());
   actions_.on("view.grid", this, [this](bool on) { docks_->layers().setOn(Layer::Grid, on); });
+  actions_["view.uncertainty"].setChecked(true);
+  actions_.on("view.uncertainty", canvas_, [this](bool on) { canvas_->setDoubtVisible(on); });
   actions_.on("view.snap", canvas_, [this](bool on) { canvas_->setSnapStep(on ? 0.5 : 0.0); });
   connect(&docks_->layers(), &LayersPanel::toggled, this, &MainWindow::setLayer);
   docks_->layers().setAvailable(Layer::Truth, false);
 
   static constexpr std::pair<const char*, ToolId> kTools[] = {
-      {"draw.select", ToolId::Select},   {"draw.rectangle", ToolId::Rectangle},
-      {"draw.polygon", ToolId::Corners}, {"draw.start", ToolId::Start},
-      {"draw.route", ToolId::Route},     {"draw.landmark", ToolId::Landmark}};
+      {"draw.select", ToolId::Select},      {"draw.rectangle", ToolId::Rectangle},
+      {"draw.polygon", ToolId::Corners},    {"draw.start", ToolId::Start},
+      {"draw.route", ToolId::Route},        {"draw.landmark", ToolId::Landmark},
+      {"run.give_pose", ToolId::RobotPose}, {"draw.picture", ToolId::Picture}};
   for (const auto& [id, tool] : kTools) {
     actions_[id].setChecked(tool == canvas_->tool());
     actions_.on(id, canvas_, [this, tool = tool] { canvas_->setTool(tool); });
@@ -226,6 +250,7 @@ void MainWindow::connectView() {
   });
 
   connect(&docks_->objects(), &ObjectsPanel::showRequested, canvas_, &MapCanvas::zoomToObject);
+  connect(&docks_->issues(), &IssuesPanel::showRequested, this, &MainWindow::showIssue);
   connect(&docks_->buildings(), &BuildingsPanel::showRequested, this, [this](const QString& id) {
     document_.setSelection({id});
     canvas_->zoomToObject(id);
@@ -250,6 +275,7 @@ void MainWindow::connectWelcome() {
   connect(welcome_, &WelcomeStrip::recordingRequested, runs_, &RunActions::askForRecording);
   connect(welcome_, &WelcomeStrip::simulatorRequested, runs_, &RunActions::openTwoRows);
   connect(welcome_, &WelcomeStrip::robotRequested, rigs_, &RigActions::showDialog);
+  connect(welcome_, &WelcomeStrip::tourRequested, comfort_, &Comfort::beginTour);
   connect(welcome_, &WelcomeStrip::closed, this,
           [this] { settings_.setValue("welcome/closed", true); });
   welcome_->setVisible(!settings_.value("welcome/closed").toBool());
@@ -279,6 +305,21 @@ void MainWindow::connectRecovery() {
 
 void MainWindow::offerRecovery() { recovery_offer_->look(); }
 
+void MainWindow::showIssue(const Issue& issue) {
+  constexpr double kAround = 15.0;  // metres
+  if (issue.kind == Issue::Kind::NoBuilding) return actions_["draw.rectangle"].trigger();
+  if (issue.kind == Issue::Kind::NoStart) return actions_["draw.start"].trigger();
+  QStringList keys;
+  for (const std::string& id : issue.ids) keys << QString::fromStdString(id);
+  if (issue.kind == Issue::Kind::RouteFarFromStart) keys << kRouteKey;
+  document_.setSelection(keys);
+  if (issue.at) {
+    const QPointF reach(kAround, kAround);
+    const QPointF at(issue.at->x(), issue.at->y());
+    canvas_->zoomToRect(QRectF(at - reach, at + reach));
+  }
+}
+
 void MainWindow::setLayer(Layer layer, bool on) {
   switch (layer) {
     case Layer::Drawing:
@@ -300,9 +341,9 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateEditActions() {
   QUndoStack& undo = document_.undoStack();
-  actions_.setEnabled({"edit.undo"}, undo.canUndo());
-  actions_.setEnabled({"edit.redo"}, undo.canRedo());
-  actions_.setEnabled({"edit.delete"}, !document_.selection().isEmpty());
+  actions_.setEnabled({"edit.undo"}, undo.canUndo(), tr("nothing has been changed"));
+  actions_.setEnabled({"edit.redo"}, undo.canRedo(), tr("nothing has been taken back"));
+  actions_.setEnabled({"edit.delete"}, !document_.selection().isEmpty(), tr("nothing is selected"));
 }
 
 void MainWindow::restoreState() {
@@ -352,7 +393,14 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = draggedPath(*event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  QDir(path).exists() ? runs_->openRecording(path) : static_cast<void>(files_->open(path));
+  if (QDir(path).exists()) {
+    runs_->openRecording(path);
+  } else if (isPictureName(path)) {
+    const QPoint on_canvas = canvas_->viewport()->mapFrom(this, event->position().toPoint());
+    pictures_->add(path, canvas_->mapToScene(on_canvas));
+  } else {
+    files_->open(path);
+  }
 }
 
 }  // namespace handmap

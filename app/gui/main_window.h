@@ -7,6 +7,7 @@
 
 #include "app/gui/dialogs.h"
 #include "app/gui/run_controller.h"
+#include "core/map/issues.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
 #include "widgets/run/layers.h"
@@ -17,16 +18,20 @@ class QToolBar;
 
 namespace handmap {
 
+class Comfort;
 class Docks;
 class FileActions;
 class MapCanvas;
 class MapModel;
 class MessageBar;
+class PictureActions;
 class Recovery;
 class RecoveryOffer;
+class RevisionActions;
 class RigActions;
 class RunActions;
 class RunOverlays;
+class TemplateMenu;
 class TransportBar;
 class WelcomeStrip;
 
@@ -67,6 +72,7 @@ class MainWindow : public QMainWindow {
   void connectView();
   void connectWelcome();
   void connectRecovery();
+  void showIssue(const Issue& issue);
   void setLayer(Layer layer, bool on);
   void updateTitle();
   void updateEditActions();
@@ -88,9 +94,13 @@ class MainWindow : public QMainWindow {
   QLabel* scale_;
   QLabel* run_state_;
   std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
+  std::unique_ptr<RevisionActions> revisions_;
   FileActions* files_;
   RunActions* runs_;
   RigActions* rigs_;
+  PictureActions* pictures_;
+  TemplateMenu* templates_;
+  Comfort* comfort_;
   MapModel* model_;
   Recovery* recovery_;
   RecoveryOffer* recovery_offer_;

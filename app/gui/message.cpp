@@ -63,6 +63,7 @@ Message::Message(QString topic, QWidget* parent)
   close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);
   close->setToolTip(tr("Close this message"));
+  close->setAccessibleName(close->toolTip());
   layout->addWidget(icon_);
   layout->addWidget(picture_);
   layout->addWidget(text_, 1);

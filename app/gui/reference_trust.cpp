@@ -64,8 +64,9 @@ void ReferenceTrust::grant(const QString& path) {
 
 void ReferenceTrust::onSaved(const QString& path) {
   // Who saves a drawing in another folder knows the files that stay behind.
-  const bool known = parts_.document.trustsReferences() || outside().isEmpty();
-  if (known && path != parts_.document.origin()) remember(path);
+  const bool has_outside = !outside().isEmpty();
+  const bool known = parts_.document.trustsReferences() || !has_outside;
+  if (known && (has_outside || path != parts_.document.origin())) remember(path);
 }
 
 void ReferenceTrust::remember(const QString& path) {

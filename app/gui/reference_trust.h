@@ -4,12 +4,13 @@
 
 #include <QObject>
 
+#include "widgets/document/map_document.h"
+
 class QSettings;
 
 namespace handmap {
 
 class FileActions;
-class MapDocument;
 class MessageBar;
 
 class ReferenceTrust : public QObject {
@@ -23,6 +24,9 @@ class ReferenceTrust : public QObject {
     QSettings& settings;
   };
   ReferenceTrust(const Parts& parts, QObject* parent);
+
+  /// Whether all that the drawing names is shown: it lies inside, or is trusted.
+  bool allows() const { return parts_.document.trustsReferences() || outside().isEmpty(); }
 
  Q_SIGNALS:
   void granted();

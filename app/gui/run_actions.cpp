@@ -36,7 +36,11 @@ QString trustInWords(const FrameReport& report) {
 }
 }  // namespace
 
-RunActions::RunActions(const Parts& parts) : QObject(&parts.window), parts_(parts), opener_(this) {
+RunActions::RunActions(const Parts& parts)
+    : QObject(&parts.window),
+      parts_(parts),
+      past_({parts.run, parts.actions, parts.transport}),
+      opener_(this) {
   connectActions();
   addSimulatorMenu();
   connectRun();
@@ -60,8 +64,11 @@ void RunActions::connectActions() {
   const ActionSet& actions = parts_.actions;
   actions.on("run.open_recording", this, [this] { askForRecording(); });
   actions.on("run.run", this, [this] { runOrResume(); });
-  actions.on("run.pause", this, [this] { parts_.run.pause(); });
+  actions.on("run.pause", this, [this] {
+    past_.playback().isPlaying() ? past_.playback().pause() : parts_.run.pause();
+  });
   actions.on("run.step", this, [this] {
+    if (!past_.playback().atNewest()) return past_.playback().stepOn();
     parts_.run.isActive() ? parts_.run.step() : start(RunController::Begin::WithOneStep);
   });
   actions.on("run.stop", this, [this] { parts_.run.stop(); });
@@ -91,6 +98,15 @@ void RunActions::connectRun() {
   });
   connect(&run, &RunController::sourceOpened, this, &RunActions::onSourceOpened);
   connect(&run, &RunController::newsArrived, this, &RunActions::onNews);
+  connect(&run, &RunController::revised, this, &RunActions::onRevised);
+  connect(&past_.playback(), &Playback::shown, this, &RunActions::show);
+  connect(&past_.playback(), &Playback::caughtUp, this, [this] {
+    if (parts_.run.state() == RunState::Paused) parts_.run.resume();
+  });
+  connect(&past_.playback(), &Playback::changed, this, [this] {
+    updateActions();
+    Q_EMIT stateChanged();
+  });
   connect(&run, &RunController::progressed, &parts_.transport, &TransportBar::setShareOfStep);
   connect(&run, &RunController::frameSkipped, this, &RunActions::onFrameSkipped);
   connect(&run, &RunController::finished, this, &RunActions::onFinished);
@@ -112,8 +128,9 @@ void RunActions::setRobot(Robot robot) {
   robot_ = std::move(robot);
   source_ = nullptr;
   last_ = nullptr;
+  shown_ = nullptr;
   parts_.overlays.clear();
-  parts_.transport.clearProgress();
+  past_.forget();
   parts_.overlays.setTruth(robot_->truth);
   if (robot_->truth_map) parts_.overlays.setTruthMap(*robot_->truth_map);
   parts_.layers.setAvailable(Layer::Truth, robot_->truth_map || !robot_->truth.empty());
@@ -159,20 +176,23 @@ void RunActions::simulateDrawing() {
 }
 
 void RunActions::runOrResume() {
+  Playback& past = past_.playback();
+  if (!past.atNewest() || (past.loop() && last_)) return past.play();
   parts_.run.isActive() ? parts_.run.resume() : start(RunController::Begin::Running);
 }
 
 void RunActions::start(RunController::Begin begin) {
   if (!robot_ || !isReady(false)) return;
   last_ = nullptr;
+  shown_ = nullptr;
   skipped_ = 0;
   finished_ = false;
   parts_.messages.clear();
   parts_.charts.clear();
   parts_.camera.setSnapshot(nullptr);
   parts_.buildings.model().setDrawing(parts_.document.map());
-  parts_.transport.clearProgress();
   parts_.run.start(parts_.document.map(), *robot_, parts_.setup.setup(), begin);
+  past_.begin();
 }
 
 void RunActions::onSourceOpened(std::shared_ptr<const SourceInfo> source) {
@@ -184,13 +204,29 @@ void RunActions::onSourceOpened(std::shared_ptr<const SourceInfo> source) {
 
 void RunActions::onNews(const RunNews& news) {
   last_ = news.newest;
-  parts_.overlays.show(*news.newest);
   parts_.charts.add(news.reports);
-  parts_.camera.setSnapshot(news.newest);
-  parts_.buildings.model().setRefined(*news.newest->map);
-  parts_.transport.setProgress(news.newest->index, news.newest->count, news.newest->report);
+  past_.onNews(news.reports, last_->index, last_->count);
+  if (past_.playback().atNewest()) return show(last_);
   updateActions();
   Q_EMIT stateChanged();
+}
+
+void RunActions::show(const std::shared_ptr<const Snapshot>& snapshot) {
+  shown_ = snapshot;
+  parts_.overlays.show(*snapshot);
+  parts_.camera.setSnapshot(snapshot);
+  parts_.buildings.model().setRefined(*snapshot->map);
+  parts_.transport.setShown(snapshot->index, snapshot->count, snapshot->report);
+  updateActions();
+  Q_EMIT stateChanged();
+}
+
+/// All of it is another run's now.
+void RunActions::onRevised() {
+  parts_.charts.clear();
+  parts_.buildings.model().setDrawing(parts_.run.drawing());
+  past_.begin();
+  past_.showGiven(parts_.run.settings().given_poses);
 }
 
 void RunActions::onFrameSkipped(int frame, const QString& reason) {
@@ -200,11 +236,11 @@ void RunActions::onFrameSkipped(int frame, const QString& reason) {
           ? tr("Frame %1 was skipped: %2").arg(frame).arg(reason)
           : tr("%1 frames were skipped; the latest, %2: %3").arg(skipped_).arg(frame).arg(reason);
   parts_.messages.show(MessageBar::Kind::Warning, what, {}, QStringLiteral("skipped"));
+  past_.onSkipped(frame, reason);
 }
 
 void RunActions::onFinished(bool cancelled) {
   finished_ = !cancelled;
-  parts_.transport.setFinished();
   updateActions();
   Q_EMIT stateChanged();
   if (cancelled || warnOfResult() || skipped_ > 0) return;
@@ -276,8 +312,9 @@ void RunActions::onDrawingReplaced() {
   parts_.run.discard();
   source_ = nullptr;
   last_ = nullptr;
+  shown_ = nullptr;
   parts_.overlays.clear();
-  parts_.transport.clearProgress();
+  past_.forget();
   parts_.messages.clear();
   parts_.messages.withdraw(kAcceptTopic);
   if (robot_ && robot_->truth_map) robot_.reset();  // it lived in the drawing before
@@ -293,23 +330,30 @@ void RunActions::updateActions() {
   const bool can_start = robot_ && state == RunState::Idle;
   const bool can_go_on = state == RunState::Paused;
   const bool has_result = parts_.run.result() != nullptr;
-  parts_.actions.setEnabled({"run.run", "run.step"}, can_start || can_go_on);
-  parts_.actions.setEnabled({"run.pause"}, state == RunState::Running);
+  const Playback& past = past_.playback();
+  const bool can_play = !past.atNewest() && !past.isPlaying();
+  const QString why_not =
+      robot_ ? tr("a run is under way") : tr("no recording, robot or simulator is open");
+  parts_.actions.setEnabled({"run.run"}, can_start || can_go_on || can_play, why_not);
+  parts_.actions.setEnabled({"run.step"}, can_start || can_go_on || !past.atNewest(), why_not);
+  parts_.actions.setEnabled({"run.pause"}, state == RunState::Running || past.isPlaying(),
+                            tr("nothing is running"));
   // The drive of a live robot is ended first, and then, if need be, the run that smooths it.
   const bool can_stop = state == RunState::Running || state == RunState::Paused ||
                         (state == RunState::Stopping && parts_.run.live());
-  parts_.actions.setEnabled({"run.stop"}, can_stop);
-  parts_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"},
-                            has_result);
+  parts_.actions.setEnabled({"run.stop"}, can_stop, tr("nothing is running"));
+  parts_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"}, has_result,
+                            tr("no run has corrected anything yet"));
 }
 
 QString RunActions::stateInWords() const {
   QString where;
-  if (last_) {
-    where = last_->count > 0 ? tr(", %1 of %2").arg(last_->index).arg(last_->count)
-                             : tr(", %1").arg(last_->index);
-    where += QStringLiteral("; ") + trustInWords(last_->report);
+  if (shown_) {
+    where = shown_->count > 0 ? tr(", %1 of %2").arg(shown_->index).arg(shown_->count)
+                              : tr(", %1").arg(shown_->index);
+    where += QStringLiteral("; ") + trustInWords(shown_->report);
   }
+  if (shown_ && !past_.playback().atNewest()) return tr("Looking back") + where;
   switch (parts_.run.state()) {
     case RunState::Running:
       if (last_) return tr("Running") + where;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/gui/demonstration.h"
+#include "app/gui/playback_actions.h"
 #include "app/gui/recording_opener.h"
 #include "app/gui/run_controller.h"
 #include "app/gui/run_score.h"
@@ -63,6 +64,8 @@ class RunActions : public QObject {
   /// From the drawing, or on from a pause.
   void runOrResume();
 
+  PlaybackActions& past() { return past_; }
+
   /// The latest run against the truth. nullopt before its first step.
   std::optional<RunScore> score() const;
   /// E.g. "Running, 12 of 60".
@@ -87,6 +90,8 @@ class RunActions : public QObject {
   void onDrawingReplaced();
   void onSourceOpened(std::shared_ptr<const SourceInfo> source);
   void onNews(const RunNews& news);
+  void onRevised();
+  void show(const std::shared_ptr<const Snapshot>& snapshot);
   void onFinished(bool cancelled);
   void onFrameSkipped(int frame, const QString& reason);
   void updateActions();
@@ -100,10 +105,12 @@ class RunActions : public QObject {
   std::uint64_t seed() const;
 
   Parts parts_;
+  PlaybackActions past_;
   RecordingOpener opener_;
   std::optional<Robot> robot_;
   std::shared_ptr<const SourceInfo> source_;  ///< of the latest run
-  std::shared_ptr<const Snapshot> last_;      ///< of the latest run
+  std::shared_ptr<const Snapshot> last_;      ///< of the latest run: its newest
+  std::shared_ptr<const Snapshot> shown_;     ///< what is looked at
   int skipped_ = 0;
   bool finished_ = false;  ///< the latest run came to its end
 };

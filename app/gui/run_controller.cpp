@@ -1,5 +1,8 @@
 #include "app/gui/run_controller.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/gui/live_robot.h"
 #include "drivers/paced_source.h"
 
@@ -16,15 +19,18 @@ std::shared_ptr<const RunResult> RunController::result() const {
 void RunController::start(const Map& drawing, const Robot& robot, const RunSetup& setup,
                           Begin begin) {
   Q_ASSERT(!isActive());
+  dropRevision();
   drawing_ = drawing;
+  settings_ = setup.settings;
   last_result_ = nullptr;
+  at_end_ = false;
   live_ = robot.live;
   if (live_) live_->begin();
   ++number_;
   pace_ = std::make_shared<Pace>(begin == Begin::Running ? speed_ : kAtOnce);
   RunJob job;
   job.drawing = drawing;
-  job.settings = setup.settings;
+  job.settings = settings_;
   job.open =
       [connect = robot.connect, replay = setup.replay, pace = pace_, is_live = live_ != nullptr](
           std::stop_token stop,
@@ -34,6 +40,8 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
     return std::make_unique<PacedSource>(std::move(source), pace, std::move(stop));
   };
   worker_ = std::make_unique<RunWorker>(std::move(job));
+  feed_ = worker_->feed();
+  history_ = worker_->history();
   listenTo(*worker_);
   if (begin == Begin::WithOneStep) worker_->step();
   worker_->start();
@@ -55,6 +63,7 @@ void RunController::listenTo(RunWorker& worker) {
     if (state_ != RunState::Stopping) setState(RunState::Running);
   });
   connect(&worker, &RunWorker::finished, this, [this](bool cancelled) {
+    at_end_ = !cancelled;
     end();
     Q_EMIT finished(cancelled);
   });
@@ -96,6 +105,12 @@ void RunController::step() {
   worker_->step();
 }
 
+void RunController::runUntil(int index) {
+  if (!worker_) return;
+  pace_->setSpeed(kAtOnce);
+  worker_->runUntil(index);
+}
+
 void RunController::stop() {
   if (!worker_) return;
   const bool may_finish = live_ && state_ != RunState::Stopping;
@@ -109,9 +124,12 @@ void RunController::stop() {
 }
 
 void RunController::discard() {
+  dropRevision();
   letGo();
   ++number_;
   last_result_ = nullptr;
+  feed_ = nullptr;
+  history_ = nullptr;
   live_ = nullptr;
   drawing_ = {};
   setState(RunState::Idle);
@@ -120,6 +138,98 @@ void RunController::discard() {
 void RunController::setSpeed(double speed) {
   speed_ = speed;
   if (pace_ && state_ == RunState::Running) pace_->setSpeed(speed_);
+}
+
+std::shared_ptr<const Tape> RunController::tape() const { return feed_ ? feed_->tape() : nullptr; }
+
+bool RunController::canRevise() const {
+  const auto perceived = tape();
+  return perceived && perceived->begin() == 0 && history_ && !history_->empty() &&
+         state_ != RunState::Stopping;
+}
+
+void RunController::revise(const Map& drawing, const std::vector<StampedPose>& given_poses) {
+  if (!canRevise()) return;
+  dropRevision();
+  revision_ = std::make_unique<Revision>();
+  revision_->goes_on = state_ == RunState::Running;
+  if (!live_) pause();
+  revision_->drawing = drawing;
+  revision_->settings = settings_;
+  revision_->settings.given_poses = given_poses;
+  RunJob job;
+  job.drawing = drawing;
+  job.settings = revision_->settings;
+  job.feed = feed_;
+  job.until = at_end_ ? 0 : history_->newest();
+  revision_->worker = std::make_unique<RunWorker>(std::move(job));
+  listenToRevision();
+  revision_->worker->start();
+  Q_EMIT stateChanged(state_);
+}
+
+void RunController::listenToRevision() {
+  RunWorker& worker = *revision_->worker;
+  connect(&worker.mailbox(), &RunMailbox::arrived, this, [this](const RunNews& news) {
+    RunNews& all = revision_->news;
+    all.newest = news.newest;
+    all.reports.insert(all.reports.end(), news.reports.begin(), news.reports.end());
+    const int goal = std::max(1, history_ ? history_->newest() : 1);
+    Q_EMIT revisionProgressed(std::min(1.0, static_cast<double>(news.newest->index) / goal));
+  });
+  const auto ready = [this](bool at_end) {
+    revision_->at_end = at_end;
+    if (!std::exchange(revision_->ready, true)) Q_EMIT revisionReady();
+  };
+  connect(&worker, &RunWorker::paused, this, [ready] { ready(false); });
+  connect(&worker, &RunWorker::finished, this, [ready] { ready(true); });
+  connect(&worker, &RunWorker::failed, this, [this](const RunFailure& failure) {
+    dropRevision();
+    Q_EMIT revisionFailed(failure);
+  });
+}
+
+std::shared_ptr<const RunResult> RunController::revision() const {
+  return revision_ && revision_->ready ? revision_->worker->result() : nullptr;
+}
+
+void RunController::takeRevision() {
+  if (!revision()) return;
+  const std::unique_ptr<Revision> revision = std::move(revision_);
+  if (worker_) worker_->setOwnsFeed(false);
+  letGo();
+  ++number_;
+  worker_ = std::move(revision->worker);
+  worker_->disconnect(this);
+  worker_->mailbox().disconnect(this);
+  worker_->setOwnsFeed(true);
+  drawing_ = std::move(revision->drawing);
+  settings_ = std::move(revision->settings);
+  worker_->history()->borrowPictures(*history_);
+  history_ = worker_->history();
+  revision->news.newest = history_->at(history_->newest());
+  at_end_ = revision->at_end;
+  Q_EMIT revised();
+  Q_EMIT newsArrived(revision->news);
+  if (at_end_) {
+    end();
+    Q_EMIT finished(false);
+    return;
+  }
+  listenTo(*worker_);
+  setState(RunState::Paused);
+  if (revision->goes_on) resume();
+}
+
+void RunController::dropRevision() {
+  if (!revision_) return;
+  RunWorker& worker = *revision_->worker;
+  worker.disconnect(this);
+  worker.mailbox().disconnect(this);
+  worker.cancel();
+  revision_->worker.release()->deleteLater();  // it may be the sender
+  revision_.reset();
+  Q_EMIT stateChanged(state_);
 }
 
 void RunController::setState(RunState state) {

@@ -34,6 +34,7 @@ WelcomeStrip::WelcomeStrip(QWidget* parent)
          &WelcomeStrip::simulatorRequested);
   addWay("start", tr("Robot"), tr("Connect a live robot: camera or scanner, head, wheels"),
          &WelcomeStrip::robotRequested);
+  addWay("select", tr("Tour"), tr("Where things are, in five steps"), &WelcomeStrip::tourRequested);
   auto* close = new QToolButton;
   close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);

@@ -17,6 +17,7 @@ class WelcomeStrip : public QFrame {
   void recordingRequested();
   void simulatorRequested();
   void robotRequested();
+  void tourRequested();
   void demonstrationRequested();
   void closed();
 

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/map/map_io.h"
+#include "core/map/tangent_plane.h"
 
 namespace handmap {
 
@@ -12,38 +13,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The plane that touches the WGS 84 ellipsoid at the origin of the map.
-class TangentPlane {
- public:
-  explicit TangentPlane(const Georeference& origin)
-      : origin_(origin), map_in_plane_{0.0, 0.0, origin.heading} {
-    constexpr double kMajorAxis = 6378137.0;
-    constexpr double kFlattening = 1.0 / 298.257223563;
-    constexpr double kSquaredEccentricity = kFlattening * (2.0 - kFlattening);
-    const double latitude = toRadians(origin.latitude);
-    const double s = std::sin(latitude);
-    const double root = std::sqrt(1.0 - kSquaredEccentricity * s * s);
-    const double prime_vertical_radius = kMajorAxis / root;
-    const double meridian_radius = kMajorAxis * (1.0 - kSquaredEccentricity) / (root * root * root);
-    degrees_per_metre_north_ = toDegrees(1.0 / meridian_radius);
-    degrees_per_metre_east_ = toDegrees(1.0 / (prime_vertical_radius * std::cos(latitude)));
-  }
-
-  /// [longitude, latitude] in degrees, to about 0.1 mm.
-  ordered_json position(const Vec2& in_map) const {
-    const Vec2 east_north = map_in_plane_.toOuter(in_map);
-    return {rounded(origin_.longitude + east_north.x() * degrees_per_metre_east_),
-            rounded(origin_.latitude + east_north.y() * degrees_per_metre_north_)};
-  }
-
- private:
-  static double rounded(double degrees) { return std::round(degrees * 1e9) / 1e9; }
-
-  Georeference origin_;
-  Pose2 map_in_plane_;
-  double degrees_per_metre_north_;
-  double degrees_per_metre_east_;
-};
+/// [longitude, latitude] in degrees, to about 0.1 mm.
+ordered_json position(const TangentPlane& plane, const Vec2& in_map) {
+  const auto rounded = [](double degrees) { return std::round(degrees * 1e9) / 1e9; };
+  const Vec2 degrees = plane.longitudeLatitude(in_map);
+  return {rounded(degrees.x()), rounded(degrees.y())};
+}
 
 std::string feature(const std::string& geometry, ordered_json coordinates,
                     ordered_json properties) {
@@ -72,7 +47,7 @@ ordered_json propertiesOf(const Map& map, const Building& building) {
 
 ordered_json positions(const TangentPlane& plane, const std::vector<Vec2>& points) {
   ordered_json result = ordered_json::array();
-  for (const Vec2& point : points) result.push_back(plane.position(point));
+  for (const Vec2& point : points) result.push_back(position(plane, point));
   return result;
 }
 
@@ -93,7 +68,7 @@ std::string formatGeoJson(const Map& map) {
   }
   for (const Landmark& landmark : map.landmarks) {
     features.push_back(
-        feature("Point", plane.position(landmark.position),
+        feature("Point", position(plane, landmark.position),
                 {{"kind", "landmark"}, {"id", landmark.id}, {"name", landmark.name}}));
   }
   if (map.route.size() >= 2) {

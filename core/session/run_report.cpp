@@ -102,6 +102,7 @@ std::string refinementJson(const RunSettings& settings, const SourceInfo& source
             {"settings", settingsJson(settings)}};
   const std::string odometry = odometryOf(settings, source);
   if (odometry != "recorded") json["odometry"] = odometry;
+  if (!settings.given_poses.empty()) json["given_poses"] = settings.given_poses.size();
   return json.dump();
 }
 
@@ -119,6 +120,10 @@ std::string runReportJson(const RunRecord& run) {
   report["settings"]["threads"] = run.settings.threads;
   report["settings"]["odometry"] = odometryOf(run.settings, run.source);
   if (run.source.speed > 0.0) report["settings"]["speed"] = run.source.speed;
+  for (const StampedPose& given : run.settings.given_poses) {
+    report["settings"]["given_poses"].push_back(
+        {given.time_s, given.pose.x, given.pose.y, given.pose.heading});
+  }
   for (const RunWarning& warning : run.warnings) {
     report["warnings"].push_back(
         {{"code", warning.code}, {"message", warning.message}, {"hint", warning.hint}});

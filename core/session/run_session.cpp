@@ -1,10 +1,14 @@
 #include "core/session/run_session.h"
 
+#include <algorithm>
+#include <mutex>
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/odometry/given_poses.h"
 #include "core/session/estimation_method.h"
 #include "core/session/run_report.h"
 
@@ -30,32 +34,65 @@ std::optional<Pose2> poseAt(const std::vector<StampedPose>& poses, double time_s
                       (time_s - before.time_s) / (same->time_s - before.time_s));
 }
 
+/// Whoever is told of the progress may have the run wait; that is not the time of a step. Told from
+/// any thread: times that overlap count once.
+class Waiting {
+ public:
+  explicit Waiting(const std::function<void(double)>& progress) : progress_(progress) {}
+
+  std::function<void(double)> progress() {
+    if (!progress_) return {};
+    return [this](double share) {
+      const auto told = Clock::now();
+      progress_(share);
+      const std::scoped_lock lock(mutex_);
+      ms_ += millisecondsSince(std::max(told, counted_to_));
+      counted_to_ = Clock::now();
+    };
+  }
+  double ms() const { return ms_; }
+
+ private:
+  const std::function<void(double)>& progress_;
+  std::mutex mutex_;
+  Clock::time_point counted_to_{};
+  double ms_ = 0.0;
+};
+
 }  // namespace
 
 struct RunSession::State {
-  State(Map map, std::unique_ptr<ObservationSource> from, const RunSettings& with)
+  State(Map map, std::shared_ptr<Tape> from, const RunSettings& with)
       : drawing(std::move(map)),
-        source(std::move(from)),
+        tape(std::move(from)),
         settings(with),
-        perception(source->info(), settings.perception),
-        method(makeMethod(drawing, source->info(), settings)),
-        arena(settings.threads) {}
+        method(makeMethod(drawing, source(), settings)),
+        arena(settings.threads) {
+    counts.images = source().camera.has_value();
+    if (!settings.given_poses.empty()) {
+      given = GivenPoses(*drawing.start, source().start_odometry,
+                         source().odometry.empty() ? tape->odometry() : source().odometry,
+                         settings.given_poses);
+    }
+  }
 
-  std::optional<Observation> nextReadable(const std::stop_token& stop,
+  const SourceInfo& source() const { return tape->info(); }
+  std::optional<Tape::Taken> nextReadable(const std::stop_token& stop,
                                           const std::function<void(double)>& progress);
   /// Every observation's; else it is rendered for whoever looks at it.
   bool readsLocalMap() const { return settings.method == Method::Paper; }
-  std::optional<Percept> perceive(const Observation& observation, const std::stop_token& stop);
-  std::shared_ptr<const Snapshot> snapshot(const Observation& observation, Percept percept);
+  std::shared_ptr<const Snapshot> snapshot(const Observation& observation, LazyLocalMap local_map,
+                                           const Pictures& pictures);
   std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
                                                const std::function<void(double)>& progress);
   void fill(Snapshot& snapshot) const;
   std::function<Map()> refinedMap() const;
 
   Map drawing;
-  std::unique_ptr<ObservationSource> source;
+  std::shared_ptr<Tape> tape;
+  std::size_t taken = 0;  ///< of the tape
   RunSettings settings;
-  Perception perception;
+  GivenPoses given;
   std::unique_ptr<EstimationMethod> method;
   Arena arena;
   SharedListWriter<StampedPose> odometry;  ///< alone, from the drawing's start
@@ -69,102 +106,99 @@ struct RunSession::State {
 
 RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source,
                        const RunSettings& settings)
-    : state_(std::make_unique<State>(std::move(drawing), std::move(source), settings)) {}
+    : RunSession(std::move(drawing),
+                 std::make_shared<Tape>(std::move(source), settings.perception, 0), settings) {}
+
+RunSession::RunSession(Map drawing, std::shared_ptr<Tape> tape, const RunSettings& settings)
+    : state_(std::make_unique<State>(std::move(drawing), std::move(tape), settings)) {}
 
 RunSession::~RunSession() = default;
 
-const SourceInfo& RunSession::source() const { return state_->source->info(); }
+const SourceInfo& RunSession::source() const { return state_->source(); }
 const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->skipped; }
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
 
 /// nullopt at the end of the source and when `stop` was requested.
-std::optional<Observation> RunSession::State::nextReadable(
+std::optional<Tape::Taken> RunSession::State::nextReadable(
     const std::stop_token& stop, const std::function<void(double)>& progress) {
   while (!stop.stop_requested()) {
-    try {
-      return source->next();
-    } catch (const FrameError& error) {
-      skipped.push_back({error.frame(), error.what()});
-    }
+    std::optional<Tape::Taken> next = tape->take(taken, stop);
+    if (!next) return std::nullopt;
+    ++taken;
+    if (next->entry.perceived) return next;
+    skipped.push_back(*next->entry.skipped);
     if (progress) progress(0.0);
   }
   return std::nullopt;
 }
 
-std::optional<Percept> RunSession::State::perceive(const Observation& observation,
-                                                   const std::stop_token& stop) {
-  try {
-    return perception(observation, stop);
-  } catch (const Error& error) {
-    skipped.push_back({observation.frame, error.what()});
-    return std::nullopt;
-  }
-}
-
 std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
                                                  const std::function<void(double)>& progress) {
   State& state = *state_;
-  while (!stop.stop_requested()) {
-    const auto begin = Clock::now();
-    const std::optional<Observation> observation = state.nextReadable(stop, progress);
-    if (stop.stop_requested()) return nullptr;
-    if (!observation) {
-      if (!state.frames.empty()) return state.lastSnapshot(stop, progress);
-      const int count = source().observations;
-      throw Error(ErrorCode::RunFailed,
-                  fmt::format("none of {} could be used{}{}",
-                              count > 0 ? fmt::format("{} observations", count) : "what came",
-                              state.skipped.empty() ? "" : "; the first: ",
-                              state.skipped.empty() ? "" : state.skipped.front().reason));
-    }
-    std::optional<Percept> percept = state.perceive(*observation, stop);
-    if (!percept) continue;
-
-    FrameReport report;
-    report.ms.read = observation->read_ms;
-    report.ms.stereo = percept->stereo_ms;
-    report.ms.classify = percept->classify_ms;
-    report.ms.local_map = percept->local_map_ms;
-    if (state.readsLocalMap()) {
-      const auto render_begin = Clock::now();
-      percept->local_map.get();
-      report.ms.local_map += millisecondsSince(render_begin);
-    }
-    const auto slam_begin = Clock::now();
-    bool done = false;
-    state.arena.execute([&] {
-      done =
-          state.method->step(observation->time_s, observation->odometry, *percept, stop, progress);
-    });
-    if (!done) return nullptr;
-    report.ms.slam = millisecondsSince(slam_begin);
-    report.ms.total = millisecondsSince(begin);
-    report.frame = observation->frame;
-    report.time_s = observation->time_s;
-    report.odometry_guessed = observation->odometry_guessed;
-    state.method->describe(report);
-    state.frames.push_back(report);
-    state.counts.add(*observation, *percept, report);
-    return state.snapshot(*observation, std::move(*percept));
+  const auto begin = Clock::now();
+  const std::optional<Tape::Taken> taken = state.nextReadable(stop, progress);
+  if (stop.stop_requested()) return nullptr;
+  if (!taken) {
+    if (!state.frames.empty()) return state.lastSnapshot(stop, progress);
+    const int count = source().observations;
+    throw Error(ErrorCode::RunFailed,
+                fmt::format("none of {} could be used{}{}",
+                            count > 0 ? fmt::format("{} observations", count) : "what came",
+                            state.skipped.empty() ? "" : "; the first: ",
+                            state.skipped.empty() ? "" : state.skipped.front().reason));
   }
-  return nullptr;
+  const Observation& observation = taken->entry.perceived->observation;
+  const Percept* percept = &taken->entry.perceived->percept;
+  const LazyLocalMap local_map = percept->local_map.again();
+  FrameReport report;
+  report.ms.read = observation.read_ms;
+  report.ms.stereo = percept->stereo_ms;
+  report.ms.classify = percept->classify_ms;
+  report.ms.local_map = percept->local_map_ms;
+  Percept with_map;
+  if (state.readsLocalMap()) {
+    const auto render_begin = Clock::now();
+    local_map.get();
+    report.ms.local_map += millisecondsSince(render_begin);
+    with_map = *percept;
+    with_map.local_map = local_map;
+    percept = &with_map;
+  }
+  const auto slam_begin = Clock::now();
+  Waiting waiting(progress);
+  bool done = false;
+  const Pose2 odometry = state.given(observation.time_s, observation.odometry);
+  state.arena.execute(
+      [&] { done = state.method->step(observation.time_s, odometry, *percept, stop, progress); });
+  if (!done) return nullptr;
+  report.ms.slam = millisecondsSince(slam_begin);
+  report.ms.total = millisecondsSince(begin);
+  report.frame = observation.frame;
+  report.time_s = observation.time_s;
+  report.odometry_guessed = observation.odometry_guessed;
+  state.method->describe(report);
+  state.frames.push_back(report);
+  state.counts.add(*percept, report);
+  return state.snapshot(observation, local_map, taken->pictures);
 }
 
 std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& observation,
-                                                            Percept percept) {
-  const Pose2 driven = between(source->info().start_odometry, observation.odometry);
+                                                            LazyLocalMap local_map,
+                                                            const Pictures& pictures) {
+  const Pose2 driven = between(source().start_odometry, observation.odometry);
   odometry.push_back({observation.time_s, *drawing.start * driven});
 
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->index = static_cast<int>(frames.size() + skipped.size());
-  snapshot->count = source->info().observations;
+  snapshot->count = source().observations;
   fill(*snapshot);
   snapshot->odometry = odometry.share();
-  snapshot->truth = poseAt(source->info().truth, observation.time_s);
-  snapshot->local_map = std::move(percept.local_map);
-  snapshot->image = percept.image;
-  snapshot->disparity = percept.disparity;
-  snapshot->buildings = percept.buildings;
+  snapshot->truth = poseAt(source().truth, observation.time_s);
+  snapshot->local_map = std::move(local_map);
+  snapshot->image = pictures.image;
+  snapshot->disparity = pictures.disparity;
+  snapshot->buildings = pictures.buildings;
+  snapshot->pictured = observation.frame;
   newest = snapshot;
   return snapshot;
 }
@@ -203,12 +237,11 @@ std::vector<StampedPose> RunSession::trajectory() const {
 }
 
 std::function<Map()> RunSession::State::refinedMap() const {
-  return
-      [make = method->refinedMap(), refinement = refinementJson(settings, source->info(), frames)] {
-        Map map = make();
-        map.refinement = refinement;
-        return map;
-      };
+  return [make = method->refinedMap(), refinement = refinementJson(settings, source(), frames)] {
+    Map map = make();
+    map.refinement = refinement;
+    return map;
+  };
 }
 
 Map RunSession::refinedMap() const { return state_->refinedMap()(); }

@@ -14,6 +14,7 @@
 #include "core/perception/perception.h"
 #include "core/session/run_warnings.h"
 #include "core/session/snapshot.h"
+#include "core/session/tape.h"
 
 namespace handmap {
 
@@ -29,17 +30,18 @@ struct RunSettings {
   std::uint64_t seed = 1;
   int threads = 0;                    ///< 0: as many as the machine has
   std::string odometry = "recorded";  ///< what the source's odometry comes from, for the report
-};
-
-struct SkippedFrame {
-  int frame;
-  std::string reason;
+  /// Where somebody says that the robot was; increasing in time, map frame. See GivenPoses.
+  std::vector<StampedPose> given_poses = {};
 };
 
 class RunSession {
  public:
   /// Throws BadInput for a map without buildings or without a start pose.
   RunSession(Map drawing, std::unique_ptr<ObservationSource> source, const RunSettings& settings);
+  /// From its beginning, as far as the tape has it, then on; the tape was made with the perception
+  /// of `settings`. With given poses the tape, or its source, must know the odometry up to the
+  /// last.
+  RunSession(Map drawing, std::shared_ptr<Tape> tape, const RunSettings& settings);
   ~RunSession();
   RunSession(const RunSession&) = delete;
   RunSession& operator=(const RunSession&) = delete;

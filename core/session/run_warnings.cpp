@@ -98,14 +98,10 @@ bool isCorrected(const Building& building) {
 
 }  // namespace
 
-void RunCounts::add(const Observation& observation, const Percept& percept,
-                    const FrameReport& report) {
+void RunCounts::add(const Percept& percept, const FrameReport& report) {
   ++observations;
   if (report.visible_buildings > 0) ++with_building;
-  for (const View& view : observation.views) {
-    images |= !view.left.empty();
-    if (view.points) points += view.points->size();
-  }
+  points += percept.points.size();
   for (const Ray& ray : percept.scan.rays) {
     if (!ray.returned || ray.wall < kLikelyWall) continue;
     ++walls;

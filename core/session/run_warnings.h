@@ -26,7 +26,7 @@ struct RunCounts {
   std::size_t walls = 0;    ///< directions in which something was taken for a wall
   double farthest_m = 0.0;  ///< of the walls
 
-  void add(const Observation& observation, const Percept& percept, const FrameReport& report);
+  void add(const Percept& percept, const FrameReport& report);
 };
 
 /// What the warnings are drawn from; `way` and `refined` as at the end of the run.

@@ -97,6 +97,20 @@ TEST_F(Journey, LocalizesWithoutTouchingTheDrawing) {
   }
 }
 
+TEST_F(Journey, TakesAPoseThatIsGiven) {
+  writeText("lost.tum", "4 30 -4 0 0 0 0 1\n");  // by the first building of the other row
+  ASSERT_EQ(run(slam({"--method", "paper", "--localize-only", "--to", "6", "--given-poses",
+                      "lost.tum", "--trajectory", "t.tum", "--report", "report.json"}))
+                .status,
+            0);
+  const auto report = nlohmann::json::parse(contentOf("report.json"));
+  EXPECT_EQ(report["settings"]["given_poses"], nlohmann::json::parse("[[4.0, 30.0, -4.0, 0.0]]"));
+  writeText("late.tum", "40000 30 -4 0 0 0 0 1\n");
+  expectFailed(run(slam({"--given-poses", "late.tum"})), 2,
+               "handmap-cli: error: a pose is given at 40000 s, but the odometry of the run does "
+               "not reach there\nhint: give times of the recording\n");
+}
+
 TEST_F(Journey, SimulatesAMapOfOnesOwn) {
   expectDone(run({"simulate", "--world", "row-truth.handmap", "--out", "row"}),
              "row: 17 observations, truth.handmap and sketch.handmap of 3 buildings\n");

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDropEvent>
 #include <QFile>
+#include <QImage>
 #include <QMenu>
 #include <QMimeData>
 #include <QTest>
@@ -24,6 +25,7 @@
 #include "widgets/background/background.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/run_setup_panel.h"
+#include "widgets/run/timeline.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/teach/teach_panel.h"
 
@@ -69,7 +71,7 @@ class Playground::Answers : public Dialogs {
 
   QString fileToOpen(const File&) override {
     return choose({"saved.handmap", "large.handmap", "empty.handmap", "locked/locked.handmap",
-                   "torn.handmap", "gone.handmap"});
+                   "torn.handmap", "gone.handmap", "photo.png", "torn.png"});
   }
   QString fileToSave(const File& file) override {
     if (playground_.value_ % 5 == 0) return QStringLiteral("/proc/none/x.") + file.suffix;
@@ -111,6 +113,8 @@ void Playground::makeFiles() {
   write(path("torn.handmap"), "{\"format\": \"handmap\",");
   QFile::remove(path("new.handmap"));
   if (QFile::exists(path("recording"))) return;
+  QImage(300, 200, QImage::Format_RGB32).save(path("photo.png"));
+  write(path("torn.png"), "\x89PNG\r\n");
   makeLockedFile();
   writeMap(largeMap(), path("large.handmap").toStdString());
   auto source = simulate(world, {}, 3);
@@ -185,6 +189,8 @@ void Playground::press(std::uint32_t value) {
 void Playground::drop(const QString& path) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &enter);
   QDropEvent event(QPointF(10.0, 10.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(window_.get(), &event);
 }
@@ -211,15 +217,22 @@ void Playground::take(const Step& step) {
     case StepKind::Button:
       return press(value_);
     case StepKind::Drop:
-      return drop(path(chosen(
-          QStringList{"recording", "saved.handmap", "locked/locked.handmap", "torn.handmap", "."},
-          value_)));
+      return drop(path(chosen(QStringList{"recording", "saved.handmap", "locked/locked.handmap",
+                                          "torn.handmap", ".", "photo.png", "torn.png"},
+                              value_)));
     case StepKind::Undo:
       return document_->undoStack().undo();
     case StepKind::Redo:
       return document_->undoStack().redo();
     case StepKind::Speed:
       return window_->transport().setSpeed(chosen(std::array{0.0, 1.0, 10.0}, value_));
+    case StepKind::Seek: {
+      Timeline& timeline = window_->transport().timeline();
+      constexpr std::uint32_t kBeyond = 3;
+      const auto count = static_cast<std::uint32_t>(timeline.maximum()) + kBeyond;
+      Q_EMIT timeline.seekWanted(static_cast<int>(value_ % count));
+      return;
+    }
     case StepKind::Wait:
       return QTest::qWait(static_cast<int>(value_ % 20));
     case StepKind::Settle:

@@ -26,6 +26,7 @@ constexpr std::array<Kind, static_cast<std::size_t>(StepKind::Count)> kKinds = {
                                                                                  {"undo", 1.5},
                                                                                  {"redo", 1.0},
                                                                                  {"speed", 0.5},
+                                                                                 {"seek", 2.0},
                                                                                  {"wait", 6.0},
                                                                                  {"settle", 1.0},
                                                                                  {"sleep", 2.0},

@@ -17,6 +17,7 @@ enum class StepKind {
   Undo,
   Redo,
   Speed,   ///< of the run
+  Seek,    ///< on the timeline
   Wait,    ///< a few milliseconds
   Settle,  ///< until the run is idle, not for long
   Sleep,   ///< without looking at events: what the run says piles up

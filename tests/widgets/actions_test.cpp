@@ -1,12 +1,23 @@
 // The table of actions, the icons and the colours.
 #include <QActionGroup>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QPalette>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
+#include <QTreeWidget>
 #include <set>
 
 #include "widgets/actions/action_set.h"
+#include "widgets/actions/command_palette.h"
+#include "widgets/actions/fuzzy.h"
+#include "widgets/actions/keys_panel.h"
 #include "widgets/style/colours.h"
 #include "widgets/style/icons.h"
 
@@ -53,7 +64,7 @@ class ActionsTest : public QObject {
     QCOMPARE(entries, qsizetype(actionTable().size()));
     QToolBar tools;
     actions.fillToolBar(tools, ToolBar::Tools);
-    QCOMPARE(tools.actions().size(), 6);
+    QCOMPARE(tools.actions().size(), 7);
   }
 
   void actionsCallTheirHandlersAndToolsExclude() {
@@ -67,7 +78,93 @@ class ActionsTest : public QObject {
     QVERIFY(actions["draw.polygon"].isChecked() && !actions["draw.select"].isChecked());
     actions.setEnabled({"run.pause", "run.stop"}, false);
     QVERIFY(!actions["run.stop"].isEnabled() && actions["run.run"].isEnabled());
-    QVERIFY(shortcutSheet().contains("Ctrl+S"));
+  }
+
+  void aDisabledActionSaysWhy() {
+    const ActionSet actions;
+    actions.setEnabled({"edit.undo"}, false, "nothing has been changed");
+    QVERIFY(actions["edit.undo"].toolTip().contains("nothing has been changed"));
+    QCOMPARE(actions.whyNot("edit.undo"), QString("nothing has been changed"));
+    actions.setEnabled({"edit.undo"}, true, "nothing has been changed");
+    QVERIFY(!actions["edit.undo"].toolTip().contains("nothing"));
+    QVERIFY(actions.whyNot("edit.undo").isEmpty());
+  }
+
+  void lettersInOrderFindACommand() {
+    QVERIFY(fuzzyScore("zf", "Zoom to Fit") > fuzzyScore("zf", "Organize files"));
+    QVERIFY(fuzzyScore("rect", "Rectangle") > fuzzyScore("rect", "Read text"));
+    QVERIFY(fuzzyScore("ZOOM IN", "Zoom In").has_value());
+    QVERIFY(!fuzzyScore("xq", "Zoom In"));
+    QVERIFY(!fuzzyScore("ni z", "Zoom In"));  // out of order
+    QVERIFY(!fuzzyScore("a", ""));
+    QCOMPARE(fuzzyScore("", "Zoom In"), std::optional(0));
+    QVERIFY(fuzzyScore("開", "ファイルを開く"));
+  }
+
+  void thePaletteRunsWhatIsTyped() {
+    QWidget window;
+    window.resize(700, 500);
+    const ActionSet actions;
+    CommandPalette palette(actions, window);
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    int fitted = 0;
+    actions.on("view.zoom_fit", this, [&] { ++fitted; });
+    palette.open();
+    auto* typed = window.findChild<QLineEdit*>("command");
+    QTRY_VERIFY(typed->hasFocus());
+    QTest::keyClicks(typed, "zofit");
+    QTest::keyClick(typed, Qt::Key_Return);
+    QTRY_COMPARE(fitted, 1);
+    QVERIFY(!palette.isVisible());
+    actions.setEnabled({"view.zoom_fit"}, false, "there is nothing");
+    palette.open();
+    QTest::keyClicks(typed, "zofit");
+    auto* list = window.findChild<QListWidget*>();
+    QVERIFY(list->item(0)->text().contains("there is nothing") || list->count() > 1);
+    QTest::keyClick(typed, Qt::Key_Escape);
+    QVERIFY(!palette.isVisible());
+    QCOMPARE(fitted, 1);
+  }
+
+  void keysAreChangedKeptAndNeverShared() {
+    const ActionSet actions;
+    KeysPanel panel(actions);
+    panel.show();
+    auto* tree = panel.findChild<QTreeWidget*>("keys");
+    auto* edit = panel.findChild<QKeySequenceEdit*>("edit_keys");
+    auto* take = panel.findChild<QPushButton*>("take_keys");
+    const auto choose = [&](const QString& id) {
+      for (QTreeWidgetItemIterator it(tree); *it; ++it)
+        if ((*it)->data(0, Qt::UserRole).toString() == id) tree->setCurrentItem(*it);
+    };
+    const QKeySequence free("Ctrl+Alt+J");
+    choose("file.save");
+    edit->setKeySequence(free);
+    Q_EMIT edit->editingFinished();
+    QCOMPARE(actions["file.save"].shortcut(), free);
+    QVERIFY(actions["file.save"].toolTip().contains("Ctrl+Alt+J"));
+    choose("file.open");
+    edit->setKeySequence(free);
+    Q_EMIT edit->editingFinished();
+    QCOMPARE(actions["file.open"].shortcut(), QKeySequence("Ctrl+O"));  // said, not done
+    QVERIFY(panel.findChild<QLabel*>("clash")->text().contains("Save"));
+    take->click();
+    QCOMPARE(actions["file.open"].shortcut(), free);
+    QVERIFY(actions["file.save"].shortcut().isEmpty());
+
+    QTemporaryDir folder;
+    QSettings settings(folder.filePath("keys.ini"), QSettings::IniFormat);
+    actions.saveKeys(settings);
+    const ActionSet next;
+    next.restoreKeys(settings);
+    QCOMPARE(next["file.open"].shortcut(), free);
+    QVERIFY(next["file.save"].shortcut().isEmpty());
+    QCOMPARE(next["file.new"].shortcut(), QKeySequence("Ctrl+N"));
+    panel.findChild<QPushButton*>("all_usual_keys")->click();
+    for (const ActionSpec& spec : actionTable())
+      QCOMPARE(actions.keys(QLatin1String(spec.id)), ActionSet::usualKeys(spec));
   }
 
   void iconsTakeTheColourOfThePalette() {

@@ -1,13 +1,22 @@
 // The property panel and the list of objects, with real keys.
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListView>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QStackedWidget>
+#include <QTableWidget>
 #include <QTest>
+#include <QTreeView>
+#include <QTreeWidget>
 #include <memory>
 
+#include "core/map/map_flags.h"
+#include "core/map/map_io.h"
+#include "core/map/map_layers.h"
+#include "widgets/panels/drawing_layers_panel.h"
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
@@ -183,12 +192,13 @@ class PanelsTest : public QObject {
 
   void theListSelectsBothWays() {
     ObjectsPanel objects(*document_);
-    auto* list = objects.findChild<QListView*>();
+    auto* list = objects.findChild<QTreeView*>();
     QCOMPARE(list->model()->rowCount(), 6);
-    list->selectionModel()->select(list->model()->index(2, 0), QItemSelectionModel::ClearAndSelect);
+    list->selectionModel()->select(list->model()->index(2, 0),
+                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     QCOMPARE(document_->selection(), QStringList{"A"});
     document_->setSelection({"B", "gate", "C"});
-    QCOMPARE(list->selectionModel()->selectedIndexes().size(), 3);
+    QCOMPARE(list->selectionModel()->selectedRows().size(), 3);
     QSignalSpy shown(&objects, &ObjectsPanel::showRequested);
     Q_EMIT list->doubleClicked(list->model()->index(5, 0));
     QCOMPARE(shown.last()[0].toString(), "gate");
@@ -198,13 +208,100 @@ class PanelsTest : public QObject {
 
   void findingHidesButKeepsTheSelection() {
     ObjectsPanel objects(*document_);
-    auto* list = objects.findChild<QListView*>();
+    auto* list = objects.findChild<QTreeView*>();
     document_->setSelection({"A"});
     objects.findChild<QLineEdit*>()->setText("MAIN");
     QCOMPARE(list->model()->rowCount(), 1);
     QCOMPARE(document_->selection(), QStringList{"A"});
     objects.findChild<QLineEdit*>()->clear();
-    QCOMPARE(list->selectionModel()->selectedIndexes().size(), 1);
+    QCOMPARE(list->selectionModel()->selectedRows().size(), 1);
+  }
+
+  void objectsAreRenamedHiddenAndLockedInTheList() {
+    ObjectsPanel objects(*document_);
+    objects.show();
+    auto* model = objects.findChild<QTreeView*>()->model();
+    const auto row = [&](const QString& key) {
+      for (int i = 0; i < model->rowCount(); ++i)
+        if (model->index(i, 0).data(Qt::UserRole).toString() == key) return i;
+      return -1;
+    };
+    QVERIFY(model->setData(model->index(row("A"), 0), "Library", Qt::EditRole));
+    QCOMPARE(building("A").name, std::string("Library"));
+    QVERIFY(model->setData(model->index(row("A"), 2), Qt::Checked, Qt::CheckStateRole));
+    QVERIFY(building("A").fixed);
+    for (const char* key : {"A", "gate", "@route"}) {
+      QVERIFY(model->setData(model->index(row(key), 1), Qt::Unchecked, Qt::CheckStateRole));
+      QCOMPARE(model->index(row(key), 1).data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+    }
+    QVERIFY(isHidden(building("A")) && isHidden(document_->map().landmarks[0]));
+    QVERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Route).hidden);
+    const Map as_read = parseMap(formatMap(document_->map()), "m");
+    QCOMPARE(as_read, document_->map());  // the file keeps it
+    QVERIFY(!(model->flags(model->index(row("@start"), 0)) & Qt::ItemIsEditable));
+    document_->undoStack().setIndex(0);
+    QCOMPARE(document_->map(), sampleMap());
+  }
+
+  void layersAreHiddenLockedAndFaded() {
+    DrawingLayersPanel layers(*document_);
+    layers.show();
+    auto* tree = layers.findChild<QTreeWidget*>("drawing_layers");
+    QCOMPARE(tree->topLevelItemCount(), 4);
+    tree->topLevelItem(0)->setCheckState(1, Qt::Unchecked);
+    QTRY_VERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Buildings).hidden);
+    tree->setCurrentItem(tree->topLevelItem(3));
+    layers.findChild<QSlider*>("layer_opacity")->setValue(40);
+    QCOMPARE(stateOf(layersOf(document_->map()), DrawingLayer::Route).opacity, 0.4);
+    document_->setUnderlays({{"a.png", 0, 0, 1, 0, 1, {}}}, "Add");
+    QCOMPARE(tree->topLevelItemCount(), 5);
+    tree->topLevelItem(4)->setCheckState(2, Qt::Checked);
+    QTRY_VERIFY(isLocked(document_->map().underlays[0]));
+    document_->undoStack().setIndex(0);
+    QCOMPARE(document_->map(), sampleMap());
+  }
+
+  void cornersAreNumbersInATable() {
+    Building polygon = building("A");
+    polygon.shape = Polygon{{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}};
+    document_->changeBuilding("A", polygon, "Polygon");
+    document_->setSelection({"A"});
+    auto* table = panel_->findChild<QTableWidget*>("vertices");
+    QVERIFY(table->isVisible());
+    QCOMPARE(table->rowCount(), 4);
+    table->item(2, 0)->setText("12.5");
+    QCOMPARE(std::get<Polygon>(building("A").shape)[2], Vec2(12.5, 10.0));
+    QSignalSpy messages(panel_.get(), &PropertyPanel::messageRaised);
+    table->item(2, 0)->setText("-5");  // would cross
+    table->item(2, 1)->setText("what");
+    QCOMPARE(messages.count(), 2);
+    QCOMPARE(std::get<Polygon>(building("A").shape)[2], Vec2(12.5, 10.0));
+    table->setCurrentCell(0, 0);
+    panel_->findChild<QPushButton*>("add_vertex")->click();
+    QCOMPARE(std::get<Polygon>(building("A").shape)[1], Vec2(5.0, 0.0));
+    table->setCurrentCell(1, 0);
+    panel_->findChild<QPushButton*>("remove_vertex")->click();
+    QCOMPARE(table->rowCount(), 4);
+    document_->setSelection({"B"});
+    QVERIFY(!table->isVisible());
+  }
+
+  void howSureIsSaidInWords() {
+    document_->setSelection({"A"});
+    auto& sure = field<QComboBox>("sure");
+    QCOMPARE(sure.currentText(), QString("roughly"));
+    QTest::keyClick(&sure, Qt::Key_Up);
+    QCOMPARE(building("A").uncertainty, std::optional(Uncertainty{0.5, 0.5}));
+    QCOMPARE(number("position_sigma").value(), 0.5);
+    type(number("position_sigma"), "1.7");
+    QCOMPARE(sure.currentText(), QString("in numbers"));
+    field<QCheckBox>("may_not_exist").click();
+    QVERIFY(mayNotExist(building("A")));
+    document_->setSelection({});
+    auto& whole = field<QComboBox>("sure");
+    whole.setCurrentIndex(2);
+    Q_EMIT whole.activated(2);
+    QCOMPARE(document_->map().uncertainty, (Uncertainty{8.0, 5.0}));
   }
 
  private:
@@ -216,6 +313,7 @@ class PanelsTest : public QObject {
     return *found;
   }
   NumberField& number(const char* name) const { return field<NumberField>(name); }
+  const Building& building(const char* id) const { return *document_->map().find(id); }
   Rectangle box(const char* id) const { return document_->map().find(id)->box(); }
 
   template <typename Field>

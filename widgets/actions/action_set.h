@@ -3,12 +3,13 @@
 
 #include <QAction>
 #include <QHash>
+#include <QKeySequence>
 #include <QObject>
 
 #include "widgets/actions/action_table.h"
 
-class QActionGroup;
 class QMenuBar;
+class QSettings;
 class QToolBar;
 
 namespace handmap {
@@ -25,7 +26,19 @@ class ActionSet : public QObject {
   void on(const QString& id, const QObject* context, Handler handler) const {
     QObject::connect(&(*this)[id], &QAction::triggered, context, handler);
   }
-  void setEnabled(std::initializer_list<const char*> ids, bool enabled) const;
+  /// `why_not` is said while they are disabled: in the tooltip and the palette of commands.
+  void setEnabled(std::initializer_list<const char*> ids, bool enabled,
+                  const QString& why_not = {}) const;
+  QString whyNot(const QString& id) const;  ///< empty while it is enabled
+
+  // --- Keys: those of the table, or what somebody has chosen in their place
+  QList<QKeySequence> keys(const QString& id) const;
+  /// Id of the action that has one of the keys besides `id`; empty: none.
+  QString ownerOf(const QList<QKeySequence>& keys, const QString& id) const;
+  void setKeys(const QString& id, const QList<QKeySequence>& keys) const;
+  static QList<QKeySequence> usualKeys(const ActionSpec& spec);
+  void saveKeys(QSettings& settings) const;  ///< only what is not as usual
+  void restoreKeys(const QSettings& settings) const;
 
   void fillMenuBar(QMenuBar& menu_bar) const;  ///< the menus in the order of the table
   void fillToolBar(QToolBar& bar, ToolBar which) const;
@@ -34,7 +47,9 @@ class ActionSet : public QObject {
   QHash<QString, QAction*> actions_;
 };
 
-/// An HTML table of every action that has keys, by menu.
-QString shortcutSheet();
+/// In the language of the program, without mnemonic and dots.
+QString plainTextOf(const ActionSpec& spec);
+QString hintOf(const ActionSpec& spec);
+QString plainTitleOf(Menu menu);
 
 }  // namespace handmap

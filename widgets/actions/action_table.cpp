@@ -1,5 +1,6 @@
 #include "widgets/actions/action_table.h"
 
+#include <QtGlobal>
 #include <array>
 
 namespace handmap {
@@ -9,84 +10,198 @@ namespace {
 using enum ActionKind;
 
 constexpr std::array kActions = {
-    ActionSpec{"file.new", "&New", "new", "Ctrl+N", "Start an empty drawing.", Menu::File,
-               ToolBar::Main},
-    ActionSpec{"file.open", "&Open…", "open", "Ctrl+O", "Open a drawing.", Menu::File,
-               ToolBar::Main},
-    ActionSpec{"file.save", "&Save", "save", "Ctrl+S", "Save the drawing.", Menu::File,
-               ToolBar::Main},
-    ActionSpec{"file.save_as", "Save &As…", "", "Ctrl+Shift+S",
-               "Save the drawing under another name.", Menu::File},
-    ActionSpec{"file.export_map", "Export &Refined Map…", "export", "Ctrl+E",
-               "Save the map that the run has corrected.", Menu::File, ToolBar::None, Push, true},
-    ActionSpec{"file.export_geojson", "Export &GeoJSON…", "", "",
-               "Save the map for geographic programs; it must be georeferenced.", Menu::File},
-    ActionSpec{"file.export_png", "Export &Picture…", "", "", "Save what the canvas shows as PNG.",
+    ActionSpec{"file.new", QT_TRANSLATE_NOOP("Actions", "&New"), "new", "Ctrl+N",
+               QT_TRANSLATE_NOOP("Actions", "Start an empty drawing."), Menu::File, ToolBar::Main},
+    ActionSpec{"file.new_window", QT_TRANSLATE_NOOP("Actions", "New &Window"), "", "Ctrl+Shift+N",
+               QT_TRANSLATE_NOOP("Actions", "Open another window, with a drawing of its own."),
                Menu::File},
-    ActionSpec{"file.export_trajectory", "Export &Trajectory…", "", "",
-               "Save the way of the robot in TUM form.", Menu::File},
-    ActionSpec{"file.quit", "&Quit", "", "Ctrl+Q", "Leave the program.", Menu::File, ToolBar::None,
+    ActionSpec{"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", "Ctrl+O",
+               QT_TRANSLATE_NOOP("Actions", "Open a drawing."), Menu::File, ToolBar::Main},
+    ActionSpec{"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", "Ctrl+S",
+               QT_TRANSLATE_NOOP("Actions", "Save the drawing."), Menu::File, ToolBar::Main},
+    ActionSpec{"file.save_as", QT_TRANSLATE_NOOP("Actions", "Save &As…"), "", "Ctrl+Shift+S",
+               QT_TRANSLATE_NOOP("Actions", "Save the drawing under another name."), Menu::File},
+    ActionSpec{"file.keep_template", QT_TRANSLATE_NOOP("Actions", "&Keep as Template…"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Keep the drawing, to begin others with it."),
+               Menu::File},
+    ActionSpec{"file.export_map", QT_TRANSLATE_NOOP("Actions", "Export &Refined Map…"), "export",
+               "Ctrl+E", QT_TRANSLATE_NOOP("Actions", "Save the map that the run has corrected."),
+               Menu::File, ToolBar::None, Push, true},
+    ActionSpec{"file.export_geojson", QT_TRANSLATE_NOOP("Actions", "Export &GeoJSON…"), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Save the map for geographic programs; it must be georeferenced."),
+               Menu::File},
+    ActionSpec{"file.export_png", QT_TRANSLATE_NOOP("Actions", "Export &Picture…"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Save what the canvas shows as PNG."), Menu::File},
+    ActionSpec{"file.export_trajectory", QT_TRANSLATE_NOOP("Actions", "Export &Trajectory…"), "",
+               "", QT_TRANSLATE_NOOP("Actions", "Save the way of the robot in TUM form."),
+               Menu::File},
+    ActionSpec{"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "", "Ctrl+Q",
+               QT_TRANSLATE_NOOP("Actions", "Leave the program."), Menu::File, ToolBar::None, Push,
+               true},
+
+    ActionSpec{"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", "Ctrl+Z",
+               QT_TRANSLATE_NOOP("Actions", "Take back the last change."), Menu::Edit,
+               ToolBar::Main, Push, true},
+    ActionSpec{"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
+               QT_TRANSLATE_NOOP("Actions", "Do again what was taken back."), Menu::Edit,
+               ToolBar::Main},
+    ActionSpec{"edit.delete", QT_TRANSLATE_NOOP("Actions", "&Delete"), "delete", "Del",
+               QT_TRANSLATE_NOOP("Actions", "Remove what is selected."), Menu::Edit, ToolBar::Main,
                Push, true},
-
-    ActionSpec{"edit.undo", "&Undo", "undo", "Ctrl+Z", "Take back the last change.", Menu::Edit,
-               ToolBar::Main, Push, true},
-    ActionSpec{"edit.redo", "&Redo", "redo", "Ctrl+Shift+Z; Ctrl+Y",
-               "Do again what was taken back.", Menu::Edit, ToolBar::Main},
-    ActionSpec{"edit.delete", "&Delete", "delete", "Del", "Remove what is selected.", Menu::Edit,
-               ToolBar::Main, Push, true},
-    ActionSpec{"edit.select_all", "Select &All", "", "Ctrl+A", "Select everything drawn.",
-               Menu::Edit},
-    ActionSpec{"edit.settings", "&Settings…", "settings", "Ctrl+,",
-               "How a run localizes and corrects.", Menu::Edit, ToolBar::None, Push, true},
-
-    ActionSpec{"view.zoom_in", "Zoom &In", "zoom-in", "Ctrl++; Ctrl+=; +", "Show it larger.",
-               Menu::View, ToolBar::Main, Push, true},
-    ActionSpec{"view.zoom_out", "Zoom &Out", "zoom-out", "Ctrl+-; -", "Show more of the map.",
-               Menu::View, ToolBar::Main},
-    ActionSpec{"view.zoom_fit", "Zoom to &Fit", "zoom-fit", "Ctrl+0; F", "Show the whole map.",
-               Menu::View, ToolBar::Main},
-    ActionSpec{"view.grid", "&Grid", "grid", "G", "Show the metric grid.", Menu::View,
-               ToolBar::Main, Check, true},
-    ActionSpec{"view.snap", "&Snap to Half Metres", "", "Shift+G",
-               "Keep points on a grid of half a metre while drawing.", Menu::View, ToolBar::None,
-               Check},
-
-    ActionSpec{"draw.select", "&Select", "select", "S", "Select, move, resize and turn.",
-               Menu::Draw, ToolBar::Tools, Tool},
-    ActionSpec{"draw.rectangle", "&Rectangle", "rectangle", "R", "Draw a rectangular building.",
-               Menu::Draw, ToolBar::Tools, Tool},
-    ActionSpec{"draw.polygon", "&Polygon", "polygon", "P", "Draw a building of any shape.",
-               Menu::Draw, ToolBar::Tools, Tool},
-    ActionSpec{"draw.start", "S&tart", "start", "T", "Say where the robot starts and looks.",
-               Menu::Draw, ToolBar::Tools, Tool},
-    ActionSpec{"draw.route", "R&oute", "route", "O", "Draw the way that the robot shall take.",
-               Menu::Draw, ToolBar::Tools, Tool},
-    ActionSpec{"draw.landmark", "&Landmark", "landmark", "L", "Mark a place by name.", Menu::Draw,
-               ToolBar::Tools, Tool},
-
-    ActionSpec{"run.open_recording", "Open Re&cording…", "record", "Ctrl+Shift+O",
-               "Take the robot's observations from a recording.", Menu::Run, ToolBar::Transport},
-    ActionSpec{"run.connect", "C&onnect a Robot…", "", "Ctrl+Shift+R",
-               "Put a live robot together: camera or scanner, head, wheels.", Menu::Run},
-    ActionSpec{"run.simulator", "Si&mulator", "", "Ctrl+Shift+M",
-               "Take the robot's observations from the built-in simulator.", Menu::Run},
-    ActionSpec{"run.run", "&Run", "run", "F5", "Localize on the drawing and correct it.", Menu::Run,
-               ToolBar::Transport, Push, true},
-    ActionSpec{"run.pause", "&Pause", "pause", "F6", "Hold after this observation.", Menu::Run,
-               ToolBar::Transport},
-    ActionSpec{"run.step", "S&tep", "step", "F7", "Work in one observation, then hold.", Menu::Run,
-               ToolBar::Transport},
-    ActionSpec{"run.stop", "&Stop", "stop", "Shift+F5", "End the run.", Menu::Run,
-               ToolBar::Transport},
-    ActionSpec{"run.accept", "&Accept Refinement", "accept", "Ctrl+Return",
-               "Take the corrected shapes into the drawing, as one step that can be undone.",
-               Menu::Run, ToolBar::Transport, Push, true},
-    ActionSpec{"run.teach", "Teach &Buildings…", "", "",
-               "Show in your own images what is a building and what is not.", Menu::Run,
+    ActionSpec{"edit.select_all", QT_TRANSLATE_NOOP("Actions", "Select &All"), "", "Ctrl+A",
+               QT_TRANSLATE_NOOP("Actions", "Select everything drawn."), Menu::Edit},
+    ActionSpec{"edit.settings", QT_TRANSLATE_NOOP("Actions", "&Settings…"), "settings", "Ctrl+,",
+               QT_TRANSLATE_NOOP("Actions", "How a run localizes and corrects."), Menu::Edit,
                ToolBar::None, Push, true},
 
-    ActionSpec{"help.shortcuts", "&Keyboard Shortcuts", "", "F1", "Show every key.", Menu::Help},
-    ActionSpec{"help.about", "&About Handmap", "", "", "Version and licence.", Menu::Help},
+    ActionSpec{"view.zoom_in", QT_TRANSLATE_NOOP("Actions", "Zoom &In"), "zoom-in",
+               "Ctrl++; Ctrl+=; +", QT_TRANSLATE_NOOP("Actions", "Show it larger."), Menu::View,
+               ToolBar::Main, Push, true},
+    ActionSpec{"view.zoom_out", QT_TRANSLATE_NOOP("Actions", "Zoom &Out"), "zoom-out", "Ctrl+-; -",
+               QT_TRANSLATE_NOOP("Actions", "Show more of the map."), Menu::View, ToolBar::Main},
+    ActionSpec{"view.zoom_fit", QT_TRANSLATE_NOOP("Actions", "Zoom to &Fit"), "zoom-fit",
+               "Ctrl+0; F", QT_TRANSLATE_NOOP("Actions", "Show the whole map."), Menu::View,
+               ToolBar::Main},
+    ActionSpec{"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", "G",
+               QT_TRANSLATE_NOOP("Actions", "Show the metric grid."), Menu::View, ToolBar::Main,
+               Check, true},
+    ActionSpec{"view.snap", QT_TRANSLATE_NOOP("Actions", "&Snap to Half Metres"), "", "Shift+G",
+               QT_TRANSLATE_NOOP("Actions", "Keep points on a grid of half a metre while drawing."),
+               Menu::View, ToolBar::None, Check},
+
+    ActionSpec{"view.uncertainty", QT_TRANSLATE_NOOP("Actions", "&Uncertainty"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Show by soft edges how wrong the drawing may be."),
+               Menu::View, ToolBar::None, Check},
+    ActionSpec{"view.theme_system", QT_TRANSLATE_NOOP("Actions", "As the &System Has It"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Light or dark as the desktop is."), Menu::View,
+               ToolBar::None, Check, true},
+    ActionSpec{"view.theme_light", QT_TRANSLATE_NOOP("Actions", "&Light"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Dark ink on a light ground."), Menu::View,
+               ToolBar::None, Check},
+    ActionSpec{"view.theme_dark", QT_TRANSLATE_NOOP("Actions", "&Dark"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Light ink on a dark ground."), Menu::View,
+               ToolBar::None, Check},
+    ActionSpec{"view.language_system", QT_TRANSLATE_NOOP("Actions", "Language of the S&ystem"), "",
+               "",
+               QT_TRANSLATE_NOOP("Actions", "Speak as the desktop does, from the next start on."),
+               Menu::View, ToolBar::None, Check, true},
+    ActionSpec{"view.language_en", QT_TRANSLATE_NOOP("Actions", "&English"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Speak English, from the next start on."), Menu::View,
+               ToolBar::None, Check},
+    ActionSpec{"view.language_ja", QT_TRANSLATE_NOOP("Actions", "日本語 (&Japanese)"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Speak Japanese, from the next start on."), Menu::View,
+               ToolBar::None, Check},
+
+    ActionSpec{"draw.select", QT_TRANSLATE_NOOP("Actions", "&Select"), "select", "S",
+               QT_TRANSLATE_NOOP("Actions", "Select, move, resize and turn."), Menu::Draw,
+               ToolBar::Tools, Tool},
+    ActionSpec{"draw.rectangle", QT_TRANSLATE_NOOP("Actions", "&Rectangle"), "rectangle", "R",
+               QT_TRANSLATE_NOOP("Actions", "Draw a rectangular building."), Menu::Draw,
+               ToolBar::Tools, Tool},
+    ActionSpec{"draw.polygon", QT_TRANSLATE_NOOP("Actions", "&Polygon"), "polygon", "P",
+               QT_TRANSLATE_NOOP("Actions", "Draw a building of any shape."), Menu::Draw,
+               ToolBar::Tools, Tool},
+    ActionSpec{"draw.start", QT_TRANSLATE_NOOP("Actions", "S&tart"), "start", "T",
+               QT_TRANSLATE_NOOP("Actions", "Say where the robot starts and looks."), Menu::Draw,
+               ToolBar::Tools, Tool},
+    ActionSpec{"draw.route", QT_TRANSLATE_NOOP("Actions", "R&oute"), "route", "O",
+               QT_TRANSLATE_NOOP("Actions", "Draw the way that the robot shall take."), Menu::Draw,
+               ToolBar::Tools, Tool},
+    ActionSpec{"draw.landmark", QT_TRANSLATE_NOOP("Actions", "&Landmark"), "landmark", "L",
+               QT_TRANSLATE_NOOP("Actions", "Mark a place by name."), Menu::Draw, ToolBar::Tools,
+               Tool},
+
+    ActionSpec{"draw.picture", QT_TRANSLATE_NOOP("Actions", "Ad&just Picture"), "picture", "U",
+               QT_TRANSLATE_NOOP("Actions", "Move, turn and scale a picture under the drawing."),
+               Menu::Draw, ToolBar::Tools, Tool},
+    ActionSpec{
+        "draw.add_picture", QT_TRANSLATE_NOOP("Actions", "Add Picture &Underneath…"), "",
+        "Ctrl+Shift+U",
+        QT_TRANSLATE_NOOP("Actions", "Draw upon an aerial photo, a plan or a photo of a sketch."),
+        Menu::Draw, ToolBar::None, Push, true},
+
+    ActionSpec{"run.open_recording", QT_TRANSLATE_NOOP("Actions", "Open Re&cording…"), "record",
+               "Ctrl+Shift+O",
+               QT_TRANSLATE_NOOP("Actions", "Take the robot's observations from a recording."),
+               Menu::Run, ToolBar::Transport},
+    ActionSpec{
+        "run.connect", QT_TRANSLATE_NOOP("Actions", "C&onnect a Robot…"), "", "Ctrl+Shift+R",
+        QT_TRANSLATE_NOOP("Actions", "Put a live robot together: camera or scanner, head, wheels."),
+        Menu::Run},
+    ActionSpec{
+        "run.simulator", QT_TRANSLATE_NOOP("Actions", "Si&mulator"), "", "Ctrl+Shift+M",
+        QT_TRANSLATE_NOOP("Actions", "Take the robot's observations from the built-in simulator."),
+        Menu::Run},
+    ActionSpec{"run.run", QT_TRANSLATE_NOOP("Actions", "&Run"), "run", "F5",
+               QT_TRANSLATE_NOOP("Actions", "Localize on the drawing and correct it."), Menu::Run,
+               ToolBar::Transport, Push, true},
+    ActionSpec{"run.pause", QT_TRANSLATE_NOOP("Actions", "&Pause"), "pause", "F6",
+               QT_TRANSLATE_NOOP("Actions", "Hold after this observation."), Menu::Run,
+               ToolBar::Transport},
+    ActionSpec{"run.step", QT_TRANSLATE_NOOP("Actions", "S&tep"), "step", "F7",
+               QT_TRANSLATE_NOOP("Actions", "Work in one observation, then hold."), Menu::Run,
+               ToolBar::Transport},
+    ActionSpec{"run.back", QT_TRANSLATE_NOOP("Actions", "Step &Back"), "back", "Shift+F7",
+               QT_TRANSLATE_NOOP("Actions", "Look at the observation before."), Menu::Run,
+               ToolBar::Transport},
+    ActionSpec{"run.newest", QT_TRANSLATE_NOOP("Actions", "To the Ne&west"), "newest", "Ctrl+End",
+               QT_TRANSLATE_NOOP("Actions", "Look at how it is now, no longer at the past."),
+               Menu::Run, ToolBar::Transport},
+    ActionSpec{"run.stop", QT_TRANSLATE_NOOP("Actions", "&Stop"), "stop", "Shift+F5",
+               QT_TRANSLATE_NOOP("Actions", "End the run."), Menu::Run, ToolBar::Transport},
+    ActionSpec{"run.accept", QT_TRANSLATE_NOOP("Actions", "&Accept Refinement"), "accept",
+               "Ctrl+Return",
+               QT_TRANSLATE_NOOP(
+                   "Actions",
+                   "Take the corrected shapes into the drawing, as one step that can be undone."),
+               Menu::Run, ToolBar::Transport, Push, true},
+    ActionSpec{"run.bookmark", QT_TRANSLATE_NOOP("Actions", "Boo&kmark This Moment"), "", "Ctrl+B",
+               QT_TRANSLATE_NOOP("Actions", "Mark it on the timeline, or take the mark away."),
+               Menu::Run, ToolBar::None, Push, true},
+    ActionSpec{"run.next_bookmark", QT_TRANSLATE_NOOP("Actions", "Ne&xt Bookmark"), "",
+               "Ctrl+Shift+B",
+               QT_TRANSLATE_NOOP("Actions", "Look at the next moment that is marked."), Menu::Run},
+    ActionSpec{
+        "run.recompute", QT_TRANSLATE_NOOP("Actions", "Recomp&ute with the Drawing"), "", "Ctrl+F5",
+        QT_TRANSLATE_NOOP(
+            "Actions", "Do the run again, so far as it has come, with the drawing as it is now."),
+        Menu::Run, ToolBar::None, Push, true},
+    ActionSpec{
+        "run.give_pose", QT_TRANSLATE_NOOP("Actions", "Robot Is &Here…"), "", "H",
+        QT_TRANSLATE_NOOP(
+            "Actions",
+            "Say where the robot is at the moment that is shown; the run is done again with it."),
+        Menu::Run, ToolBar::None, Tool},
+    ActionSpec{"run.forget_poses", QT_TRANSLATE_NOOP("Actions", "&Forget Given Poses"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Do the run again without the poses that you gave."),
+               Menu::Run},
+    ActionSpec{
+        "run.right", QT_TRANSLATE_NOOP("Actions", "Building Is Ri&ght"), "", "Ctrl+G",
+        QT_TRANSLATE_NOOP(
+            "Actions",
+            "Hold the selected buildings where the run shows them, and do it again with that."),
+        Menu::Run},
+    ActionSpec{
+        "run.not_there", QT_TRANSLATE_NOOP("Actions", "Building Is &Not There"), "", "Ctrl+Del",
+        QT_TRANSLATE_NOOP(
+            "Actions",
+            "Take the selected buildings out of the drawing, and do the run again without them."),
+        Menu::Run},
+    ActionSpec{
+        "run.teach", QT_TRANSLATE_NOOP("Actions", "Teach Bu&ildings…"), "", "",
+        QT_TRANSLATE_NOOP("Actions", "Show in your own images what is a building and what is not."),
+        Menu::Run, ToolBar::None, Push, true},
+
+    ActionSpec{"help.commands", QT_TRANSLATE_NOOP("Actions", "&Command Palette…"), "",
+               "Ctrl+Shift+P", QT_TRANSLATE_NOOP("Actions", "Find any command by a few letters."),
+               Menu::Help},
+    ActionSpec{"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard Shortcuts"), "", "F1",
+               QT_TRANSLATE_NOOP("Actions", "Show and change every key."), Menu::Help},
+    ActionSpec{"help.tour", QT_TRANSLATE_NOOP("Actions", "&Tour"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Show in five steps where things are."), Menu::Help},
+    ActionSpec{"help.about", QT_TRANSLATE_NOOP("Actions", "&About Handmap"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Version and licence."), Menu::Help},
 };
 
 }  // namespace
@@ -96,17 +211,17 @@ std::span<const ActionSpec> actionTable() { return kActions; }
 const char* menuTitle(Menu menu) {
   switch (menu) {
     case Menu::File:
-      return "&File";
+      return QT_TRANSLATE_NOOP("Actions", "&File");
     case Menu::Edit:
-      return "&Edit";
+      return QT_TRANSLATE_NOOP("Actions", "&Edit");
     case Menu::View:
-      return "&View";
+      return QT_TRANSLATE_NOOP("Actions", "&View");
     case Menu::Draw:
-      return "&Draw";
+      return QT_TRANSLATE_NOOP("Actions", "&Draw");
     case Menu::Run:
-      return "&Run";
+      return QT_TRANSLATE_NOOP("Actions", "&Run");
     case Menu::Help:
-      return "&Help";
+      return QT_TRANSLATE_NOOP("Actions", "&Help");
   }
   return "";
 }

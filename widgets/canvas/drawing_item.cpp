@@ -4,6 +4,7 @@
 #include <QStyleOptionGraphicsItem>
 #include <cmath>
 
+#include "core/map/map_flags.h"
 #include "widgets/canvas/symbols.h"
 
 namespace handmap {
@@ -56,7 +57,9 @@ void DrawingItem::rebuild() {
   shapes_.clear();
   places_.clear();
   shapes_.reserve(document_.map().buildings.size());
+  layers_ = layersOf(document_.map());
   for (const Building& building : document_.map().buildings) {
+    if (layer(DrawingLayer::Buildings).hidden || isHidden(building)) continue;
     shapes_.push_back(shapeOf(building));
     places_.insert(shapes_.back().id, shapes_.size() - 1);
   }
@@ -102,6 +105,7 @@ void DrawingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* optio
   painter->setWorldTransform({});
   painter->setRenderHint(QPainter::Antialiasing);
   const std::vector<Placed> placed = place(to_device, option->exposedRect);
+  painter->setOpacity(layer(DrawingLayer::Buildings).opacity);
   paintBuildings(*painter, placed);
   paintSigns(*painter, to_device);
   painter->restore();
@@ -189,7 +193,9 @@ const Landmark& DrawingItem::shown(const Landmark& on_map) const {
 }
 
 void DrawingItem::paintLandmarkLabels(QPainter& painter, const QTransform& to_device) const {
+  if (layer(DrawingLayer::Landmarks).hidden) return;
   for (const Landmark& on_map : document_.map().landmarks) {
+    if (isHidden(on_map)) continue;
     const Landmark& landmark = shown(on_map);
     const QString text =
         QString::fromStdString(landmark.name.empty() ? landmark.id : landmark.name);
@@ -212,13 +218,19 @@ void DrawingItem::paintSigns(QPainter& painter, const QTransform& to_device) con
   for (const Vec2& point : preview_.route ? *preview_.route : map.route) route << device(point);
   QPen route_pen = colours_->pen(Role::Route);
   route_pen.setColor(ink(kRouteKey, Role::Route));
-  if (!route.isEmpty()) paintRoute(painter, route, route_pen, ground);
+  painter.setOpacity(layer(DrawingLayer::Route).opacity);
+  if (!route.isEmpty() && !layer(DrawingLayer::Route).hidden)
+    paintRoute(painter, route, route_pen, ground);
 
+  painter.setOpacity(layer(DrawingLayer::Landmarks).opacity);
   for (const Landmark& landmark : map.landmarks) {
+    if (layer(DrawingLayer::Landmarks).hidden || isHidden(landmark)) continue;
     const QString id = QString::fromStdString(landmark.id);
     paintLandmarkSymbol(painter, device(shown(landmark).position), ink(id, Role::Landmark), ground);
   }
 
+  if (layer(DrawingLayer::Start).hidden) return;
+  painter.setOpacity(layer(DrawingLayer::Start).opacity);
   if (const auto& start = preview_.start ? preview_.start : map.start) {
     const QPointF at = device(start->position());
     const QPointF ahead = device(start->position() + unitVector(start->heading)) - at;

@@ -6,6 +6,7 @@
 #include <QSet>
 #include <vector>
 
+#include "core/map/map_layers.h"
 #include "widgets/canvas/tool.h"
 #include "widgets/style/colours.h"
 
@@ -44,6 +45,7 @@ class DrawingItem : public QGraphicsItem {
   };
 
   Shape shapeOf(const Building& building) const;
+  const LayerState& layer(DrawingLayer which) const { return stateOf(layers_, which); }
   void updateBounds();
   std::vector<Placed> place(const QTransform& to_device, const QRectF& exposed) const;
   void paintBuildings(QPainter& painter, const std::vector<Placed>& placed) const;
@@ -57,6 +59,7 @@ class DrawingItem : public QGraphicsItem {
   std::vector<Shape> previewed_;
   QHash<QString, std::size_t> places_;
   MapChange preview_;
+  LayerStates layers_;
   QSet<QString> selected_;
   QRectF bounds_;
 };

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/map/map_flags.h"
+#include "core/map/map_layers.h"
+
 namespace handmap {
 
 namespace {
@@ -17,19 +20,31 @@ bool isInside(const Bounds& box, const Vec2& point) {
   return (box.low.array() <= point.array()).all() && (point.array() <= box.high.array()).all();
 }
 
+/// Whether the pointer may meet the objects of a layer.
+bool isOpen(const LayerStates& layers, DrawingLayer layer) {
+  return !stateOf(layers, layer).hidden && !stateOf(layers, layer).locked;
+}
+
 }  // namespace
 
 QString objectAt(const Map& map, const Vec2& position, double reach) {
+  const LayerStates layers = layersOf(map);
   for (const Landmark& landmark : map.landmarks)
-    if ((landmark.position - position).norm() <= 1.5 * reach)
+    if (isOpen(layers, DrawingLayer::Landmarks) && !isHidden(landmark) &&
+        (landmark.position - position).norm() <= 1.5 * reach)
       return QString::fromStdString(landmark.id);
-  if (map.start && (map.start->position() - position).norm() <= 1.5 * reach) return kStartKey;
-  if (isOnRoute(map.route, position, reach)) return kRouteKey;
+  if (map.start && isOpen(layers, DrawingLayer::Start) &&
+      (map.start->position() - position).norm() <= 1.5 * reach)
+    return kStartKey;
+  if (isOpen(layers, DrawingLayer::Route) && isOnRoute(map.route, position, reach))
+    return kRouteKey;
+  if (!isOpen(layers, DrawingLayer::Buildings)) return {};
 
   const Building* best = nullptr;
   double best_area = std::numeric_limits<double>::infinity();
   const Bounds around{position.array() - reach, position.array() + reach};
   for (const Building& building : map.buildings) {
+    if (isHidden(building)) continue;
     const Polygon footprint = building.footprint();
     if (!boundsOf(footprint).overlaps(around) || distanceTo(footprint, position) > reach) continue;
     const double area = std::abs(signedArea(footprint));
@@ -42,13 +57,19 @@ QString objectAt(const Map& map, const Vec2& position, double reach) {
 
 QStringList objectsIn(const Map& map, const Bounds& box) {
   QStringList keys;
+  const LayerStates layers = layersOf(map);
   for (const Building& building : map.buildings)
-    if (boundsOf(building.footprint()).overlaps(box)) keys << QString::fromStdString(building.id);
+    if (isOpen(layers, DrawingLayer::Buildings) && !isHidden(building) &&
+        boundsOf(building.footprint()).overlaps(box))
+      keys << QString::fromStdString(building.id);
   for (const Landmark& landmark : map.landmarks)
-    if (isInside(box, landmark.position)) keys << QString::fromStdString(landmark.id);
-  if (map.start && isInside(box, map.start->position())) keys << kStartKey;
+    if (isOpen(layers, DrawingLayer::Landmarks) && !isHidden(landmark) &&
+        isInside(box, landmark.position))
+      keys << QString::fromStdString(landmark.id);
+  if (map.start && isOpen(layers, DrawingLayer::Start) && isInside(box, map.start->position()))
+    keys << kStartKey;
   for (const Vec2& point : map.route) {
-    if (!isInside(box, point)) continue;
+    if (!isOpen(layers, DrawingLayer::Route) || !isInside(box, point)) continue;
     keys << kRouteKey;
     break;
   }

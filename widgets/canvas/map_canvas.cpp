@@ -6,15 +6,18 @@
 #include <algorithm>
 
 #include "core/map/map_limits.h"
+#include "widgets/canvas/doubt_item.h"
 #include "widgets/canvas/drawing_item.h"
 #include "widgets/canvas/rulers.h"
 #include "widgets/canvas/tools/landmark_tool.h"
 #include "widgets/canvas/tools/polygon_tool.h"
 #include "widgets/canvas/tools/rectangle_tool.h"
+#include "widgets/canvas/tools/robot_pose_tool.h"
 #include "widgets/canvas/tools/route_tool.h"
 #include "widgets/canvas/tools/select_tool.h"
 #include "widgets/canvas/tools/start_tool.h"
 #include "widgets/canvas/underlay_item.h"
+#include "widgets/pictures/picture_tool.h"
 
 namespace handmap {
 
@@ -40,6 +43,7 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
       document_(document),
       scene_(new QGraphicsScene(this)),
       underlays_(new UnderlayItem(document)),
+      doubt_(new DoubtItem(document)),
       drawing_(new DrawingItem(document)) {
   setScene(scene_);
   scene_->setSceneRect(-kReach, -kReach, 2.0 * kReach, 2.0 * kReach);
@@ -47,6 +51,8 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
   underlays_->setZValue(kUnderlayZ);
   drawing_->setZValue(kDrawingZ);
   scene_->addItem(underlays_);
+  doubt_->setFlag(QGraphicsItem::ItemStacksBehindParent);
+  doubt_->setParentItem(drawing_);  // is hidden with it
   scene_->addItem(drawing_);
 
   setFrameShape(QFrame::NoFrame);
@@ -63,6 +69,7 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
   makeTools();
   connect(&document_, &MapDocument::mapChanged, this, [this] {
     underlays_->rebuild();
+    doubt_->rebuild();
     drawing_->rebuild();
     onToolChanged();
   });
@@ -84,6 +91,16 @@ void MapCanvas::makeTools() {
   tools_.push_back(std::make_unique<StartTool>(document_));
   tools_.push_back(std::make_unique<RouteTool>(document_));
   tools_.push_back(std::make_unique<LandmarkTool>(document_));
+  auto picture_tool = std::make_unique<PictureTool>(
+      document_, [this](std::size_t place) { return underlays_->sizeOf(place); });
+  picture_tool_ = picture_tool.get();
+  tools_.push_back(std::move(picture_tool));
+  auto robot_pose = std::make_unique<RobotPoseTool>(document_);
+  connect(robot_pose.get(), &RobotPoseTool::given, this, [this](const Pose2& pose) {
+    setTool(ToolId::Select);
+    Q_EMIT robotPoseGiven(pose);
+  });
+  tools_.push_back(std::move(robot_pose));
   tool_ = tools_.front().get();
   for (const auto& tool : tools_)
     connect(tool.get(), &Tool::changed, this, &MapCanvas::onToolChanged);
@@ -91,6 +108,7 @@ void MapCanvas::makeTools() {
 
 void MapCanvas::applyPalette() {
   colours_ = &Colours::of(palette());
+  doubt_->setColours(*colours_);
   drawing_->setColours(*colours_);
   underlays_->setColours(*colours_);
   viewport()->update();
@@ -111,6 +129,7 @@ void MapCanvas::setTool(ToolId id) {
 
 void MapCanvas::onToolChanged() {
   drawing_->setPreview(tool_->preview());
+  underlays_->setPreview(tool_->preview());
   updateCursor();
   viewport()->update();
   Q_EMIT hintChanged(tool_->hint());
@@ -161,6 +180,9 @@ void MapCanvas::zoomToRect(const QRectF& metres) {
 }
 
 void MapCanvas::zoomToObject(const QString& key) {
+  if (const auto picture = pictureIndex(key);
+      picture && *picture < document_.map().underlays.size())
+    return zoomToRect(underlays_->boundsOf(*picture));
   const auto bounds = boundsOf(document_.map(), key);
   if (!bounds) return;
   const QRectF box = toRect(*bounds);
@@ -180,6 +202,8 @@ void MapCanvas::setGridVisible(bool visible) {
 }
 
 void MapCanvas::setDrawingVisible(bool visible) { drawing_->setVisible(visible); }
+
+void MapCanvas::setDoubtVisible(bool visible) { doubt_->setVisible(visible); }
 
 void MapCanvas::setUnderlaysVisible(bool visible) { underlays_->setVisible(visible); }
 

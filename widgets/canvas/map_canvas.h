@@ -10,7 +10,9 @@
 
 namespace handmap {
 
+class DoubtItem;
 class DrawingItem;
+class PictureTool;
 class UnderlayItem;
 
 /// Heights of the layers in the scene; the overlays of a run lie between drawing and tool.
@@ -30,6 +32,7 @@ class MapCanvas : public QGraphicsView {
   ToolId tool() const;
   void setTool(ToolId id);
   QString hint() const;
+  PictureTool& pictureTool() { return *picture_tool_; }
   /// Metres; 0: no snapping.
   double snapStep() const { return snap_step_; }
   void setSnapStep(double step_m) { snap_step_ = step_m; }
@@ -49,12 +52,15 @@ class MapCanvas : public QGraphicsView {
   void setGridVisible(bool visible);
   void setDrawingVisible(bool visible);
   void setUnderlaysVisible(bool visible);
+  void setDoubtVisible(bool visible);
 
  Q_SIGNALS:
   void cursorMoved(QPointF metres);
   void scaleChanged(double pixels_per_metre);
   void toolChanged(handmap::ToolId id);
   void hintChanged(const QString& hint);
+  /// Somebody says that the robot is there, at the moment that is shown.
+  void robotPoseGiven(const handmap::Pose2& pose);
 
  protected:
   bool viewportEvent(QEvent* event) override;
@@ -85,9 +91,11 @@ class MapCanvas : public QGraphicsView {
   MapDocument& document_;
   QGraphicsScene* scene_;
   UnderlayItem* underlays_;
+  DoubtItem* doubt_;
   DrawingItem* drawing_;
   std::vector<std::unique_ptr<Tool>> tools_;
   Tool* tool_ = nullptr;
+  PictureTool* picture_tool_ = nullptr;
   const Colours* colours_;
   double snap_step_ = 0.0;
   bool grid_visible_ = true;

@@ -16,7 +16,7 @@ namespace handmap {
 
 class Colours;
 
-enum class ToolId { Select, Rectangle, Corners, Start, Route, Landmark };
+enum class ToolId { Select, Rectangle, Corners, Start, Route, Landmark, RobotPose, Picture };
 
 /// A pointer event in the map frame.
 struct ToolEvent {

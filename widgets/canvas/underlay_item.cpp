@@ -1,12 +1,14 @@
 #include "widgets/canvas/underlay_item.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QImageReader>
 #include <QPainter>
 #include <QPointer>
 #include <QThreadPool>
 
+#include "core/base/error.h"
+#include "core/map/map_flags.h"
 #include "core/map/references.h"
 #include "widgets/canvas/symbols.h"
 
@@ -14,7 +16,6 @@ namespace handmap {
 
 namespace {
 
-constexpr int kMaxSide = 6000;               ///< larger pictures are read smaller
 constexpr QSize kPlaceholderSize(400, 300);  ///< pixels, while the real size is unknown
 
 /// From pixels of the picture, rows downwards, to the map.
@@ -42,19 +43,19 @@ QString UnderlayItem::pathOf(const Underlay& underlay) const {
 }
 
 void UnderlayItem::rebuild() {
-  QHash<QString, Picture> kept;
+  QHash<QString, Entry> kept;
   for (const Underlay& underlay : document_.map().underlays) {
     const QString path = pathOf(underlay);
     if (kept.contains(path)) continue;
-    if (!pictures_.contains(path)) load(path);
-    kept.insert(path, pictures_.value(path));
+    if (!entries_.contains(path)) load(path);
+    kept.insert(path, entries_.value(path));
   }
-  pictures_ = std::move(kept);
+  entries_ = std::move(kept);
   updateBounds();
 }
 
 void UnderlayItem::reload() {
-  pictures_.clear();
+  entries_.clear();
   rebuild();
 }
 
@@ -62,67 +63,89 @@ void UnderlayItem::load(const QString& path) {
   QThreadPool::globalInstance()->start([path, map_file = document_.origin().toStdString(),
                                         anywhere = document_.trustsReferences(),
                                         item = QPointer<UnderlayItem>(this)] {
-    Picture picture = anywhere || staysInside({{}, path.toStdString()}, map_file)
-                          ? read(path)
-                          : Picture{{}, {}, tr("outside of the folder of the drawing"), false};
-    QMetaObject::invokeMethod(qApp, [path, item, picture = std::move(picture)] {
-      if (!item || !item->pictures_.contains(path)) return;
-      item->pictures_[path] = picture;
+    Entry entry = anywhere || staysInside({{}, path.toStdString()}, map_file)
+                      ? read(path)
+                      : Entry{{}, tr("outside of the folder of the drawing"), false};
+    QMetaObject::invokeMethod(qApp, [path, item, entry = std::move(entry)] {
+      if (!item || !item->entries_.contains(path)) return;
+      item->entries_[path] = entry;
       item->updateBounds();
     });
   });
 }
 
-UnderlayItem::Picture UnderlayItem::read(const QString& path) {
-  Picture picture;
-  picture.loading = false;
-  if (!QFileInfo(path).isFile()) {  // one could wait for a pipe for ever
-    picture.problem = QFileInfo::exists(path) ? tr("not a file") : tr("no such file");
-    return picture;
+UnderlayItem::Entry UnderlayItem::read(const QString& path) {
+  Entry entry;
+  entry.loading = false;
+  try {
+    entry.picture = readPicture(path);
+    entry.picture.image.convertTo(QImage::Format_ARGB32_Premultiplied);
+  } catch (const Error& error) {
+    entry.problem = QString::fromUtf8(error.what());
+    if (entry.problem.startsWith(path + u':')) entry.problem.remove(0, path.size() + 2);
+  } catch (const std::bad_alloc&) {
+    entry.problem = tr("there is not enough memory for it");
   }
-  QImageReader reader(path);
-  picture.size = reader.size();
-  if (picture.size.width() > kMaxSide || picture.size.height() > kMaxSide)
-    reader.setScaledSize(picture.size.scaled(kMaxSide, kMaxSide, Qt::KeepAspectRatio));
-  picture.image = reader.read().convertToFormat(QImage::Format_ARGB32_Premultiplied);
-  if (picture.image.isNull()) picture.problem = reader.errorString();
-  if (!picture.size.isValid()) picture.size = picture.image.size();
-  return picture;
+  return entry;
+}
+
+const std::vector<Underlay>& UnderlayItem::shown() const {
+  return preview_ ? *preview_ : document_.map().underlays;
+}
+
+void UnderlayItem::setPreview(const MapChange* preview) {
+  auto wanted = preview ? preview->underlays : std::nullopt;
+  if (wanted == preview_) return;
+  preview_ = std::move(wanted);
+  updateBounds();
+}
+
+QSize UnderlayItem::sizeOf(const Underlay& underlay) const {
+  const Picture& picture = entries_.value(pathOf(underlay)).picture;
+  return picture.image.isNull() ? kPlaceholderSize : picture.size;
+}
+
+QSize UnderlayItem::sizeOf(std::size_t place) const {
+  return sizeOf(document_.map().underlays.at(place));
+}
+
+QRectF UnderlayItem::boundsOf(std::size_t place) const {
+  const Underlay& underlay = document_.map().underlays.at(place);
+  return toMap(underlay).mapRect(QRectF(QPointF(), sizeOf(underlay)));
 }
 
 void UnderlayItem::updateBounds() {
   prepareGeometryChange();
   bounds_ = {};
-  for (const Underlay& underlay : document_.map().underlays) {
-    const Picture picture = pictures_.value(pathOf(underlay));
-    const QSize size = picture.image.isNull() ? kPlaceholderSize : picture.size;
-    bounds_ |= toMap(underlay).mapRect(QRectF(QPointF(), size));
-  }
+  for (const Underlay& underlay : shown())
+    if (!isHidden(underlay))
+      bounds_ |= toMap(underlay).mapRect(QRectF(QPointF(), sizeOf(underlay)));
   update();
 }
 
 void UnderlayItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  for (const Underlay& underlay : document_.map().underlays) {
-    const Picture picture = pictures_.value(pathOf(underlay));
+  for (const Underlay& underlay : shown()) {
+    if (isHidden(underlay)) continue;
+    const Entry entry = entries_.value(pathOf(underlay));
     painter->save();
     painter->setTransform(toMap(underlay), true);
-    if (picture.image.isNull()) {
-      paintPlaceholder(*painter, QRectF(QPointF(), kPlaceholderSize), underlay, picture);
+    if (entry.picture.image.isNull()) {
+      paintPlaceholder(*painter, QRectF(QPointF(), kPlaceholderSize), underlay, entry);
     } else {
       painter->setOpacity(underlay.opacity);
       painter->setRenderHint(QPainter::SmoothPixmapTransform);
-      painter->drawImage(QRectF(QPointF(), picture.size), picture.image);
+      painter->drawImage(QRectF(QPointF(), entry.picture.size), entry.picture.image);
     }
     painter->restore();
   }
 }
 
 void UnderlayItem::paintPlaceholder(QPainter& painter, const QRectF& pixels,
-                                    const Underlay& underlay, const Picture& picture) const {
-  painter.setPen(colours_->pen(picture.loading ? Role::Axis : Role::Doubtful));
+                                    const Underlay& underlay, const Entry& entry) const {
+  painter.setPen(colours_->pen(entry.loading ? Role::Axis : Role::Doubtful));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(pixels);
-  if (!picture.loading) {
+  if (!entry.loading) {
     painter.drawLine(pixels.topLeft(), pixels.bottomRight());
     painter.drawLine(pixels.topRight(), pixels.bottomLeft());
   }
@@ -130,7 +153,7 @@ void UnderlayItem::paintPlaceholder(QPainter& painter, const QRectF& pixels,
   painter.setWorldTransform({});
   const QString image = QString::fromStdString(underlay.image);
   const QString text =
-      picture.loading ? tr("Reading %1 …").arg(image) : tr("%1: %2").arg(image, picture.problem);
+      entry.loading ? tr("Reading %1 …").arg(image) : tr("%1: %2").arg(image, entry.problem);
   paintLabel(painter, centre, text, *colours_, true);
 }
 

@@ -4,9 +4,10 @@
 
 #include <QGraphicsObject>
 #include <QHash>
-#include <QImage>
+#include <optional>
 
 #include "widgets/document/map_document.h"
+#include "widgets/pictures/picture_file.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {
@@ -19,28 +20,35 @@ class UnderlayItem : public QGraphicsObject {
   void rebuild();
   void reload();  ///< all pictures, also those that were read
   void setColours(const Colours& colours);
+  /// Shown in place of the document's; nullptr: nothing.
+  void setPreview(const MapChange* preview);
+  /// Of the picture at that place of the document's list, pixels; a guess until it is read.
+  QSize sizeOf(std::size_t place) const;
+  QRectF boundsOf(std::size_t place) const;  ///< metres; of the document's
 
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  struct Picture {
-    QImage image;
-    QSize size;  ///< of the file; the image may be smaller
+  struct Entry {
+    Picture picture;
     QString problem;
     bool loading = true;
   };
 
   QString pathOf(const Underlay& underlay) const;
   void load(const QString& path);
-  static Picture read(const QString& path);
+  static Entry read(const QString& path);
+  const std::vector<Underlay>& shown() const;
+  QSize sizeOf(const Underlay& underlay) const;
   void updateBounds();
   void paintPlaceholder(QPainter& painter, const QRectF& pixels, const Underlay& underlay,
-                        const Picture& picture) const;
+                        const Entry& entry) const;
 
   const MapDocument& document_;
   const Colours* colours_ = &Colours::light();
-  QHash<QString, Picture> pictures_;
+  QHash<QString, Entry> entries_;
+  std::optional<std::vector<Underlay>> preview_;
   QRectF bounds_;
 };
 

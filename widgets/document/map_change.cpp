@@ -1,9 +1,23 @@
 #include "widgets/document/map_change.h"
 
+#include <QFileInfo>
 #include <QObject>
 #include <QSet>
 
 namespace handmap {
+
+namespace {
+constexpr QLatin1String kPictureKey("@picture");
+}  // namespace
+
+QString pictureKey(std::size_t place) { return kPictureKey + QString::number(place); }
+
+std::optional<std::size_t> pictureIndex(const QString& key) {
+  if (!key.startsWith(kPictureKey)) return std::nullopt;
+  bool is_number = false;
+  const qulonglong place = QStringView(key).mid(kPictureKey.size()).toULongLong(&is_number);
+  return is_number ? std::optional(static_cast<std::size_t>(place)) : std::nullopt;
+}
 
 Building moved(Building building, const Vec2& offset) {
   if (auto* rectangle = std::get_if<Rectangle>(&building.shape))
@@ -40,6 +54,8 @@ MapChange moved(MapChange objects, const Vec2& offset) {
 QString displayName(const Map& map, const QString& key) {
   if (key == kStartKey) return QObject::tr("Start");
   if (key == kRouteKey) return QObject::tr("Route");
+  if (const auto place = pictureIndex(key); place && *place < map.underlays.size())
+    return QFileInfo(QString::fromStdString(map.underlays[*place].image)).fileName();
   const MapChange objects = selected(map, {key});
   const std::string name = !objects.buildings.empty()   ? objects.buildings.front().name
                            : !objects.landmarks.empty() ? objects.landmarks.front().name

@@ -10,9 +10,14 @@
 
 namespace handmap {
 
-/// Objects are named by keys: the id of a building or landmark, or one of these two.
+/// Objects are named by keys: the id of a building or landmark, or one of these two, or that of a
+/// picture.
 inline constexpr QLatin1String kStartKey("@start");
 inline constexpr QLatin1String kRouteKey("@route");
+
+/// "@picture0": its place in the list of underlays.
+QString pictureKey(std::size_t place);
+std::optional<std::size_t> pictureIndex(const QString& key);  ///< nullopt: not that of a picture
 
 /// Buildings and landmarks are found by their ids; what is not mentioned stays.
 struct MapChange {
@@ -20,11 +25,12 @@ struct MapChange {
   std::vector<Landmark> landmarks = {};
   std::optional<Pose2> start = {};
   std::optional<std::vector<Vec2>> route = {};
+  std::optional<std::vector<Underlay>> underlays = {};  ///< all of them
 };
 
 Building moved(Building building, const Vec2& offset);
 
-/// The objects of the map that `keys` names, as they are.
+/// The objects of the map that `keys` names, as they are; without pictures.
 MapChange selected(const Map& map, const QStringList& keys);
 MapChange moved(MapChange objects, const Vec2& offset);
 

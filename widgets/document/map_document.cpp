@@ -51,6 +51,13 @@ Placed<Item> chosen(const std::vector<Item>& list, const QSet<QString>& keys) {
   return result;
 }
 
+Placed<Underlay> chosenPictures(const std::vector<Underlay>& list, const QSet<QString>& keys) {
+  Placed<Underlay> result;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (keys.contains(pictureKey(i))) result.emplace_back(i, list[i]);
+  return result;
+}
+
 QStringList allKeys(const Map& map) {
   QStringList keys;
   for (const Building& building : map.buildings) keys << QString::fromStdString(building.id);
@@ -169,7 +176,10 @@ void MapDocument::setTrustsReferences(bool trusts) {
 void MapDocument::setSelection(QStringList keys) {
   const QStringList existing = allKeys(map_);
   const QSet<QString> known(existing.begin(), existing.end());
-  keys.removeIf([&](const QString& key) { return !known.contains(key); });
+  keys.removeIf([&](const QString& key) {
+    const auto picture = pictureIndex(key);
+    return picture ? *picture >= map_.underlays.size() : !known.contains(key);
+  });
   keys.removeDuplicates();
   if (keys == selection_) return;
   selection_ = std::move(keys);
@@ -216,6 +226,10 @@ void MapDocument::apply(const MapChange& change, const QString& text, bool merge
     key += kRouteKey;
     toggles.push_back(swapMember(&Map::route, *change.route));
   }
+  if (change.underlays && change.underlays != map_.underlays) {
+    key += u'u';
+    toggles.push_back(swapMember(&Map::underlays, *change.underlays));
+  }
   push(std::move(toggles), text, mergeable ? key : QString());
 }
 
@@ -234,8 +248,8 @@ void MapDocument::changeLandmark(const QString& id, Landmark landmark, const QSt
 bool MapDocument::rename(const QString& id, const QString& new_id) {
   const QString wanted = new_id.trimmed();
   const QStringList taken = allKeys(map_);
-  if (wanted.isEmpty() || wanted == kStartKey || wanted == kRouteKey || taken.contains(wanted) ||
-      !taken.contains(id))
+  if (wanted.isEmpty() || wanted == kStartKey || wanted == kRouteKey || pictureIndex(wanted) ||
+      taken.contains(wanted) || !taken.contains(id))
     return false;
   const auto renamed = [&]<typename Item>(std::vector<Item> Map::*list) {
     Placed<Item> items = chosen(map_.*list, {id});
@@ -260,6 +274,10 @@ void MapDocument::removeSelected() {
   if (keys.contains(kRouteKey)) toggles.push_back(swapMember(&Map::route, {}));
   const QString what = keys.size() == 1 ? handmap::displayName(map_, selection_.first())
                                         : tr("%1 Objects").arg(keys.size());
+  if (auto items = chosenPictures(map_.underlays, keys); !items.empty()) {
+    toggles.push_back(toggleItems(&Map::underlays, std::move(items), true));
+    setSelection({});  // the keys of pictures are their places: they would name others
+  }
   push(std::move(toggles), tr("Delete %1").arg(what));
 }
 
@@ -283,9 +301,25 @@ void MapDocument::setWholeUncertainty(WholeUncertainty whole, bool mergeable) {
   setMember(&Map::whole, whole, tr("Change Uncertainty"), mergeable);
 }
 
+QString MapDocument::addUnderlay(Underlay underlay,
+                                 const std::optional<Georeference>& georeference) {
+  const std::size_t place = map_.underlays.size();
+  const QString name = QFileInfo(QString::fromStdString(underlay.image)).fileName();
+  std::vector<Toggle> toggles{toggleItems(&Map::underlays, {{place, std::move(underlay)}}, false)};
+  if (georeference) toggles.push_back(swapMember(&Map::georeference, georeference));
+  push(std::move(toggles), tr("Add Picture %1").arg(name));
+  return pictureKey(place);
+}
+
 void MapDocument::setUnderlays(std::vector<Underlay> underlays, const QString& text,
                                bool mergeable) {
   setMember(&Map::underlays, std::move(underlays), text, mergeable);
+}
+
+void MapDocument::setLayers(const LayerStates& layers, const QString& text, bool mergeable) {
+  UnknownMembers members = map_.unknown;
+  handmap::setLayers(members, layers);
+  setMember(&Map::unknown, std::move(members), text, mergeable);
 }
 
 void MapDocument::setGeoreference(std::optional<Georeference> georeference, bool mergeable) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/map/map.h"
+#include "core/map/map_layers.h"
 #include "widgets/document/map_change.h"
 #include "widgets/document/toggle.h"
 
@@ -48,7 +49,7 @@ class MapDocument : public QObject {
   // --- Selection: keys of objects that exist, each once
   QStringList selection() const { return selection_; }
   void setSelection(QStringList keys);
-  void selectAll();
+  void selectAll();  ///< but the pictures
 
   // --- Edits. With `mergeable`, a run of edits with the same text and objects is one undo step
   //     until finishMerging().
@@ -69,7 +70,10 @@ class MapDocument : public QObject {
   void setName(const QString& name, bool mergeable = false);
   void setUncertainty(Uncertainty uncertainty, bool mergeable = false);
   void setWholeUncertainty(WholeUncertainty whole, bool mergeable = false);
+  /// On top of the others; with where the map lies, where the picture tells. Returns its key.
+  QString addUnderlay(Underlay underlay, const std::optional<Georeference>& georeference = {});
   void setUnderlays(std::vector<Underlay> underlays, const QString& text, bool mergeable = false);
+  void setLayers(const LayerStates& layers, const QString& text, bool mergeable = false);
   void setGeoreference(std::optional<Georeference> georeference, bool mergeable = false);
   /// Shapes, estimates and doubts of the buildings that `refined` shares with the drawing, without
   /// those of `kept`, and its "refinement" object: one undo step.

@@ -5,8 +5,11 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "core/map/map_flags.h"
 #include "core/map/map_limits.h"
 #include "widgets/canvas/tools/building_handles.h"
+#include "widgets/panels/sure_box.h"
+#include "widgets/panels/vertex_table.h"
 
 namespace handmap {
 
@@ -53,11 +56,20 @@ BuildingPage::BuildingPage(MapDocument& document) : PropertyPage(document, tr("B
   heading_ = addHeading([this](double heading) {
     editBox(tr("Change Heading"), [heading](Rectangle& box) { box.heading = toRadians(heading); });
   });
+  addVertices();
   fixed_ = new QCheckBox(tr("Fixed: a run must not move it"));
   addField("fixed", {}, fixed_);
   connect(fixed_, &QCheckBox::clicked, this, [this] {
     const bool fixed = fixed_->checkState() != Qt::Unchecked;
     edit(tr("Fix Building"), [fixed](Building& building) { building.fixed = fixed; });
+    this->document().finishMerging();
+  });
+  may_not_exist_ = new QCheckBox(tr("May not exist"));
+  addField("may_not_exist", {}, may_not_exist_);
+  connect(may_not_exist_, &QCheckBox::clicked, this, [this] {
+    const bool may = may_not_exist_->checkState() != Qt::Unchecked;
+    edit(tr("Doubt Building"),
+         [may](Building& building) { setFlag(building.unknown, kMayNotExistKey, may); });
     this->document().finishMerging();
   });
   addUncertainty();
@@ -77,6 +89,12 @@ void BuildingPage::addUncertainty() {
     });
     document().finishMerging();
   });
+  sure_ = new SureBox;
+  addField("sure", tr("Drawn"), sure_);
+  connect(sure_, &SureBox::chosen, this, [this](const Uncertainty& chosen) {
+    edit(tr("Change Uncertainty"), [&](Building& building) { building.uncertainty = chosen; });
+    document().finishMerging();
+  });
   const auto add = [this](const char* name, const QString& label, double Uncertainty::*member) {
     return addNumber(name, label, 0.0, kMaxSigma, tr(" m"), [this, member](double sigma) {
       edit(tr("Change Uncertainty"), [&](Building& building) {
@@ -88,6 +106,16 @@ void BuildingPage::addUncertainty() {
   };
   position_sigma_ = add("position_sigma", tr("Position σ"), &Uncertainty::position);
   size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
+}
+
+void BuildingPage::addVertices() {
+  vertices_ = new VertexTable;
+  addField("corners", tr("Corners"), vertices_);
+  connect(vertices_, &VertexTable::edited, this, [this](const Polygon& polygon) {
+    edit(tr("Change Corners"), [&](Building& building) { building.shape = polygon; });
+    document().finishMerging();
+  });
+  connect(vertices_, &VertexTable::refused, this, &PropertyPage::messageRaised);
 }
 
 Uncertainty BuildingPage::statedOf(const Building& building) const {
@@ -132,6 +160,10 @@ void BuildingPage::refresh() {
   depth_->showValue(box([](const Rectangle& b) { return b.depth; }));
   heading_->showValue(box(degrees));
   showFlag(*fixed_, common(shown, [](const Building& b) { return b.fixed; }));
+  showFlag(*may_not_exist_, common(shown, mayNotExist));
+  const auto* polygon = single ? std::get_if<Polygon>(&shown.front().shape) : nullptr;
+  showField(*vertices_, polygon != nullptr);
+  if (polygon != nullptr) vertices_->showPolygon(*polygon);
   refreshUncertainty(shown);
   refreshEstimate(shown);
 }
@@ -142,6 +174,7 @@ void BuildingPage::refreshUncertainty(const std::vector<Building>& shown) {
   const auto sigma = [&](double Uncertainty::*member) {
     return common(shown, [&](const Building& b) { return statedOf(b).*member; });
   };
+  sure_->showValue(common(shown, [&](const Building& b) { return statedOf(b); }));
   position_sigma_->showValue(sigma(&Uncertainty::position));
   size_sigma_->showValue(sigma(&Uncertainty::size));
   for (NumberField* field : {position_sigma_, size_sigma_}) field->setEnabled(own.value_or(true));

@@ -10,6 +10,9 @@ class QLabel;
 
 namespace handmap {
 
+class SureBox;
+class VertexTable;
+
 class BuildingPage : public PropertyPage {
   Q_OBJECT
  public:
@@ -18,6 +21,7 @@ class BuildingPage : public PropertyPage {
   void refresh() override;
 
  private:
+  void addVertices();
   void addUncertainty();
   std::vector<Building> buildings() const;
   /// Its own, or that of the map.
@@ -34,9 +38,12 @@ class BuildingPage : public PropertyPage {
   NumberField* depth_;
   NumberField* heading_;
   QCheckBox* fixed_;
+  QCheckBox* may_not_exist_;
   QCheckBox* own_uncertainty_;
+  SureBox* sure_;
   NumberField* position_sigma_;
   NumberField* size_sigma_;
+  VertexTable* vertices_;
   QLabel* estimate_;
 };
 

@@ -1,9 +1,10 @@
 #include "widgets/panels/objects_panel.h"
 
+#include <QHeaderView>
 #include <QLineEdit>
-#include <QListView>
 #include <QSet>
 #include <QSortFilterProxyModel>
+#include <QTreeView>
 #include <QVBoxLayout>
 
 #include "widgets/panels/object_list_model.h"
@@ -15,17 +16,29 @@ ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
       document_(document),
       model_(new ObjectListModel(document, this)),
       filter_(new QSortFilterProxyModel(this)),
-      list_(new QListView) {
+      list_(new QTreeView) {
   filter_->setSourceModel(model_);
   filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   list_->setModel(filter_);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  list_->setUniformItemSizes(true);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list_->setUniformRowHeights(true);
+  list_->setRootIsDecorated(false);
+  list_->setAccessibleName(tr("Objects of the drawing"));
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(ObjectListModel::NameColumn, QHeaderView::Stretch);
+  for (const int column : {ObjectListModel::ShownColumn, ObjectListModel::LockedColumn}) {
+    list_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+    list_->header()->resizeSection(
+        column, fontMetrics().horizontalAdvance(
+                    model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) +
+                    20);
+  }
   list_->setFrameShape(QFrame::NoFrame);
 
   auto* search = new QLineEdit;
   search->setPlaceholderText(tr("Find by id or name"));
+  search->setAccessibleName(tr("Find by id or name"));
   search->setClearButtonEnabled(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 0);
@@ -47,7 +60,7 @@ ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
   connect(&document_, &MapDocument::selectionChanged, this, &ObjectsPanel::showSelection);
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ObjectsPanel::selectFromList);
-  connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
+  connect(list_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
     Q_EMIT showRequested(index.data(ObjectListModel::KeyRole).toString());
   });
 }
@@ -55,7 +68,7 @@ ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
 void ObjectsPanel::selectFromList() {
   if (syncing_) return;
   QStringList keys;
-  for (const QModelIndex& index : list_->selectionModel()->selectedIndexes())
+  for (const QModelIndex& index : list_->selectionModel()->selectedRows())
     keys << index.data(ObjectListModel::KeyRole).toString();
   syncing_ = true;
   document_.setSelection(keys);
@@ -84,7 +97,8 @@ void ObjectsPanel::showSelection() {
     last = index;
   }
   close_range();
-  list_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  list_->selectionModel()->select(selection,
+                                  QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   if (keys.size() == 1 && last.isValid()) list_->scrollTo(last);
   syncing_ = false;
 }

@@ -1,11 +1,11 @@
-// The list of everything drawn. A click selects, a double click asks to be shown.
+// The list of everything drawn. A click selects, a double click asks to be shown, F2 renames.
 #pragma once
 
 #include <QWidget>
 
 #include "widgets/document/map_document.h"
 
-class QListView;
+class QTreeView;
 class QSortFilterProxyModel;
 
 namespace handmap {
@@ -27,7 +27,7 @@ class ObjectsPanel : public QWidget {
   MapDocument& document_;
   ObjectListModel* model_;
   QSortFilterProxyModel* filter_;
-  QListView* list_;
+  QTreeView* list_;
   bool syncing_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <QLocale>
 
 #include "core/map/map_limits.h"
+#include "widgets/panels/sure_box.h"
 
 namespace handmap {
 
@@ -79,6 +80,10 @@ void StartPage::refresh() {
 MapPage::MapPage(MapDocument& document) : PropertyPage(document, tr("Map")) {
   name_ = addText("name", tr("Name"),
                   [this](const QString& name) { this->document().setName(name, true); });
+  sure_ = new SureBox;
+  addField("sure", tr("Drawn"), sure_);
+  connect(sure_, &SureBox::chosen, this,
+          [this](const Uncertainty& chosen) { this->document().setUncertainty(chosen); });
   const auto add = [this](const char* name, const QString& label, double Uncertainty::*member) {
     return addNumber(name, label, 0.0, kMaxSigma, tr(" m"), [this, member](double sigma) {
       Uncertainty changed = this->document().map().uncertainty;
@@ -148,6 +153,7 @@ void MapPage::editGeoreference(double Georeference::*member, double value) {
 void MapPage::refresh() {
   const Map& map = document().map();
   showText(*name_, QString::fromStdString(map.name));
+  sure_->showValue(map.uncertainty);
   position_sigma_->showValue(map.uncertainty.position);
   size_sigma_->showValue(map.uncertainty.size);
   const bool known = map.whole != WholeUncertainty{};

@@ -8,6 +8,8 @@ class QLabel;
 
 namespace handmap {
 
+class SureBox;
+
 class LandmarkPage : public PropertyPage {
   Q_OBJECT
  public:
@@ -49,6 +51,7 @@ class MapPage : public PropertyPage {
   void editGeoreference(double Georeference::*member, double value);
 
   QLineEdit* name_;
+  SureBox* sure_;
   NumberField* position_sigma_;
   NumberField* size_sigma_;
   QCheckBox* whole_known_;

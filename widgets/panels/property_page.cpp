@@ -20,6 +20,7 @@ PropertyPage::PropertyPage(MapDocument& document, const QString& title)
 
 void PropertyPage::addField(const char* name, const QString& label, QWidget* field) {
   field->setObjectName(QLatin1String(name));
+  if (field->accessibleName().isEmpty()) field->setAccessibleName(label);
   if (label.isEmpty())
     form_->addRow(field);
   else
@@ -58,6 +59,11 @@ void PropertyPage::showId() {
 
 void PropertyPage::forgetTyping() {
   for (NumberField* field : findChildren<NumberField*>()) field->forgetTyping();
+}
+
+void PropertyPage::showField(QWidget& field, bool shown) {
+  field.setVisible(shown);
+  if (QWidget* label = form_->labelForField(&field)) label->setVisible(shown);
 }
 
 void PropertyPage::showText(QLineEdit& field, const QString& text) {

@@ -59,6 +59,8 @@ class PropertyPage : public QWidget {
   void showId();
   void addField(const char* name, const QString& label, QWidget* field);
 
+  /// With its label.
+  void showField(QWidget& field, bool shown);
   static void showText(QLineEdit& field, const QString& text);
 
  private:

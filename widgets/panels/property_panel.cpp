@@ -6,6 +6,7 @@
 
 #include "widgets/panels/building_page.h"
 #include "widgets/panels/other_pages.h"
+#include "widgets/panels/picture_page.h"
 
 namespace handmap {
 
@@ -20,7 +21,7 @@ PropertyPanel::PropertyPanel(MapDocument& document, QWidget* parent)
   scroll->setWidget(pages_);
   layout->addWidget(scroll);
 
-  const auto add = [this](PropertyPage* page) {
+  const auto add = [this](auto* page) {
     pages_->addWidget(page);
     connect(page, &PropertyPage::messageRaised, this, &PropertyPanel::messageRaised);
     return page;
@@ -28,6 +29,8 @@ PropertyPanel::PropertyPanel(MapDocument& document, QWidget* parent)
   building_ = add(new BuildingPage(document));
   landmark_ = add(new LandmarkPage(document));
   start_ = add(new StartPage(document));
+  picture_ = add(new PicturePage(document));
+  connect(picture_, &PicturePage::toolRequested, this, &PropertyPanel::pictureToolRequested);
   map_ = add(new MapPage(document));
   summary_ = add(new SummaryPage(document));
   connect(&document_, &MapDocument::mapChanged, this, &PropertyPanel::refresh);
@@ -38,10 +41,13 @@ PropertyPanel::PropertyPanel(MapDocument& document, QWidget* parent)
   refresh();
 }
 
+void PropertyPanel::setPictureTool(PictureTool& tool) { picture_->setTool(tool); }
+
 PropertyPage* PropertyPanel::pageOfSelection() const {
   const QStringList keys = document_.selection();
   if (keys.isEmpty()) return map_;
   if (keys == QStringList{kStartKey}) return start_;
+  if (keys.size() == 1 && pictureIndex(keys.first())) return picture_;
   const MapChange objects = selected(document_.map(), keys);
   if (objects.buildings.size() == static_cast<std::size_t>(keys.size())) return building_;
   if (keys.size() == 1 && objects.landmarks.size() == 1) return landmark_;

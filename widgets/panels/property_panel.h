@@ -10,6 +10,8 @@ class QStackedWidget;
 
 namespace handmap {
 
+class PicturePage;
+class PictureTool;
 class PropertyPage;
 
 class PropertyPanel : public QWidget {
@@ -17,8 +19,12 @@ class PropertyPanel : public QWidget {
  public:
   explicit PropertyPanel(MapDocument& document, QWidget* parent = nullptr);
 
+  /// What lays pictures under the drawing.
+  void setPictureTool(PictureTool& tool);
+
  Q_SIGNALS:
   void messageRaised(const QString& message);  ///< why a change was refused
+  void pictureToolRequested();
 
  private:
   PropertyPage* pageOfSelection() const;
@@ -29,6 +35,7 @@ class PropertyPanel : public QWidget {
   PropertyPage* building_;
   PropertyPage* landmark_;
   PropertyPage* start_;
+  PicturePage* picture_;
   PropertyPage* map_;
   PropertyPage* summary_;
 };

@@ -13,14 +13,19 @@ struct ColumnText {
 };
 
 constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
-    {"Id", "Of the building in the drawing"},
-    {"x", "Corrected centre, metres"},
-    {"\u03c3x", "Standard deviation of x, metres"},
-    {"w", "Corrected width along its heading, metres"},
-    {"\u03c3w", "Standard deviation of the width, metres"},
-    {"\u0394x", "Corrected minus drawn centre, metres"},
-    {"\u0394y", "Corrected minus drawn centre, metres"},
-    {"\u0394w", "Corrected minus drawn width, metres"},
+    {"Id", QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Of the building in the drawing")},
+    {"x", QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected centre, metres")},
+    {"\u03c3x", QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Standard deviation of x, metres")},
+    {"w",
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected width along its heading, metres")},
+    {"\u03c3w",
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Standard deviation of the width, metres")},
+    {"\u0394x",
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected minus drawn centre, metres")},
+    {"\u0394y",
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected minus drawn centre, metres")},
+    {"\u0394w",
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected minus drawn width, metres")},
 }};
 
 }  // namespace
@@ -86,7 +91,7 @@ QVariant BuildingsModel::headerData(int section, Qt::Orientation orientation, in
   if (orientation != Qt::Horizontal) return {};
   const ColumnText& text = kColumnTexts.at(static_cast<std::size_t>(section));
   if (role == Qt::DisplayRole) return QString::fromUtf8(text.title);
-  if (role == Qt::ToolTipRole) return QString::fromUtf8(text.hint);
+  if (role == Qt::ToolTipRole) return tr(text.hint);
   return {};
 }
 

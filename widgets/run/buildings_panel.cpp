@@ -9,6 +9,7 @@ namespace handmap {
 BuildingsPanel::BuildingsPanel(QWidget* parent)
     : QWidget(parent), model_(new BuildingsModel(this)) {
   auto* table = new QTableView;
+  table->setAccessibleName(tr("Buildings of the run"));
   table->setModel(model_);
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setAlternatingRowColors(true);

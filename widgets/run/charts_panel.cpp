@@ -28,11 +28,13 @@ struct Stage {
 };
 
 constexpr std::array<Stage, 5> kStageSpecs = {{
-    {"read", &StageTimes::read, Qt::Dense6Pattern},
-    {"stereo", &StageTimes::stereo, Qt::BDiagPattern},
-    {"classify", &StageTimes::classify, Qt::Dense4Pattern},
-    {"local map", &StageTimes::local_map, Qt::FDiagPattern},
-    {"slam", &StageTimes::slam, Qt::SolidPattern},
+    {QT_TRANSLATE_NOOP("handmap::ChartsPanel", "read"), &StageTimes::read, Qt::Dense6Pattern},
+    {QT_TRANSLATE_NOOP("handmap::ChartsPanel", "stereo"), &StageTimes::stereo, Qt::BDiagPattern},
+    {QT_TRANSLATE_NOOP("handmap::ChartsPanel", "classify"), &StageTimes::classify,
+     Qt::Dense4Pattern},
+    {QT_TRANSLATE_NOOP("handmap::ChartsPanel", "local map"), &StageTimes::local_map,
+     Qt::FDiagPattern},
+    {QT_TRANSLATE_NOOP("handmap::ChartsPanel", "slam"), &StageTimes::slam, Qt::SolidPattern},
 }};
 
 /// The smallest of 1, 2, 5 · 10ⁿ that is not below `value`.

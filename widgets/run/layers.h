@@ -1,6 +1,7 @@
 // What can be shown and hidden on the canvas.
 #pragma once
 
+#include <QtGlobal>
 #include <array>
 
 #include "widgets/style/colours.h"
@@ -31,22 +32,37 @@ struct LayerSpec {
 
 /// In the order of the panel.
 inline constexpr std::array<LayerSpec, static_cast<std::size_t>(Layer::Count)> kLayers = {{
-    {Layer::Drawing, "Drawing", "The map as it is drawn", Role::Drawing},
-    {Layer::Corrected, "Corrected map", "The best map of the run", Role::Corrected},
-    {Layer::Band, "1-\u03c3 bands", "Where the corrected walls may be, one standard deviation",
+    {Layer::Drawing, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Drawing"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The map as it is drawn"), Role::Drawing},
+    {Layer::Corrected, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Corrected map"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The best map of the run"), Role::Corrected},
+    {Layer::Band, QT_TRANSLATE_NOOP("handmap::LayersPanel", "1-\u03c3 bands"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel",
+                       "Where the corrected walls may be, one standard deviation"),
      Role::CorrectedBand},
-    {Layer::Particles, "Particles", "Where the robot may be; the surer, the stronger",
+    {Layer::Particles, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Particles"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "Where the robot may be; the surer, the stronger"),
      Role::Particle},
-    {Layer::Swarms, "Swarms", "What the buildings in sight may be: one outline a sample",
+    {Layer::Swarms, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Swarms"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel",
+                       "What the buildings in sight may be: one outline a sample"),
      Role::Swarm},
-    {Layer::Trajectory, "Trajectory", "The way of the best particle", Role::Trajectory},
-    {Layer::Odometry, "Odometry alone", "The way that the odometry alone would give",
+    {Layer::Trajectory, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Trajectory"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The way of the best particle"), Role::Trajectory},
+    {Layer::Odometry, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Odometry alone"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The way that the odometry alone would give"),
      Role::Odometry},
-    {Layer::LocalMap, "Local map", "The walls that the robot sees around itself", Role::LocalMap},
-    {Layer::Truth, "Truth", "Where the recording knows the true way; never used by the run",
+    {Layer::LocalMap, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Local map"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The walls that the robot sees around itself"),
+     Role::LocalMap},
+    {Layer::Truth, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Truth"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel",
+                       "Where the recording knows the true way; never used by the run"),
      Role::Truth},
-    {Layer::Underlays, "Pictures", "Pictures below the drawing", Role::Axis},
-    {Layer::Grid, "Grid", "The metric grid", Role::GridLineMajor},
+    {Layer::Underlays, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures below the drawing"), Role::Axis},
+    {Layer::Grid, QT_TRANSLATE_NOOP("handmap::LayersPanel", "Grid"),
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The metric grid"), Role::GridLineMajor},
 }};
 
 }  // namespace handmap

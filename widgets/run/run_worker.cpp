@@ -23,10 +23,12 @@ class RunWorker::Thread {
  public:
   enum class Command { Run, Pause, Step };
 
-  Thread(RunJob job, RunWorker& worker) : job_(std::move(job)), worker_(worker) {}
+  Thread(RunJob job, RunWorker& worker)
+      : job_(std::move(job)), worker_(worker), until_(job_.until) {}
 
   void letGo() { worker_.cut(); }
-  void give(Command command);
+  void give(Command command, int until = 0);
+  const std::shared_ptr<RunHistory>& history() const { return history_; }
   std::shared_ptr<const RunResult> result() const;
   void work(const std::stop_token& stop);
 
@@ -45,15 +47,18 @@ class RunWorker::Thread {
   std::condition_variable_any given_;
   Command command_ = Command::Run;           // under mutex_
   bool stands_still_ = false;                // under mutex_: paused() was the last that was said
+  int until_;                                // under mutex_: pauses there; 0: nowhere
   std::shared_ptr<const RunResult> result_;  // under mutex_
+  std::shared_ptr<RunHistory> history_ = std::make_shared<RunHistory>();
   std::atomic<std::chrono::steady_clock::time_point> progress_told_{};
   std::size_t skipped_reported_ = 0;
 };
 
-void RunWorker::Thread::give(Command command) {
+void RunWorker::Thread::give(Command command, int until) {
   {
     const std::scoped_lock lock(mutex_);
     command_ = command;
+    until_ = until;
   }
   given_.notify_all();
 }
@@ -90,10 +95,15 @@ void RunWorker::Thread::tellProgress(double share) {
 
 void RunWorker::Thread::stepDone(std::shared_ptr<const Snapshot> snapshot) {
   auto result = std::make_shared<const RunResult>(snapshot);
+  history_->add(*snapshot);
   {
     const std::scoped_lock lock(mutex_);
     result_ = std::move(result);
-    if (command_ == Command::Step) command_ = Command::Pause;
+    const bool arrived = until_ > 0 && snapshot->index >= until_;
+    if (arrived) until_ = 0;
+    if (command_ == Command::Step || (arrived && command_ == Command::Run)) {
+      command_ = Command::Pause;
+    }
   }
   worker_.with([&](RunWorker& worker) { worker.mailbox_.post(std::move(snapshot)); });
 }
@@ -115,9 +125,9 @@ void RunWorker::Thread::reportSkipped(const RunSession& session) {
 
 /// True: the source is at its end.
 bool RunWorker::Thread::run(const std::stop_token& stop) {
-  auto source = job_.open(stop, [this](double share) { tellProgress(share); });
-  if (!source) return false;
-  RunSession session(job_.drawing, std::move(source), job_.settings);
+  auto tape = job_.feed->open([this](double share) { tellProgress(share); });
+  if (!tape || stop.stop_requested()) return false;
+  RunSession session(job_.drawing, std::move(tape), job_.settings);
   worker_.post([info = std::make_shared<const SourceInfo>(session.source())](RunWorker& worker) {
     Q_EMIT worker.started(info);
   });
@@ -159,7 +169,13 @@ void RunWorker::Thread::work(const std::stop_token& stop) {
 }
 
 RunWorker::RunWorker(RunJob job, QObject* parent)
-    : QObject(parent), mailbox_(this), thread_(std::make_shared<Thread>(std::move(job), *this)) {
+    : QObject(parent), mailbox_(this), owns_feed_(!job.feed) {
+  if (owns_feed_) {
+    job.feed = std::make_shared<RunFeed>(std::move(job.open), job.settings.perception);
+  }
+  feed_ = job.feed;
+  thread_ = std::make_shared<Thread>(std::move(job), *this);
+  history_ = thread_->history();
   // Who hears that a run stands still or has ended has seen its last snapshot.
   connect(this, &RunWorker::paused, &mailbox_, &RunMailbox::flush);
   connect(this, &RunWorker::finished, &mailbox_, &RunMailbox::flush);
@@ -168,7 +184,7 @@ RunWorker::RunWorker(RunJob job, QObject* parent)
 
 RunWorker::~RunWorker() {
   thread_->letGo();
-  stop_.request_stop();
+  cancel();
 }
 
 void RunWorker::start() {
@@ -180,6 +196,11 @@ std::shared_ptr<const RunResult> RunWorker::result() const { return thread_->res
 void RunWorker::pause() { thread_->give(Thread::Command::Pause); }
 void RunWorker::resume() { thread_->give(Thread::Command::Run); }
 void RunWorker::step() { thread_->give(Thread::Command::Step); }
-void RunWorker::cancel() { stop_.request_stop(); }
+void RunWorker::runUntil(int index) { thread_->give(Thread::Command::Run, index); }
+
+void RunWorker::cancel() {
+  stop_.request_stop();
+  if (owns_feed_) feed_->end();
+}
 
 }  // namespace handmap

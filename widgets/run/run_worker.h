@@ -10,7 +10,9 @@
 #include <stop_token>
 
 #include "core/base/error.h"
+#include "core/session/run_history.h"
 #include "core/session/run_session.h"
+#include "widgets/run/run_feed.h"
 #include "widgets/run/run_mailbox.h"
 
 namespace handmap {
@@ -19,12 +21,9 @@ namespace handmap {
 struct RunJob {
   Map drawing;
   RunSettings settings;
-  /// Called in the worker's thread: opening may take its time, and tells the share done. The source
-  /// must not wait for anything once the stop is requested; nullptr when it was requested before
-  /// the source was open. Throws handmap::Error.
-  std::function<std::unique_ptr<ObservationSource>(std::stop_token,
-                                                   const std::function<void(double)>&)>
-      open;
+  RunFeed::Open open;                  ///< of a feed of its own, or
+  std::shared_ptr<RunFeed> feed = {};  ///< that of another run, to be gone over from its beginning
+  int until = 0;  ///< observations to work in before it pauses for the first time; 0: it does not
 };
 
 struct RunFailure {
@@ -57,6 +56,10 @@ class RunWorker : public QObject {
   RunMailbox& mailbox() { return mailbox_; }
   /// nullptr before the first step is done.
   std::shared_ptr<const RunResult> result() const;
+  const std::shared_ptr<RunHistory>& history() const { return history_; }
+  const std::shared_ptr<RunFeed>& feed() const { return feed_; }
+  /// Whether the feed ends with this run. So it is, unless the feed came from another one.
+  void setOwnsFeed(bool owns) { owns_feed_ = owns; }
 
  public Q_SLOTS:
   /// Each takes effect inside a step too: a paused step stands still until it is resumed.
@@ -64,6 +67,8 @@ class RunWorker : public QObject {
   void resume();
   /// Works on until the end of the next step, then pauses.
   void step();
+  /// The same, until so many observations are worked in.
+  void runUntil(int index);
   void cancel();
 
  Q_SIGNALS:
@@ -83,6 +88,9 @@ class RunWorker : public QObject {
 
   RunMailbox mailbox_;
   std::stop_source stop_;
+  std::shared_ptr<RunFeed> feed_;
+  bool owns_feed_;
+  std::shared_ptr<RunHistory> history_;
   std::shared_ptr<Thread> thread_;  ///< shared with the thread, which may outlive this object
 };
 

@@ -3,24 +3,25 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QToolBar>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "core/session/snapshot.h"
+#include "widgets/run/timeline.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr int kTicksAStep = 100;  // of the progress bar, so that it moves inside a slow step
-
 struct Speed {
   double factor;
   const char* text;
 };
-constexpr Speed kSpeeds[] = {
-    {1.0, "1\u00d7"}, {2.0, "2\u00d7"}, {5.0, "5\u00d7"}, {10.0, "10\u00d7"}, {0.0, "max"}};
+constexpr Speed kSpeeds[] = {{0.1, "0.1\u00d7"}, {0.25, "0.25\u00d7"}, {0.5, "0.5\u00d7"},
+                             {1.0, "1\u00d7"},   {2.0, "2\u00d7"},     {5.0, "5\u00d7"},
+                             {10.0, "10\u00d7"}, {20.0, "20\u00d7"},   {0.0, "max"}};
+constexpr int kUsual = 3;  // of kSpeeds
 
 }  // namespace
 
@@ -29,25 +30,28 @@ TransportBar::TransportBar(QWidget* parent)
       source_(new QLabel),
       tool_bar_(new QToolBar),
       speed_(new QComboBox),
-      progress_(new QProgressBar),
+      timeline_(new Timeline),
       frame_(new QLabel) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 2, 8, 2);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(8, 2, 8, 2);
+  rows->setSpacing(0);
+  rows->addWidget(timeline_);
+  auto* layout = new QHBoxLayout;
+  rows->addLayout(layout);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   tool_bar_->setIconSize({20, 20});
   tool_bar_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
   for (const Speed& speed : kSpeeds) speed_->addItem(QString::fromUtf8(speed.text), speed.factor);
+  speed_->setCurrentIndex(kUsual);
+  speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("Speed: times the clock of the recording"));
   source_->setMinimumWidth(fontMetrics().horizontalAdvance("No robot"));
-  progress_->setTextVisible(false);
-  progress_->setMaximumHeight(10);
-  progress_->setMinimumWidth(40);
   frame_->setMinimumWidth(fontMetrics().horizontalAdvance("000 / 000 \u00b7 000.0 s"));
   layout->addWidget(tool_bar_);
   layout->addWidget(speed_);
   layout->addSpacing(8);
   layout->addWidget(source_);
-  layout->addWidget(progress_, 1);
+  layout->addStretch(1);
   layout->addWidget(frame_);
   connect(speed_, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT speedChanged(speed()); });
   setSource({});
@@ -74,30 +78,26 @@ void TransportBar::setSource(const QString& name) {
   source_->setToolTip(tr("Where the observations come from") + QLatin1Char('\n') + name);
 }
 
-void TransportBar::setProgress(int index, int count, const FrameReport& report) {
-  index_ = index;
-  progress_->setRange(0, count * kTicksAStep);  // to 0: it shows that something goes on
-  progress_->setValue(index * kTicksAStep);
+void TransportBar::setExtent(int done, int count) { timeline_->setExtent(done, count); }
+
+void TransportBar::setShown(int index, int count, const FrameReport& report) {
+  timeline_->setIndex(index);
   const QString how_far = count > 0 ? tr("%1 / %2").arg(index).arg(count) : tr("%1").arg(index);
   frame_->setText(tr("%1 \u00b7 %2 s").arg(how_far).arg(report.time_s, 0, 'f', 1));
-}
-
-void TransportBar::setFinished() {
-  if (progress_->maximum() > 0) return;
-  progress_->setRange(0, 1);
-  progress_->setValue(1);
 }
 
 void TransportBar::setSpeedEnabled(bool enabled) { speed_->setEnabled(enabled); }
 
 void TransportBar::setShareOfStep(double share) {
-  progress_->setValue(index_ * kTicksAStep + static_cast<int>(share * kTicksAStep));
+  timeline_->setShareOfStep(share);
+  if (timeline_->done() > 0) return;
+  opening_.update(share, steadySeconds());
+  frame_->setText(tr("%1 %%2").arg(static_cast<int>(100.0 * share)).arg(opening_.inWords()));
 }
 
 void TransportBar::clearProgress() {
-  index_ = 0;
-  progress_->setRange(0, kTicksAStep);
-  progress_->setValue(0);
+  timeline_->clear();
+  opening_.begin();
   frame_->setText(QStringLiteral("\u2013"));
 }
 

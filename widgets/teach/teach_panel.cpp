@@ -52,6 +52,7 @@ TeachPanel::TeachPanel(QWidget* parent)
       figures_(new QLabel) {
   auto* layout = new QGridLayout(this);
   makeFileButtons(*layout);
+  images_->setAccessibleName(tr("Your own images"));
   images_->setMaximumWidth(200);
   layout->addWidget(images_, 1, 0, 3, 1);
   layout->addWidget(makeBrushes(), 0, 1);
@@ -229,8 +230,11 @@ void TeachPanel::train() {
     if (painted) job.images.push_back({path.toStdString(), labels});
   }
   worker_ = std::make_unique<TeachWorker>(std::move(job));
-  connect(worker_.get(), &TeachWorker::progressed, this,
-          [this](double share) { progress_->setValue(static_cast<int>(share * kProgressSteps)); });
+  connect(worker_.get(), &TeachWorker::progressed, this, [this](double share) {
+    left_.update(share, steadySeconds());
+    progress_->setValue(static_cast<int>(share * kProgressSteps));
+    progress_->setFormat(QStringLiteral("%p %") + left_.inWords());
+  });
   connect(worker_.get(), &TeachWorker::finished, this,
           [this, strokes = strokes_](const std::shared_ptr<const BuildingClassifier>& classifier) {
             trainingEnded();

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "widgets/background/time_left.h"
 #include "widgets/teach/teach_view.h"
 #include "widgets/teach/teach_worker.h"
 #include "widgets/teach/teaching.h"
@@ -83,6 +84,7 @@ class TeachPanel : public QWidget {
   QPushButton* save_;
   QPushButton* save_with_map_;
   QProgressBar* progress_;
+  TimeLeft left_;  ///< of training
   QLabel* figures_;
   QHash<QString, std::vector<WindowLabel>> labels_;  ///< by path, of the images that were shown
   QString shown_;                                    ///< path of the image in the view

@@ -38,6 +38,28 @@ TEST(SharedList, VersionsShareWhatHasNotChanged) {
   EXPECT_TRUE(SharedList<int>().empty());
 }
 
+TEST(SharedList, OfManyPagesIsTheSameList) {
+  std::vector<int> numbers;
+  SharedListWriter<int> writer;
+  std::vector<SharedList<int>> versions;
+  std::vector<std::vector<int>> expected;
+  for (int i = 0; i < 10'000; ++i) {
+    numbers.push_back(i);
+    writer.push_back(i);
+    const std::size_t other = static_cast<std::size_t>(i) * 7919U % numbers.size();
+    numbers[other] = -i;
+    writer.set(other, -i);
+    if (i % 997 != 0) continue;
+    versions.push_back(writer.share());
+    expected.push_back(numbers);
+  }
+  for (std::size_t v = 0; v < versions.size(); ++v) {
+    EXPECT_EQ(versions[v].all(), expected[v]);
+    EXPECT_EQ(versions[v].back(), expected[v].back());
+  }
+  EXPECT_EQ(writer.share()[4097], numbers[4097]);
+}
+
 TEST(Lazy, IsMadeOnceForAllCopies) {
   int made = 0;
   const Lazy<int> lazy([&made] { return ++made; });

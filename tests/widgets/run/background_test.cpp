@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "widgets/background/time_left.h"
+
 namespace handmap {
 namespace {
 
@@ -56,6 +58,23 @@ TEST(Background, NothingIsHeardOfWhoIsLetGo) {
   EXPECT_EQ(posted, 2);
   QTest::qWait(10);
   EXPECT_FALSE(heard);
+}
+
+TEST(TimeLeft, IsToldOnceEnoughIsDone) {
+  TimeLeft left;
+  left.update(0.0, 100.0);
+  EXPECT_FALSE(left.seconds());
+  left.update(0.2, 100.5);
+  EXPECT_FALSE(left.seconds());
+  left.update(0.25, 105.0);
+  ASSERT_TRUE(left.seconds());
+  EXPECT_NEAR(*left.seconds(), 15.0, 1e-9);
+  EXPECT_TRUE(left.inWords().contains("15")) << left.inWords().toStdString();
+  left.update(0.5, 700.0);
+  EXPECT_TRUE(left.inWords().contains("minute")) << left.inWords().toStdString();
+  left.update(0.1, 701.0);  // other work
+  EXPECT_FALSE(left.seconds());
+  EXPECT_TRUE(left.inWords().isEmpty());
 }
 
 }  // namespace

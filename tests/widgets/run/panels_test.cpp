@@ -1,5 +1,4 @@
 #include <QCheckBox>
-#include <QProgressBar>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -11,6 +10,7 @@
 #include "widgets/run/charts_panel.h"
 #include "widgets/run/layers_panel.h"
 #include "widgets/run/run_setup_panel.h"
+#include "widgets/run/timeline.h"
 #include "widgets/run/transport_bar.h"
 
 namespace handmap {
@@ -153,19 +153,22 @@ TEST(TransportBar, TakesTheNearestSpeed) {
   EXPECT_EQ(bar.speed(), 5.0);
 }
 
-TEST(TransportBar, MovesOnInsideAStep) {
+TEST(TransportBar, ShowsHowFarItIsAndWhereIsLooked) {
   TransportBar bar;
-  const auto* progress = bar.findChild<QProgressBar*>();
-  bar.setProgress(3, 10, {});
-  const int whole = progress->value();
-  bar.setShareOfStep(0.5);
-  const int half = progress->value();
-  EXPECT_GT(half, whole);
-  bar.setProgress(4, 10, {});
-  EXPECT_GT(progress->value(), half);
-  EXPECT_LT(progress->value(), progress->maximum());
-  bar.setProgress(10, 10, {});
-  EXPECT_EQ(progress->value(), progress->maximum());
+  EXPECT_FALSE(bar.timeline().isEnabled());
+  bar.setExtent(4, 10);
+  FrameReport report;
+  report.time_s = 12.34;
+  bar.setShown(3, 10, report);
+  EXPECT_TRUE(bar.timeline().isEnabled());
+  EXPECT_EQ(bar.timeline().value(), 3);
+  EXPECT_EQ(bar.timeline().maximum(), 10);
+  bar.setExtent(5, 0);  // without an end
+  EXPECT_EQ(bar.timeline().maximum(), 5);
+  bar.resize(600, 60);
+  const QImage before = bar.grab().toImage();
+  bar.setExtent(2, 10);
+  EXPECT_NE(bar.grab().toImage(), before);
 }
 
 TEST(CameraPanel, TakesGreyAndColourAndRefusesTheRest) {

@@ -251,5 +251,55 @@ TEST(RunWorker, GoesOnAfterAFrameThatCannotBeRead) {
   EXPECT_EQ(heard.reports(), 2);
 }
 
+TEST(RunWorker, RunsUntilAndPauses) {
+  RunJob job = jobOf(5, 10);
+  job.until = 2;
+  Heard heard(std::move(job));
+  heard.worker().start();
+  ASSERT_TRUE(heard.wait("paused"));
+  EXPECT_EQ(heard.worker().result()->last->index, 2);
+  heard.worker().runUntil(4);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return heard.worker().result()->last->index == 4 && heard.events().back() == "paused";
+      },
+      kPatienceMs));
+  heard.worker().resume();
+  ASSERT_TRUE(heard.wait("finished"));
+  const auto& history = heard.worker().history();
+  EXPECT_EQ(history->first(), 1);
+  EXPECT_EQ(history->newest(), 5);
+  EXPECT_EQ(formatMap(*history->at(5)->map), formatMap(heard.worker().result()->map()));
+}
+
+TEST(RunWorker, AnotherRunGoesOverWhatWasPerceivedAndThenOn) {
+  const RunJob whole = jobOf(5, 10);
+  Heard alone(whole);
+  alone.worker().start();
+  ASSERT_TRUE(alone.wait("finished"));
+
+  RunJob first = whole;
+  first.until = 3;
+  auto before = std::make_unique<Heard>(std::move(first));
+  before->worker().start();
+  ASSERT_TRUE(before->wait("paused"));
+  RunJob second;
+  second.drawing = whole.drawing;
+  second.settings = whole.settings;
+  second.feed = before->worker().feed();
+  second.until = 3;
+  Heard after(std::move(second));
+  after.worker().start();
+  ASSERT_TRUE(after.wait("paused"));
+  EXPECT_EQ(after.worker().feed()->tape()->end(), 3U);
+  // The one goes, the other takes the feed over.
+  before->worker().setOwnsFeed(false);
+  before.reset();
+  after.worker().setOwnsFeed(true);
+  after.worker().resume();
+  ASSERT_TRUE(after.wait("finished"));
+  EXPECT_EQ(formatMap(after.worker().result()->map()), formatMap(alone.worker().result()->map()));
+}
+
 }  // namespace
 }  // namespace handmap

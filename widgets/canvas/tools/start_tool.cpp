@@ -43,7 +43,11 @@ void StartTool::release(const ToolEvent& event) {
   move(event);
   const std::optional<Pose2> start = preview_.start;
   cancel();
-  document().setStart(start);
+  done(*start);
+}
+
+void StartTool::done(const Pose2& pose) {
+  document().setStart(pose);
   document().setSelection({kStartKey});
 }
 

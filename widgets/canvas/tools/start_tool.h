@@ -19,6 +19,11 @@ class StartTool : public Tool {
   const MapChange* preview() const override { return preview_.start ? &preview_ : nullptr; }
   void paint(ToolPaint& canvas) const override;
 
+ protected:
+  virtual void done(const Pose2& pose);
+  /// What is being placed.
+  const std::optional<Pose2>& placed() const { return preview_.start; }
+
  private:
   MapChange preview_;
 };

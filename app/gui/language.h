@@ -1,0 +1,36 @@
+// English or Japanese: as the system has it, or as somebody has chosen.
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+class QCoreApplication;
+class QSettings;
+
+namespace handmap {
+
+class ActionSet;
+class MessageBar;
+
+/// Installs the translators. Before the first window: what is on the screen keeps its language.
+void installLanguage(QCoreApplication& app, const QSettings& settings);
+
+/// The choice in the menu; takes effect at the next start.
+class Language : public QObject {
+  Q_OBJECT
+ public:
+  struct Parts {
+    const ActionSet& actions;
+    MessageBar& messages;
+    QSettings& settings;
+    std::function<void()> open_window;
+  };
+  Language(Parts parts, QObject* parent);
+
+ private:
+  void choose(const QString& name);
+
+  Parts parts_;
+};
+
+}  // namespace handmap

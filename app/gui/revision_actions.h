@@ -1,0 +1,66 @@
+// Changing the past of a run: another drawing, a pose that is given, a building that is right or
+// not there. The run is done again from what was perceived; the person takes what comes of it, or
+// keeps what is.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "core/recording/trajectory.h"
+#include "core/session/snapshot.h"
+#include "widgets/background/time_left.h"
+#include "widgets/run/run_worker.h"
+
+class QGraphicsScene;
+
+namespace handmap {
+
+class ActionSet;
+class MapCanvas;
+class MapDocument;
+class MessageBar;
+class PathItem;
+class PlaybackActions;
+class RunController;
+
+/// How the results of two runs over the same observations differ, in plain words.
+QString differenceInWords(const Snapshot& before, const Snapshot& after);
+
+class RevisionActions : public QObject {
+  Q_OBJECT
+  Q_DISABLE_COPY(RevisionActions)
+ public:
+  /// All of it must outlive this object.
+  struct Parts {
+    MapDocument& document;
+    RunController& run;
+    ActionSet& actions;
+    MessageBar& messages;
+    MapCanvas& canvas;
+    PlaybackActions& past;
+  };
+  explicit RevisionActions(const Parts& parts);
+  ~RevisionActions() override;
+
+  void updateActions();
+
+ private:
+  enum class Then { Ask, Take };
+
+  /// With the drawing as it is now.
+  void revise(std::vector<StampedPose> given, Then then, const QString& text);
+  void give(const Pose2& pose);
+  void setRight();
+  void removeNotThere();
+  void onReady();
+  void forget();
+
+  Parts parts_;
+  std::unique_ptr<PathItem> outcome_;  ///< of a revision that is not taken yet
+  Then then_ = Then::Ask;
+  QString text_;
+  TimeLeft left_;
+};
+
+}  // namespace handmap

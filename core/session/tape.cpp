@@ -1,0 +1,114 @@
+#include "core/session/tape.h"
+
+#include "core/base/error.h"
+
+namespace handmap {
+
+namespace {
+
+std::size_t bytesOf(const Tape::Entry& entry) {
+  if (!entry.perceived) return sizeof(Tape::Entry);
+  const Percept& percept = entry.perceived->percept;
+  // Wall points of the local map are shared between the entries: each has its own once.
+  return sizeof(Perceived) + percept.points.size() * (sizeof(RangePoint) + sizeof(WallPoint)) +
+         percept.scan.rays.size() * (sizeof(Ray) + sizeof(WallPoint));
+}
+
+}  // namespace
+
+Tape::Tape(std::unique_ptr<ObservationSource> source, const PerceptionOptions& options,
+           std::size_t most_bytes, std::optional<std::stop_token> until)
+    : source_(std::move(source)),
+      perception_(source_->info(), options),
+      until_(std::move(until)),
+      most_bytes_(most_bytes) {}
+
+std::optional<Tape::Taken> Tape::take(std::size_t n, const std::stop_token& stop) {
+  const auto kept = [&]() -> std::optional<Taken> {
+    const std::scoped_lock lock(mutex_);
+    if (n >= first_ + entries_.size()) return std::nullopt;
+    if (n < first_) {
+      throw Error(ErrorCode::RunFailed, "the beginning of the run is no longer in memory",
+                  "run its recording with the changed drawing");
+    }
+    return Taken{entries_[n - first_], {}, false};
+  };
+  if (auto taken = kept()) return taken;
+  const std::scoped_lock lock(source_mutex_);
+  if (auto taken = kept()) return taken;  // somebody else has read it meanwhile
+  if (stop.stop_requested()) return std::nullopt;
+  auto taken = perceive(until_.value_or(stop));
+  if (taken) keep(taken->entry);
+  return taken;
+}
+
+std::optional<Tape::Taken> Tape::perceive(const std::stop_token& stop) {
+  Taken taken;
+  taken.from_now = true;
+  const auto skip = [&](int frame, const char* reason) {
+    taken.entry.skipped = SkippedFrame{frame, reason};
+    return taken;
+  };
+  std::optional<Observation> observation;
+  try {
+    observation = source_->next();
+  } catch (const FrameError& error) {
+    return skip(error.frame(), error.what());
+  }
+  if (!observation || stop.stop_requested()) return std::nullopt;
+  try {
+    std::optional<Percept> percept = perception_(*observation, stop);
+    if (!percept) return std::nullopt;
+    taken.pictures = {percept->image, percept->disparity, percept->buildings};
+    percept->image = cv::Mat();
+    percept->disparity = cv::Mat1f();
+    percept->buildings = cv::Mat1f();
+    observation->views.clear();
+    taken.entry.perceived =
+        std::make_shared<const Perceived>(Perceived{std::move(*observation), std::move(*percept)});
+  } catch (const Error& error) {
+    return skip(observation->frame, error.what());
+  }
+  return taken;
+}
+
+void Tape::keep(Entry entry) {
+  const std::scoped_lock lock(mutex_);
+  if (entry.perceived) {
+    const Observation& observation = entry.perceived->observation;
+    odometry_.push_back({observation.time_s, observation.odometry});
+  }
+  bytes_ += bytesOf(entry);
+  entries_.push_back(std::move(entry));
+  while (bytes_ > most_bytes_ && !entries_.empty()) {
+    bytes_ -= bytesOf(entries_.front());
+    entries_.pop_front();
+    ++first_;
+  }
+}
+
+std::size_t Tape::end() const {
+  const std::scoped_lock lock(mutex_);
+  return first_ + entries_.size();
+}
+
+std::size_t Tape::begin() const {
+  const std::scoped_lock lock(mutex_);
+  return first_;
+}
+
+std::vector<std::shared_ptr<const Perceived>> Tape::all() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<std::shared_ptr<const Perceived>> perceived;
+  for (const Entry& entry : entries_) {
+    if (entry.perceived) perceived.push_back(entry.perceived);
+  }
+  return perceived;
+}
+
+std::vector<StampedPose> Tape::odometry() const {
+  const std::scoped_lock lock(mutex_);
+  return odometry_;
+}
+
+}  // namespace handmap

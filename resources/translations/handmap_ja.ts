@@ -1,0 +1,3372 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>Not now: %1</source>
+        <translation>今は使えません: %1</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>新規(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Start an empty drawing.</source>
+        <translation>空の図面を始めます。</translation>
+    </message>
+    <message>
+        <source>New &amp;Window</source>
+        <translation>新しいウィンドウ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Open another window, with a drawing of its own.</source>
+        <translation>別の図面のための新しいウィンドウを開きます。</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a drawing.</source>
+        <translation>図面を開きます。</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save the drawing.</source>
+        <translation>図面を保存します。</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>名前を付けて保存(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the drawing under another name.</source>
+        <translation>図面を別の名前で保存します。</translation>
+    </message>
+    <message>
+        <source>Keep the drawing, to begin others with it.</source>
+        <translation>別の図面の出発点として、この図面を残します。</translation>
+    </message>
+    <message>
+        <source>Export &amp;Refined Map…</source>
+        <translation>補正した地図を書き出す(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Save the map that the run has corrected.</source>
+        <translation>実行が補正した地図を保存します。</translation>
+    </message>
+    <message>
+        <source>Export &amp;GeoJSON…</source>
+        <translation>GeoJSON を書き出す(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Save the map for geographic programs; it must be georeferenced.</source>
+        <translation>地理情報ソフト用に地図を保存します。地理座標が必要です。</translation>
+    </message>
+    <message>
+        <source>Export &amp;Picture…</source>
+        <translation>画像を書き出す(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Save what the canvas shows as PNG.</source>
+        <translation>キャンバスの表示を PNG で保存します。</translation>
+    </message>
+    <message>
+        <source>Export &amp;Trajectory…</source>
+        <translation>軌跡を書き出す(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Save the way of the robot in TUM form.</source>
+        <translation>ロボットの軌跡を TUM 形式で保存します。</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Leave the program.</source>
+        <translation>プログラムを終了します。</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>元に戻す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take back the last change.</source>
+        <translation>最後の変更を取り消します。</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>やり直す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back.</source>
+        <translation>取り消した変更をやり直します。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>削除(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Remove what is selected.</source>
+        <translation>選択したものを削除します。</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>すべて選択(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Select everything drawn.</source>
+        <translation>描いたものをすべて選択します。</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>設定(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>How a run localizes and corrects.</source>
+        <translation>実行が位置を推定し補正する方法。</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;In</source>
+        <translation>拡大(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show it larger.</source>
+        <translation>大きく表示します。</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;Out</source>
+        <translation>縮小(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show more of the map.</source>
+        <translation>地図を広く表示します。</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;Fit</source>
+        <translation>全体を表示(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Show the whole map.</source>
+        <translation>地図全体を表示します。</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>格子(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Show the metric grid.</source>
+        <translation>メートル格子を表示します。</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to Half Metres</source>
+        <translation>半メートルに吸着(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keep points on a grid of half a metre while drawing.</source>
+        <translation>描くときに点を半メートルの格子に合わせます。</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation>不確かさ(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show by soft edges how wrong the drawing may be.</source>
+        <translation>図面がどれだけ違っている可能性があるかを、ぼかした縁で示します。</translation>
+    </message>
+    <message>
+        <source>As the &amp;System Has It</source>
+        <translation>システムに合わせる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is.</source>
+        <translation>デスクトップに合わせて明暗を切り替えます。</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>ライト(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark ink on a light ground.</source>
+        <translation>明るい地に暗い線。</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>ダーク(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light ink on a dark ground.</source>
+        <translation>暗い地に明るい線。</translation>
+    </message>
+    <message>
+        <source>Language of the S&amp;ystem</source>
+        <translation>システムの言語(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Speak as the desktop does, from the next start on.</source>
+        <translation>次の起動から、デスクトップの言語を使います。</translation>
+    </message>
+    <message>
+        <source>&amp;English</source>
+        <translation>English(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Speak English, from the next start on.</source>
+        <translation>次の起動から英語を使います。</translation>
+    </message>
+    <message>
+        <source>日本語 (&amp;Japanese)</source>
+        <translation>日本語(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Speak Japanese, from the next start on.</source>
+        <translation>次の起動から日本語を使います。</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>選択(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Select, move, resize and turn.</source>
+        <translation>選択、移動、大きさの変更、回転。</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>長方形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Draw a rectangular building.</source>
+        <translation>長方形の建物を描きます。</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>多角形(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Draw a building of any shape.</source>
+        <translation>自由な形の建物を描きます。</translation>
+    </message>
+    <message>
+        <source>S&amp;tart</source>
+        <translation>出発点(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Say where the robot starts and looks.</source>
+        <translation>ロボットの出発点と見る方向を示します。</translation>
+    </message>
+    <message>
+        <source>R&amp;oute</source>
+        <translation>経路(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Draw the way that the robot shall take.</source>
+        <translation>ロボットの通る道を描きます。</translation>
+    </message>
+    <message>
+        <source>&amp;Landmark</source>
+        <translation>目印(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Mark a place by name.</source>
+        <translation>場所に名前付きの目印を付けます。</translation>
+    </message>
+    <message>
+        <source>Ad&amp;just Picture</source>
+        <translation>画像を調整(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale a picture under the drawing.</source>
+        <translation>図面の下の画像を移動、回転、拡大縮小します。</translation>
+    </message>
+    <message>
+        <source>Add Picture &amp;Underneath…</source>
+        <translation>下に敷く画像を追加(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Draw upon an aerial photo, a plan or a photo of a sketch.</source>
+        <translation>航空写真、平面図、スケッチの写真の上に描きます。</translation>
+    </message>
+    <message>
+        <source>Open Re&amp;cording…</source>
+        <translation>記録を開く(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Take the robot's observations from a recording.</source>
+        <translation>ロボットの観測を記録から取ります。</translation>
+    </message>
+    <message>
+        <source>C&amp;onnect a Robot…</source>
+        <translation>ロボットを接続(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Put a live robot together: camera or scanner, head, wheels.</source>
+        <translation>実機を構成します: カメラまたはスキャナー、雲台、車輪。</translation>
+    </message>
+    <message>
+        <source>Si&amp;mulator</source>
+        <translation>シミュレーター(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Take the robot's observations from the built-in simulator.</source>
+        <translation>ロボットの観測を内蔵シミュレーターから取ります。</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>実行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Localize on the drawing and correct it.</source>
+        <translation>図面の上で位置を推定し、図面を補正します。</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>一時停止(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Hold after this observation.</source>
+        <translation>この観測の後で止めます。</translation>
+    </message>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>一歩(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Work in one observation, then hold.</source>
+        <translation>観測を一つ処理して止めます。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>End the run.</source>
+        <translation>実行を終えます。</translation>
+    </message>
+    <message>
+        <source>&amp;Accept Refinement</source>
+        <translation>補正を取り込む(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take the corrected shapes into the drawing, as one step that can be undone.</source>
+        <translation>補正した形を図面に取り込みます。一回で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Show in your own images what is a building and what is not.</source>
+        <translation>自分の画像で、建物とそうでないものを教えます。</translation>
+    </message>
+    <message>
+        <source>&amp;Command Palette…</source>
+        <translation>コマンドパレット(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Find any command by a few letters.</source>
+        <translation>数文字で任意のコマンドを探します。</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts</source>
+        <translation>キーボードショートカット(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show and change every key.</source>
+        <translation>すべてのキーを表示し、変更します。</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>ツアー(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show in five steps where things are.</source>
+        <translation>五段階で画面を案内します。</translation>
+    </message>
+    <message>
+        <source>&amp;About Handmap</source>
+        <translation>Handmap について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version and licence.</source>
+        <translation>版とライセンス。</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>ファイル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>編集(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw</source>
+        <translation>描画(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Step &amp;Back</source>
+        <translation>一歩戻る(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Look at the observation before.</source>
+        <translation>一つ前の観測を見ます。</translation>
+    </message>
+    <message>
+        <source>To the Ne&amp;west</source>
+        <translation>最新へ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Look at how it is now, no longer at the past.</source>
+        <translation>過去ではなく現在の状態を見ます。</translation>
+    </message>
+    <message>
+        <source>Boo&amp;kmark This Moment</source>
+        <translation>この時点をブックマーク(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Mark it on the timeline, or take the mark away.</source>
+        <translation>タイムラインに印を付ける、または外します。</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Bookmark</source>
+        <translation>次のブックマーク(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Look at the next moment that is marked.</source>
+        <translation>印を付けた次の時点を見ます。</translation>
+    </message>
+    <message>
+        <source>Recomp&amp;ute with the Drawing</source>
+        <translation>この図面で計算し直す(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Do the run again, so far as it has come, with the drawing as it is now.</source>
+        <translation>ここまでの実行を、今の図面でやり直します。</translation>
+    </message>
+    <message>
+        <source>Robot Is &amp;Here…</source>
+        <translation>ロボットはここ(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Say where the robot is at the moment that is shown; the run is done again with it.</source>
+        <translation>表示中の時点でロボットがいる場所を示します。それを使って実行をやり直します。</translation>
+    </message>
+    <message>
+        <source>&amp;Forget Given Poses</source>
+        <translation>指定した位置を忘れる(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Do the run again without the poses that you gave.</source>
+        <translation>指定した位置を使わずに実行をやり直します。</translation>
+    </message>
+    <message>
+        <source>Building Is Ri&amp;ght</source>
+        <translation>建物は正しい(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Hold the selected buildings where the run shows them, and do it again with that.</source>
+        <translation>選択した建物を実行の示す場所に固定して、やり直します。</translation>
+    </message>
+    <message>
+        <source>Building Is &amp;Not There</source>
+        <translation>建物は存在しない(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Take the selected buildings out of the drawing, and do the run again without them.</source>
+        <translation>選択した建物を図面から除き、それなしで実行をやり直します。</translation>
+    </message>
+    <message>
+        <source>Teach Bu&amp;ildings…</source>
+        <translation>建物を教える(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as Template…</source>
+        <translation>テンプレートとして保存(&amp;K)…</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Sketch of %1</source>
+        <translation>%1 のスケッチ</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>デモ</translation>
+    </message>
+    <message>
+        <source>two rows</source>
+        <translation>二列の建物</translation>
+    </message>
+    <message>
+        <source>a campus</source>
+        <translation>キャンパス</translation>
+    </message>
+    <message>
+        <source>around a campus</source>
+        <translation>キャンパス一周</translation>
+    </message>
+    <message>
+        <source>this drawing</source>
+        <translation>この図面</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot</source>
+        <translation>ロボットを待っています</translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation>仮想ロボット</translation>
+    </message>
+    <message>
+        <source>1 building</source>
+        <translation>建物 1 棟</translation>
+    </message>
+    <message>
+        <source>%1 buildings</source>
+        <translation>建物 %1 棟</translation>
+    </message>
+    <message>
+        <source>1 taught image</source>
+        <translation>教示画像 1 枚</translation>
+    </message>
+    <message>
+        <source>%1 taught images</source>
+        <translation>教示画像 %1 枚</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Simulator: %1</source>
+        <translation>シミュレーター: %1</translation>
+    </message>
+    <message>
+        <source>Rendering what the cameras see</source>
+        <translation>カメラ画像を描画しています</translation>
+    </message>
+    <message>
+        <source>x %1 → %2 m</source>
+        <translation>x %1 → %2 m</translation>
+    </message>
+    <message>
+        <source>front wall %1 → %2 m</source>
+        <translation>正面の壁 %1 → %2 m</translation>
+    </message>
+    <message>
+        <source>width %1 → %2 m</source>
+        <translation>幅 %1 → %2 m</translation>
+    </message>
+    <message>
+        <source>trajectory %1 → %2 m</source>
+        <translation>軌跡 %1 → %2 m</translation>
+    </message>
+    <message>
+        <source>Errors: %1</source>
+        <translation>誤差: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>mean error of %n building(s)</source>
+        <translation><numerusform>建物 %n 棟の平均誤差</numerusform></translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>描いたもの</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>補正後</translation>
+    </message>
+    <message>
+        <source>error of the trajectory</source>
+        <translation>軌跡の誤差</translation>
+    </message>
+    <message>
+        <source>odometry</source>
+        <translation>オドメトリ</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>無題</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 を回転</translation>
+    </message>
+    <message>
+        <source>Resize %1</source>
+        <translation>%1 の大きさを変更</translation>
+    </message>
+    <message>
+        <source>Turn Start</source>
+        <translation>出発点の向きを変更</translation>
+    </message>
+    <message>
+        <source>Bend Route</source>
+        <translation>経路を曲げる</translation>
+    </message>
+    <message>
+        <source>%1 Objects</source>
+        <translation>%1 個のオブジェクト</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 を移動</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation>%1, %2 m</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>出発点</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>ファイルではありません</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>ファイルがありません</translation>
+    </message>
+    <message>
+        <source>Pictures (*.%1)</source>
+        <translation>画像 (*.%1)</translation>
+    </message>
+    <message>
+        <source>no picture, or one of an unknown format</source>
+        <translation>画像ではないか、未知の形式です</translation>
+    </message>
+    <message>
+        <source>a picture without pixels</source>
+        <translation>画素のない画像です</translation>
+    </message>
+    <message>
+        <source>no picture of a known format</source>
+        <translation>既知の形式の画像ではありません</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels are too many; cut out the place that is drawn</source>
+        <translation>%1 × %2 画素は多すぎます。描く場所だけを切り出してください</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it</source>
+        <translation>メモリが足りません</translation>
+    </message>
+    <message>
+        <source>this program was built without GDAL, which reads such pictures</source>
+        <translation>このプログラムは、この種の画像を読む GDAL なしで作られています</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Application</name>
+    <message>
+        <source>It was left undone; the program goes on.</source>
+        <translation>その操作は行われませんでした。プログラムは続きます。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>この操作にはメモリが足りません。</translation>
+    </message>
+    <message>
+        <source>Something unexpected went wrong: %1</source>
+        <translation>予期しない問題が起きました: %1</translation>
+    </message>
+    <message>
+        <source>Something unexpected went wrong.</source>
+        <translation>予期しない問題が起きました。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::BuildingPage</name>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name Building</source>
+        <translation>建物に名前を付ける</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>Change x</source>
+        <translation>x を変更</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Change y</source>
+        <translation>y を変更</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Change Width</source>
+        <translation>幅を変更</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
+    </message>
+    <message>
+        <source>Change Depth</source>
+        <translation>奥行きを変更</translation>
+    </message>
+    <message>
+        <source>Change Heading</source>
+        <translation>向きを変更</translation>
+    </message>
+    <message>
+        <source>Fixed: a run must not move it</source>
+        <translation>固定: 実行中に動かさない</translation>
+    </message>
+    <message>
+        <source>Fix Building</source>
+        <translation>建物を固定</translation>
+    </message>
+    <message>
+        <source>May not exist</source>
+        <translation>存在しないかもしれない</translation>
+    </message>
+    <message>
+        <source>Doubt Building</source>
+        <translation>建物の存在を疑う</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>推定</translation>
+    </message>
+    <message>
+        <source>Uncertainty of its own</source>
+        <translation>この建物だけの不確かさ</translation>
+    </message>
+    <message>
+        <source>Change Uncertainty</source>
+        <translation>不確かさを変更</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>描いた確かさ</translation>
+    </message>
+    <message>
+        <source>Position σ</source>
+        <translation>位置の σ</translation>
+    </message>
+    <message>
+        <source>Size σ</source>
+        <translation>大きさの σ</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>角</translation>
+    </message>
+    <message>
+        <source>Change Corners</source>
+        <translation>角を変更</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Building&lt;/b&gt;</source>
+        <translation>&lt;b&gt;建物&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 Buildings&lt;/b&gt;</source>
+        <translation>&lt;b&gt;建物 %1 棟&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>複数</translation>
+    </message>
+    <message>
+        <source>—</source>
+        <translation>—</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>σ x %1 m, y %2 m, width %3 m
+Observations: %4</source>
+        <translation>σ x %1 m、y %2 m、幅 %3 m
+観測: %4</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::BuildingsModel</name>
+    <message>
+        <source>Of the building in the drawing</source>
+        <translation>図面の建物の ID</translation>
+    </message>
+    <message>
+        <source>Corrected centre, metres</source>
+        <translation>補正した中心 (m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of x, metres</source>
+        <translation>x の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Corrected width along its heading, metres</source>
+        <translation>向きに沿った補正後の幅 (m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the width, metres</source>
+        <translation>幅の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>Corrected minus drawn centre, metres</source>
+        <translation>補正した中心と描いた中心の差 (m)</translation>
+    </message>
+    <message>
+        <source>Corrected minus drawn width, metres</source>
+        <translation>補正した幅と描いた幅の差 (m)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::BuildingsPanel</name>
+    <message>
+        <source>Buildings of the run</source>
+        <translation>実行中の建物</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::CameraPanel</name>
+    <message>
+        <source>No camera image yet</source>
+        <translation>カメラ画像はまだありません</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ChartsPanel</name>
+    <message>
+        <source>Effective sample size (particles)</source>
+        <translation>有効サンプル数 (粒子)</translation>
+    </message>
+    <message>
+        <source>Time per observation (ms)</source>
+        <translation>観測ごとの時間 (ms)</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>読み込み</translation>
+    </message>
+    <message>
+        <source>stereo</source>
+        <translation>ステレオ</translation>
+    </message>
+    <message>
+        <source>classify</source>
+        <translation>判別</translation>
+    </message>
+    <message>
+        <source>local map</source>
+        <translation>局所地図</translation>
+    </message>
+    <message>
+        <source>slam</source>
+        <translation>SLAM</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Comfort</name>
+    <message>
+        <source>Draw</source>
+        <translation>描く</translation>
+    </message>
+    <message>
+        <source>Take the rectangle (R) and drag from corner to corner where you remember a building. It need not be right: some metres off is fine.</source>
+        <translation>長方形ツール (R) で、建物を覚えている場所に角から角へドラッグします。正確でなくてかまいません。数メートルずれていても大丈夫です。</translation>
+    </message>
+    <message>
+        <source>Say where the robot starts</source>
+        <translation>ロボットの出発点を示す</translation>
+    </message>
+    <message>
+        <source>With the start tool (T), press where the robot will stand and drag to where it will look. The wheel zooms, the middle button moves the view.</source>
+        <translation>出発点ツール (T) で、ロボットが立つ場所を押し、見る方向へドラッグします。ホイールで拡大縮小、中ボタンで表示を移動します。</translation>
+    </message>
+    <message>
+        <source>See what is missing</source>
+        <translation>足りないものを見る</translation>
+    </message>
+    <message>
+        <source>Issues tells what in the drawing is likely to be a slip; a click shows where.</source>
+        <translation>「問題」には、図面の間違いらしいものが並びます。クリックするとその場所が表示されます。</translation>
+    </message>
+    <message>
+        <source>Let a robot drive</source>
+        <translation>ロボットを走らせる</translation>
+    </message>
+    <message>
+        <source>Open a recording, connect a robot or take the simulator, then press Run: the blue map is the drawing as the robot corrects it.</source>
+        <translation>記録を開くか、ロボットを接続するか、シミュレーターを選び、「実行」を押します。青い地図は、ロボットが補正している図面です。</translation>
+    </message>
+    <message>
+        <source>Take the correction over</source>
+        <translation>補正を取り込む</translation>
+    </message>
+    <message>
+        <source>Accept Refinement takes the blue map into the drawing; one Undo takes it back. Then save or export it.</source>
+        <translation>「補正を取り込む」で青い地図が図面に入ります。「元に戻す」一回で取り消せます。その後、保存または書き出します。</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>外観(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>言語(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>何をしますか?</translation>
+    </message>
+    <message>
+        <source>Commands that match</source>
+        <translation>一致するコマンド</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::DiskWatch</name>
+    <message>
+        <source>“%1” is gone, or cannot be read any more.</source>
+        <translation>「%1」がなくなったか、読めなくなりました。</translation>
+    </message>
+    <message>
+        <source>What is drawn is still here; save it.</source>
+        <translation>描いたものはここに残っています。保存してください。</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1”.</source>
+        <translation>別のプログラムが「%1」を変更しました。</translation>
+    </message>
+    <message>
+        <source>There are unsaved changes here too.</source>
+        <translation>ここにも保存していない変更があります。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>読み直す</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>自分のものを残す</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Docks</name>
+    <message>
+        <source>Steps of editing</source>
+        <translation>編集の履歴</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>開いたときの状態</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>プロパティ</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Run settings</source>
+        <translation>実行の設定</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Teach buildings</source>
+        <translation>建物を教える</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
+    <message>
+        <source>Issues (%1)</source>
+        <translation>問題 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::DrawingLayersPanel</name>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>目印</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>出発点</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>Layers of the drawing</source>
+        <translation>図面のレイヤー</translation>
+    </message>
+    <message>
+        <source>Of the drawing</source>
+        <translation>図面の要素</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>ロック</translation>
+    </message>
+    <message>
+        <source>Opacity of the layer</source>
+        <translation>レイヤーの不透明度</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Fade Layer</source>
+        <translation>レイヤーの濃さを変更</translation>
+    </message>
+    <message>
+        <source>Show or Hide Layer</source>
+        <translation>レイヤーの表示を切り替え</translation>
+    </message>
+    <message>
+        <source>Lock Layer</source>
+        <translation>レイヤーをロック</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::FileActions</name>
+    <message>
+        <source>Handmap drawings (*.handmap)</source>
+        <translation>Handmap の図面 (*.handmap)</translation>
+    </message>
+    <message>
+        <source>Open Re&amp;cent</source>
+        <translation>最近使った図面(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open a drawing</source>
+        <translation>図面を開く</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>保存していない変更</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>「%1」の変更を保存しますか?</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Save the drawing</source>
+        <translation>図面を保存</translation>
+    </message>
+    <message>
+        <source>The refined map</source>
+        <translation>補正した地図</translation>
+    </message>
+    <message>
+        <source>The drawing</source>
+        <translation>図面</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Which map?</source>
+        <translation>どの地図ですか?</translation>
+    </message>
+    <message>
+        <source>%1 is in “%2”.</source>
+        <translation>%1は「%2」に入りました。</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>フォルダーで表示</translation>
+    </message>
+    <message>
+        <source>Export the refined map</source>
+        <translation>補正した地図を書き出す</translation>
+    </message>
+    <message>
+        <source>-refined</source>
+        <translation>-補正</translation>
+    </message>
+    <message>
+        <source>GeoJSON needs to know where the drawing lies.</source>
+        <translation>GeoJSON には図面の場所が必要です。</translation>
+    </message>
+    <message>
+        <source>Its georeference is the latitude and longitude of the origin.</source>
+        <translation>原点の緯度と経度を指定してください。</translation>
+    </message>
+    <message>
+        <source>Say where</source>
+        <translation>場所を指定</translation>
+    </message>
+    <message>
+        <source>Export GeoJSON</source>
+        <translation>GeoJSON を書き出す</translation>
+    </message>
+    <message>
+        <source>GeoJSON (*.geojson)</source>
+        <translation>GeoJSON (*.geojson)</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>画像を書き出す</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>What the canvas shows</source>
+        <translation>キャンバスの表示</translation>
+    </message>
+    <message>
+        <source>Export the trajectory</source>
+        <translation>軌跡を書き出す</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.tum)</source>
+        <translation>軌跡 (*.tum)</translation>
+    </message>
+    <message>
+        <source>The way of the robot</source>
+        <translation>ロボットの軌跡</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::IssuesPanel</name>
+    <message>
+        <source>Issues of the drawing</source>
+        <translation>図面の問題</translation>
+    </message>
+    <message>
+        <source>Nothing to mend.</source>
+        <translation>直すものはありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n issue(s); a click shows where.</source>
+        <translation><numerusform>問題 %n 件。クリックすると場所が表示されます。</numerusform></translation>
+    </message>
+    <message>
+        <source>There is no building yet.</source>
+        <translation>建物がまだありません。</translation>
+    </message>
+    <message>
+        <source>There is no start yet: a run needs to know where the robot begins.</source>
+        <translation>出発点がまだありません。実行にはロボットの出発点が必要です。</translation>
+    </message>
+    <message>
+        <source>The start lies in %1.</source>
+        <translation>出発点が %1 の中にあります。</translation>
+    </message>
+    <message>
+        <source>The route leads through %1.</source>
+        <translation>経路が %1 を通り抜けています。</translation>
+    </message>
+    <message>
+        <source>The route begins %1 m from the start.</source>
+        <translation>経路の始まりが出発点から %1 m 離れています。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap by %3 m².</source>
+        <translation>%1 と %2 が %3 m² 重なっています。</translation>
+    </message>
+    <message>
+        <source>The outline of %1 crosses itself.</source>
+        <translation>%1 の輪郭が自分自身と交差しています。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same name.</source>
+        <translation>%1 と %2 の名前が同じです。</translation>
+    </message>
+    <message>
+        <source>%1 is only %2 m wide.</source>
+        <translation>%1 の幅が %2 m しかありません。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::KeysPanel</name>
+    <message>
+        <source>As usual</source>
+        <translation>標準に戻す</translation>
+    </message>
+    <message>
+        <source>All as usual</source>
+        <translation>すべて標準に戻す</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>こちらに割り当てる</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>コマンドとキー</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>働き</translation>
+    </message>
+    <message>
+        <source>Find a command or key</source>
+        <translation>コマンドまたはキーを検索</translation>
+    </message>
+    <message>
+        <source>New keys</source>
+        <translation>新しいキー</translation>
+    </message>
+    <message>
+        <source>Keys:</source>
+        <translation>キー:</translation>
+    </message>
+    <message>
+        <source>“%1” already means “%2”.</source>
+        <translation>「%1」はすでに「%2」に使われています。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LandmarkPage</name>
+    <message>
+        <source>Landmark</source>
+        <translation>目印</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name Landmark</source>
+        <translation>目印に名前を付ける</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>Change x</source>
+        <translation>x を変更</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Change y</source>
+        <translation>y を変更</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LandmarkTool</name>
+    <message>
+        <source>Click to mark a place · its name is set under Properties</source>
+        <translation>クリックで場所に目印を付けます · 名前は「プロパティ」で設定します</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Language</name>
+    <message>
+        <source>The program speaks it from its next start on.</source>
+        <translation>次に起動したときからこの言語になります。</translation>
+    </message>
+    <message>
+        <source>Open another window</source>
+        <translation>別のウィンドウを開く</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LayersPanel</name>
+    <message>
+        <source>Drawing</source>
+        <translation>図面</translation>
+    </message>
+    <message>
+        <source>The map as it is drawn</source>
+        <translation>描いたままの地図</translation>
+    </message>
+    <message>
+        <source>Corrected map</source>
+        <translation>補正した地図</translation>
+    </message>
+    <message>
+        <source>The best map of the run</source>
+        <translation>実行で最良の地図</translation>
+    </message>
+    <message>
+        <source>1-σ bands</source>
+        <translation>1-σ の帯</translation>
+    </message>
+    <message>
+        <source>Where the corrected walls may be, one standard deviation</source>
+        <translation>補正した壁がありうる範囲、標準偏差一つ分</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Where the robot may be; the surer, the stronger</source>
+        <translation>ロボットがいるかもしれない場所。確かなほど濃い</translation>
+    </message>
+    <message>
+        <source>Swarms</source>
+        <translation>群れ</translation>
+    </message>
+    <message>
+        <source>What the buildings in sight may be: one outline a sample</source>
+        <translation>見えている建物の候補: 標本ごとに一つの輪郭</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>軌跡</translation>
+    </message>
+    <message>
+        <source>The way of the best particle</source>
+        <translation>最良の粒子の軌跡</translation>
+    </message>
+    <message>
+        <source>Odometry alone</source>
+        <translation>オドメトリのみ</translation>
+    </message>
+    <message>
+        <source>The way that the odometry alone would give</source>
+        <translation>オドメトリだけで求めた軌跡</translation>
+    </message>
+    <message>
+        <source>Local map</source>
+        <translation>局所地図</translation>
+    </message>
+    <message>
+        <source>The walls that the robot sees around itself</source>
+        <translation>ロボットの周りに見える壁</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>真値</translation>
+    </message>
+    <message>
+        <source>Where the recording knows the true way; never used by the run</source>
+        <translation>記録が知っている真の軌跡。実行には使いません</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Pictures below the drawing</source>
+        <translation>図面の下の画像</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>格子</translation>
+    </message>
+    <message>
+        <source>The metric grid</source>
+        <translation>メートル格子</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LivePanel</name>
+    <message>
+        <source>Wheels</source>
+        <translation>車輪</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>スキャナー</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>雲台</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Not used: </source>
+        <translation>使われなかったもの: </translation>
+    </message>
+    <message>
+        <source>The recording has ended, the run goes on: %1</source>
+        <translation>記録は終わりましたが、実行は続きます: %1</translation>
+    </message>
+    <message>
+        <source>Recorded: %1 in %2</source>
+        <translation>記録済み: %1、保存先 %2</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>見回す</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>機器</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>頻度</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>経過</translation>
+    </message>
+    <message>
+        <source>Stop the robot; its head then looks into all directions</source>
+        <translation>ロボットを止めてください。雲台が全方向を見回します</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 observations taken, %2 passed over for newer ones</source>
+        <translation>観測 %1 件を使用、%2 件はより新しいもののため省略</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>閉じています</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>接続中</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>準備完了</translation>
+    </message>
+    <message>
+        <source>degraded</source>
+        <translation>不調</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>機器</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::MainWindow</name>
+    <message>
+        <source>Main</source>
+        <translation>メイン</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Transport</source>
+        <translation>実行操作</translation>
+    </message>
+    <message>
+        <source>Running, 000 of 000</source>
+        <translation>実行中、000 / 000</translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation>%1, %2 m</translation>
+    </message>
+    <message>
+        <source>%1 px/m</source>
+        <translation>%1 px/m</translation>
+    </message>
+    <message>
+        <source>Handmap %1</source>
+        <translation>Handmap %1</translation>
+    </message>
+    <message>
+        <source>Draw the map you remember; Handmap finds the robot on it and corrects the drawing. Free software: GPL-3.0-or-later, without any warranty.</source>
+        <translation>覚えている地図を描くと、Handmap がその上でロボットの位置を見つけ、図面を補正します。自由ソフトウェア (GPL-3.0 以降)、無保証です。</translation>
+    </message>
+    <message>
+        <source>Unsaved work would be lost in a crash: %1</source>
+        <translation>異常終了すると保存していない作業が失われます: %1</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Unsaved work is kept in %1</source>
+        <translation>保存していない作業は %1 に置かれています</translation>
+    </message>
+    <message>
+        <source>nothing has been changed</source>
+        <translation>変更がありません</translation>
+    </message>
+    <message>
+        <source>nothing has been taken back</source>
+        <translation>取り消した変更がありません</translation>
+    </message>
+    <message>
+        <source>nothing is selected</source>
+        <translation>何も選択されていません</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::MapDocument</name>
+    <message>
+        <source>Untitled</source>
+        <translation>無題</translation>
+    </message>
+    <message>
+        <source>Save Model with the Map</source>
+        <translation>モデルを地図とともに保存</translation>
+    </message>
+    <message>
+        <source>Add Building %1</source>
+        <translation>建物 %1 を追加</translation>
+    </message>
+    <message>
+        <source>Add Landmark %1</source>
+        <translation>目印 %1 を追加</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 の名前を変更</translation>
+    </message>
+    <message>
+        <source>%1 Objects</source>
+        <translation>%1 個のオブジェクト</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 を削除</translation>
+    </message>
+    <message>
+        <source>Set Start</source>
+        <translation>出発点を設定</translation>
+    </message>
+    <message>
+        <source>Change Route</source>
+        <translation>経路を変更</translation>
+    </message>
+    <message>
+        <source>Name Map</source>
+        <translation>地図に名前を付ける</translation>
+    </message>
+    <message>
+        <source>Change Uncertainty</source>
+        <translation>不確かさを変更</translation>
+    </message>
+    <message>
+        <source>Add Picture %1</source>
+        <translation>画像 %1 を追加</translation>
+    </message>
+    <message>
+        <source>Georeference</source>
+        <translation>地理座標</translation>
+    </message>
+    <message>
+        <source>Accept Refinement</source>
+        <translation>補正を取り込む</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::MapModel</name>
+    <message>
+        <source>The model of this drawing cannot be used: %1</source>
+        <translation>この図面のモデルは使えません: %1</translation>
+    </message>
+    <message>
+        <source>Runs take the program's own until you load or teach another.</source>
+        <translation>別のモデルを読み込むか教えるまで、実行にはプログラム付属のものを使います。</translation>
+    </message>
+    <message>
+        <source>Untrained painting</source>
+        <translation>学習していない塗り</translation>
+    </message>
+    <message>
+        <source>What was painted in “Teach buildings” is in no model yet. Leave it?</source>
+        <translation>「建物を教える」で塗ったものは、まだどのモデルにも入っていません。このまま終えますか?</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>とどまる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave</source>
+        <translation>終える(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Unsaved model</source>
+        <translation>保存していないモデル</translation>
+    </message>
+    <message>
+        <source>The model that was taught in “Teach buildings” is in no file.</source>
+        <translation>「建物を教える」で作ったモデルは、まだファイルに保存されていません。</translation>
+    </message>
+    <message>
+        <source>&amp;Save model…</source>
+        <translation>モデルを保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>モデルを保存</translation>
+    </message>
+    <message>
+        <source>Models (*.json)</source>
+        <translation>モデル (*.json)</translation>
+    </message>
+    <message>
+        <source>The model is saved with “%1”.</source>
+        <translation>モデルは「%1」とともに保存されました。</translation>
+    </message>
+    <message>
+        <source>Whoever opens the drawing gets it too; keep both files together.</source>
+        <translation>図面を開く人にも使われます。二つのファイルは一緒に置いてください。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::MapPage</name>
+    <message>
+        <source>Map</source>
+        <translation>地図</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>描いた確かさ</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Position σ</source>
+        <translation>位置の σ</translation>
+    </message>
+    <message>
+        <source>How far buildings may lie from where they are drawn</source>
+        <translation>建物が描いた場所からどれだけ離れている可能性があるか</translation>
+    </message>
+    <message>
+        <source>Size σ</source>
+        <translation>大きさの σ</translation>
+    </message>
+    <message>
+        <source>How wrong their widths and depths may be</source>
+        <translation>幅と奥行きがどれだけ違っている可能性があるか</translation>
+    </message>
+    <message>
+        <source>Scale and turn are known</source>
+        <translation>縮尺と向きは正しい</translation>
+    </message>
+    <message>
+        <source>Drawn over an aerial picture or from a public map</source>
+        <translation>航空写真の上に、または公開地図から描いたもの</translation>
+    </message>
+    <message>
+        <source>Scale σ</source>
+        <translation>縮尺の σ</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much too large or too small all of it may be; 0: to scale</source>
+        <translation>全体がどれだけ大きすぎる、または小さすぎる可能性があるか。0: 縮尺どおり</translation>
+    </message>
+    <message>
+        <source>Turn σ</source>
+        <translation>向きの σ</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far all of it may be turned; 0: true</source>
+        <translation>全体がどれだけ回っている可能性があるか。0: 正しい</translation>
+    </message>
+    <message>
+        <source>Georeferenced (WGS 84)</source>
+        <translation>地理座標あり (WGS 84)</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>緯度</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>経度</translation>
+    </message>
+    <message>
+        <source>x axis from east</source>
+        <translation>東から x 軸への角度</translation>
+    </message>
+    <message>
+        <source>Buildings: %1</source>
+        <translation>建物: %1</translation>
+    </message>
+    <message>
+        <source>
+No start yet: a run needs to know where the robot begins.</source>
+        <translation>
+出発点がまだありません。実行にはロボットの出発点が必要です。</translation>
+    </message>
+    <message>
+        <source>
+Corrected by a run.</source>
+        <translation>
+実行により補正済み。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Message</name>
+    <message>
+        <source>Close this message</source>
+        <translation>このメッセージを閉じる</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2 回)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::NumberField</name>
+    <message>
+        <source>several</source>
+        <translation>複数</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ObjectListModel</name>
+    <message>
+        <source>Start</source>
+        <translation>出発点</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>非表示</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>ロック中</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>ロックなし</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>What is hidden still belongs to the drawing</source>
+        <translation>隠したものも図面の一部です</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>ロック</translation>
+    </message>
+    <message>
+        <source>A building that is locked is not moved by a run either</source>
+        <translation>ロックした建物は実行によっても動きません</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>%1 に名前を付ける</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 をロック</translation>
+    </message>
+    <message>
+        <source>Show or Hide %1</source>
+        <translation>%1 の表示を切り替え</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ObjectsPanel</name>
+    <message>
+        <source>Objects of the drawing</source>
+        <translation>図面のオブジェクト</translation>
+    </message>
+    <message>
+        <source>Find by id or name</source>
+        <translation>ID または名前で検索</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PictureActions</name>
+    <message>
+        <source>Add a picture underneath</source>
+        <translation>下に敷く画像を追加</translation>
+    </message>
+    <message>
+        <source>There are %1 pictures, and no room for more.</source>
+        <translation>画像は %1 枚あり、これ以上は追加できません。</translation>
+    </message>
+    <message>
+        <source>The map has taken over where on Earth it lies.</source>
+        <translation>地図に画像の地理座標を取り込みました。</translation>
+    </message>
+    <message>
+        <source>What is drawn already may have to be moved over it.</source>
+        <translation>すでに描いたものは、画像に合わせて動かす必要があるかもしれません。</translation>
+    </message>
+    <message>
+        <source>Its pixels are not square: it is off by up to %1 m.</source>
+        <translation>画素が正方形ではありません。最大 %1 m ずれます。</translation>
+    </message>
+    <message>
+        <source>“%1” lies where its file says.</source>
+        <translation>「%1」をファイルの示す場所に置きました。</translation>
+    </message>
+    <message>
+        <source>It lies too far from where the map is; drag it to its place.</source>
+        <translation>地図の場所から遠すぎます。正しい場所へドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Drag it to its place. Its scale is a guess:</source>
+        <translation>正しい場所へドラッグしてください。縮尺は仮のものです:</translation>
+    </message>
+    <message>
+        <source>“%1” lies under the drawing.</source>
+        <translation>「%1」を図面の下に敷きました。</translation>
+    </message>
+    <message>
+        <source>Scale by a length</source>
+        <translation>長さで縮尺を合わせる</translation>
+    </message>
+    <message>
+        <source>Fit by points</source>
+        <translation>点で合わせる</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PicturePage</name>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Move Picture</source>
+        <translation>画像を移動</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>縮尺</translation>
+    </message>
+    <message>
+        <source> m/px</source>
+        <translation> m/px</translation>
+    </message>
+    <message>
+        <source>Scale Picture</source>
+        <translation>画像の縮尺を変更</translation>
+    </message>
+    <message>
+        <source>Turn Picture</source>
+        <translation>画像を回転</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Fade Picture</source>
+        <translation>画像の濃さを変更</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>非表示</translation>
+    </message>
+    <message>
+        <source>Hide Picture</source>
+        <translation>画像を隠す</translation>
+    </message>
+    <message>
+        <source>Locked: stays where it is</source>
+        <translation>ロック: 動かさない</translation>
+    </message>
+    <message>
+        <source>Lock Picture</source>
+        <translation>画像をロック</translation>
+    </message>
+    <message>
+        <source>Scale by a length</source>
+        <translation>長さで縮尺を合わせる</translation>
+    </message>
+    <message>
+        <source>Click two points whose distance you know, then say how far it is</source>
+        <translation>距離のわかる二点をクリックし、その距離を入力します</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>The picture cannot be that large or small.</source>
+        <translation>画像をその大きさにはできません。</translation>
+    </message>
+    <message>
+        <source>Fit by points</source>
+        <translation>点で合わせる</translation>
+    </message>
+    <message>
+        <source>Click points of the picture and where they belong on the map</source>
+        <translation>画像の点と、地図上の対応する場所をクリックします</translation>
+    </message>
+    <message>
+        <source>Fit now</source>
+        <translation>合わせる</translation>
+    </message>
+    <message>
+        <source>The pairs of points lie all at one place, or too far apart.</source>
+        <translation>点の組がすべて同じ場所にあるか、離れすぎています。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PictureTool</name>
+    <message>
+        <source>There is no picture yet: Draw / Add Picture Underneath…, or drop one here</source>
+        <translation>画像がまだありません。「描画」→「下に敷く画像を追加…」を選ぶか、ここにドロップしてください</translation>
+    </message>
+    <message>
+        <source>This picture is locked · Layers unlocks it</source>
+        <translation>この画像はロックされています · 「レイヤー」で解除できます</translation>
+    </message>
+    <message>
+        <source>Drag to move · corners scale, the round handle turns · arrow keys move, with Ctrl they turn and scale</source>
+        <translation>ドラッグで移動 · 角で拡大縮小、丸いハンドルで回転 · 矢印キーで移動、Ctrl とともに回転と拡大縮小</translation>
+    </message>
+    <message>
+        <source>Click two points whose distance you know</source>
+        <translation>距離のわかる二点をクリックします</translation>
+    </message>
+    <message>
+        <source>Type the distance in metres, then Enter · Esc: other points</source>
+        <translation>距離をメートルで入力して Enter · Esc: 点を選び直す</translation>
+    </message>
+    <message>
+        <source>Now click where this point belongs on the map</source>
+        <translation>次に、この点に対応する地図上の場所をクリックします</translation>
+    </message>
+    <message>
+        <source>Click a point in the picture, then where it belongs on the map</source>
+        <translation>画像の点をクリックし、次に地図上の対応する場所をクリックします</translation>
+    </message>
+    <message>
+        <source>Enter fits the picture · a third pair makes it surer · Backspace: one point back</source>
+        <translation>Enter で画像を合わせます · 三組目でより確かになります · Backspace: 一点戻る</translation>
+    </message>
+    <message>
+        <source>Turn Picture</source>
+        <translation>画像を回転</translation>
+    </message>
+    <message>
+        <source>Scale Picture</source>
+        <translation>画像の縮尺を変更</translation>
+    </message>
+    <message>
+        <source>Move Picture</source>
+        <translation>画像を移動</translation>
+    </message>
+    <message>
+        <source>Fit Picture</source>
+        <translation>画像を合わせる</translation>
+    </message>
+    <message>
+        <source>Adjust Picture</source>
+        <translation>画像を調整</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PlaybackActions</name>
+    <message>
+        <source>Motion guessed at %1</source>
+        <translation>%1 で動きを推測</translation>
+    </message>
+    <message>
+        <source>The clock went back by %1 s</source>
+        <translation>時計が %1 秒戻りました</translation>
+    </message>
+    <message>
+        <source>Nothing came for %1 s</source>
+        <translation>%1 秒間何も届きませんでした</translation>
+    </message>
+    <message>
+        <source>Frame %1 was skipped: %2</source>
+        <translation>フレーム %1 を飛ばしました: %2</translation>
+    </message>
+    <message>
+        <source>You said where the robot was</source>
+        <translation>ロボットの位置を指定しました</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PolygonTool</name>
+    <message>
+        <source>The outline must not cross itself · Backspace takes the last corner back</source>
+        <translation>輪郭は自分自身と交差できません · Backspace で最後の角を取り消します</translation>
+    </message>
+    <message>
+        <source>Click the corners of a building, one after the other</source>
+        <translation>建物の角を順にクリックします</translation>
+    </message>
+    <message>
+        <source>Click the next corner · Backspace: one back · Esc: cancel</source>
+        <translation>次の角をクリックします · Backspace: 一つ戻る · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or the first corner closes it · Backspace: one back · Esc: cancel</source>
+        <translation>Enter、ダブルクリック、または最初の角で閉じます · Backspace: 一つ戻る · Esc: 中止</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PropertyPage</name>
+    <message>
+        <source>Id</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be the id of %2: ids are not empty and unique</source>
+        <translation>「%1」は %2 の ID にできません。ID は空でなく、重複しないものにしてください</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RecoveryOffer</name>
+    <message>
+        <source>An earlier session ended with unsaved changes to “%1”.</source>
+        <translation>以前の作業は、「%1」の変更を保存しないまま終わりました。</translation>
+    </message>
+    <message>
+        <source>Re&amp;cover</source>
+        <translation>復元(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Disc&amp;ard</source>
+        <translation>破棄(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What an earlier session left behind cannot be read: %1</source>
+        <translation>以前の作業が残したものを読めません: %1</translation>
+    </message>
+    <message>
+        <source>Closing this message keeps the file.</source>
+        <translation>このメッセージを閉じてもファイルは残ります。</translation>
+    </message>
+    <message>
+        <source>Delete the file</source>
+        <translation>ファイルを削除</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RectangleTool</name>
+    <message>
+        <source>Drag from corner to corner to draw a building</source>
+        <translation>角から角へドラッグして建物を描きます</translation>
+    </message>
+    <message>
+        <source>Release to finish · Shift: square · Alt: from the centre · Esc: cancel</source>
+        <translation>離すと完了 · Shift: 正方形 · Alt: 中心から · Esc: 中止</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ReferenceTrust</name>
+    <message>
+        <source>“%1” wants to read files outside of its folder: %2</source>
+        <translation>「%1」はフォルダーの外のファイルを読もうとしています: %2</translation>
+    </message>
+    <message>
+        <source>Say yes if you know where the drawing comes from.</source>
+        <translation>図面の出所がわかる場合だけ許可してください。</translation>
+    </message>
+    <message>
+        <source>Read them</source>
+        <translation>読み込む</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RevisionActions</name>
+    <message>
+        <source>the robot is %1 m elsewhere</source>
+        <translation>ロボットの位置は %1 m ずれます</translation>
+    </message>
+    <message>
+        <source>No building moves; %1.</source>
+        <translation>どの建物も動きません。%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) move by up to %1 m; %2.</source>
+        <translation><numerusform>建物 %n 棟が最大 %1 m 動きます。%2。</numerusform></translation>
+    </message>
+    <message>
+        <source>Recomputing with the drawing as it is</source>
+        <translation>今の図面で計算し直しています</translation>
+    </message>
+    <message>
+        <source>Recomputing without the poses that were given</source>
+        <translation>指定した位置を使わずに計算し直しています</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>The beginning of the run is no longer in memory.</source>
+        <translation>実行の始めの部分はもうメモリにありません。</translation>
+    </message>
+    <message>
+        <source>Run its recording with the changed drawing.</source>
+        <translation>変更した図面で記録を実行してください。</translation>
+    </message>
+    <message>
+        <source>A run needs at least one building and a start.</source>
+        <translation>実行には少なくとも一つの建物と出発点が必要です。</translation>
+    </message>
+    <message>
+        <source>Recomputing with the pose that you gave</source>
+        <translation>指定した位置で計算し直しています</translation>
+    </message>
+    <message>
+        <source>Building is right</source>
+        <translation>建物は正しい</translation>
+    </message>
+    <message>
+        <source>Recomputing with what is right</source>
+        <translation>正しいものを使って計算し直しています</translation>
+    </message>
+    <message>
+        <source>Recomputing without what is not there</source>
+        <translation>存在しないものを除いて計算し直しています</translation>
+    </message>
+    <message>
+        <source>Done again. %1</source>
+        <translation>やり直しました。%1</translation>
+    </message>
+    <message>
+        <source>The run was done again with the changed drawing. %1</source>
+        <translation>変更した図面で実行をやり直しました。%1</translation>
+    </message>
+    <message>
+        <source>The dashed outlines show what came of it.</source>
+        <translation>破線の輪郭がその結果です。</translation>
+    </message>
+    <message>
+        <source>Take the new one</source>
+        <translation>新しい方を採る</translation>
+    </message>
+    <message>
+        <source>Keep what was</source>
+        <translation>元のままにする</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RigActions</name>
+    <message>
+        <source>“%1” is the robot now.</source>
+        <translation>「%1」がロボットになりました。</translation>
+    </message>
+    <message>
+        <source>Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends the drive.</source>
+        <translation>出発点を描いてください: 押して、見る方向へドラッグし、離します。その後「実行」を押します。「停止」で走行を終えます。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RigDialog</name>
+    <message>
+        <source>&amp;Try</source>
+        <translation>試す(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Connect a robot</source>
+        <translation>ロボットを接続</translation>
+    </message>
+    <message>
+        <source>Press Try: what the robot sees appears here.</source>
+        <translation>「試す」を押すと、ロボットに見えるものがここに現れます。</translation>
+    </message>
+    <message>
+        <source>Open all devices and look at what they say</source>
+        <translation>すべての機器を開き、その応答を見ます</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>開く(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;List ports anew</source>
+        <translation>ポートを再検索(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Use this robot</source>
+        <translation>このロボットを使う(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>保存しました: %1</translation>
+    </message>
+    <message>
+        <source>Open a rig</source>
+        <translation>構成を開く</translation>
+    </message>
+    <message>
+        <source>Save the rig</source>
+        <translation>構成を保存</translation>
+    </message>
+    <message>
+        <source>Stop &amp;trying</source>
+        <translation>試すのをやめる(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation>最初の画像を待っています</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RigForm</name>
+    <message>
+        <source>A device (/dev/video0), a video file, or the URL of a network camera</source>
+        <translation>機器 (/dev/video0)、動画ファイル、またはネットワークカメラの URL</translation>
+    </message>
+    <message>
+        <source>A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or tcp://host:port; of ROS the rosbridge: ws://host:9090</source>
+        <translation>シリアルポート (/dev/ttyUSB0、速度つきは /dev/ttyUSB0@115200) または tcp://host:port。ROS では rosbridge: ws://host:9090</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>記録しない</translation>
+    </message>
+    <message>
+        <source>Each run gets a new folder in it</source>
+        <translation>実行ごとに、この中に新しいフォルダーを作ります</translation>
+    </message>
+    <message>
+        <source>Record into</source>
+        <translation>記録先</translation>
+    </message>
+    <message>
+        <source>My robot</source>
+        <translation>私のロボット</translation>
+    </message>
+    <message>
+        <source>Stereo camera, both images in one</source>
+        <translation>ステレオカメラ (左右が一枚の画像)</translation>
+    </message>
+    <message>
+        <source>Two cameras</source>
+        <translation>カメラ二台</translation>
+    </message>
+    <message>
+        <source>Laser scanner: Hokuyo</source>
+        <translation>レーザースキャナー: 北陽</translation>
+    </message>
+    <message>
+        <source>Laser scanner: RPLIDAR</source>
+        <translation>レーザースキャナー: RPLIDAR</translation>
+    </message>
+    <message>
+        <source>Laser scanner over ROS</source>
+        <translation>ROS 経由のレーザースキャナー</translation>
+    </message>
+    <message>
+        <source>Point cloud over ROS</source>
+        <translation>ROS 経由の点群</translation>
+    </message>
+    <message>
+        <source>Sees with</source>
+        <translation>見るもの</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Right camera</source>
+        <translation>右カメラ</translation>
+    </message>
+    <message>
+        <source>calib.yml as “handmap-cli calibrate” writes it</source>
+        <translation>「handmap-cli calibrate」が書き出す calib.yml</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>校正</translation>
+    </message>
+    <message>
+        <source>Image width</source>
+        <translation>画像の幅</translation>
+    </message>
+    <message>
+        <source>Image height</source>
+        <translation>画像の高さ</translation>
+    </message>
+    <message>
+        <source>as it comes</source>
+        <translation>そのまま</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>スキャナー</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>トピック</translation>
+    </message>
+    <message>
+        <source>Sensor ahead</source>
+        <translation>センサーの前方位置</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Sensor left</source>
+        <translation>センサーの左方位置</translation>
+    </message>
+    <message>
+        <source>Sensor height</source>
+        <translation>センサーの高さ</translation>
+    </message>
+    <message>
+        <source>Turned left</source>
+        <translation>左への回転</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Looks down by</source>
+        <translation>下向きの角度</translation>
+    </message>
+    <message>
+        <source>Sees at most</source>
+        <translation>見える最大距離</translation>
+    </message>
+    <message>
+        <source>It stops, and a pan-tilt head (PTU-D46) looks around</source>
+        <translation>止まって、雲台 (PTU-D46) で見回す</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>雲台</translation>
+    </message>
+    <message>
+        <source>Wheels: lines of text</source>
+        <translation>車輪: テキスト行</translation>
+    </message>
+    <message>
+        <source>Wheels over ROS</source>
+        <translation>ROS 経由の車輪</translation>
+    </message>
+    <message>
+        <source>No wheels: the images</source>
+        <translation>車輪なし: 画像から</translation>
+    </message>
+    <message>
+        <source>No wheels: the scans</source>
+        <translation>車輪なし: スキャンから</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Motion told by</source>
+        <translation>動きを知る方法</translation>
+    </message>
+    <message>
+        <source>Wheels</source>
+        <translation>車輪</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>ファイルを選ぶ</translation>
+    </message>
+    <message>
+        <source>Calibration of the camera</source>
+        <translation>カメラの校正</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yml *.yaml *.xml *.txt)</source>
+        <translation>校正ファイル (*.yml *.yaml *.xml *.txt)</translation>
+    </message>
+    <message>
+        <source>The rig</source>
+        <translation>ロボットの構成</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RigPreviewView</name>
+    <message>
+        <source>%1 m around</source>
+        <translation>周囲 %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RobotPoseTool</name>
+    <message>
+        <source>Press where the robot is now, drag to where it looks</source>
+        <translation>ロボットが今いる場所を押し、見る方向へドラッグします</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RouteTool</name>
+    <message>
+        <source>Click the points of the robot's way</source>
+        <translation>ロボットの通る点をクリックします</translation>
+    </message>
+    <message>
+        <source>Click to lengthen the route · Backspace: one point back · Esc: done</source>
+        <translation>クリックで経路を延ばします · Backspace: 一点戻る · Esc: 完了</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RunActions</name>
+    <message>
+        <source>%1 m: %2 %</source>
+        <translation>%1 m: %2 %</translation>
+    </message>
+    <message>
+        <source>pose within %1</source>
+        <translation>位置の確率 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is open: %n row(s).</source>
+        <translation><numerusform>「%1」を開きました: %n 行</numerusform></translation>
+    </message>
+    <message>
+        <source>Press Run to localize on the drawing.</source>
+        <translation>「実行」を押すと、図面の上で位置を推定します。</translation>
+    </message>
+    <message>
+        <source>Draw the buildings and where the robot starts, or open the drawing; then press Run.</source>
+        <translation>建物とロボットの出発点を描くか、図面を開いてから、「実行」を押してください。</translation>
+    </message>
+    <message>
+        <source>&amp;Two rows of buildings</source>
+        <translation>二列の建物(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A &amp;campus</source>
+        <translation>キャンパス(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Around a campus</source>
+        <translation>キャンパス一周(&amp;A)</translation>
+    </message>
+    <message>
+        <source>T&amp;his drawing</source>
+        <translation>この図面(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A &amp;live robot (virtual rig)</source>
+        <translation>実時間のロボット (仮想)(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The &amp;demonstration</source>
+        <translation>デモ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Frame %1 was skipped: %2</source>
+        <translation>フレーム %1 を飛ばしました: %2</translation>
+    </message>
+    <message>
+        <source>%1 frames were skipped; the latest, %2: %3</source>
+        <translation>%1 フレームを飛ばしました。最新は %2: %3</translation>
+    </message>
+    <message>
+        <source>The run is done. %1</source>
+        <translation>実行が終わりました。%1</translation>
+    </message>
+    <message>
+        <source>Accept refinement</source>
+        <translation>補正を取り込む</translation>
+    </message>
+    <message>
+        <source>Place the start</source>
+        <translation>出発点を置く</translation>
+    </message>
+    <message>
+        <source>There are no buildings yet to find the robot among.</source>
+        <translation>ロボットの位置を見つける手がかりとなる建物がまだありません。</translation>
+    </message>
+    <message>
+        <source>Draw at least one that the robot comes by.</source>
+        <translation>ロボットがそばを通る建物を、少なくとも一つ描いてください。</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>描く</translation>
+    </message>
+    <message>
+        <source>The map has no start.</source>
+        <translation>地図に出発点がありません。</translation>
+    </message>
+    <message>
+        <source>Press where the robot begins, drag to where it looks, release.</source>
+        <translation>ロボットの出発点を押し、見る方向へドラッグして離します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) were edited since the run began: %1</source>
+        <translation><numerusform>実行開始後に建物 %n 棟が編集されました: %1</numerusform></translation>
+    </message>
+    <message>
+        <source>Their corrected shapes are of the drawing before.</source>
+        <translation>それらの補正は、編集前の図面に対するものです。</translation>
+    </message>
+    <message>
+        <source>Take all others</source>
+        <translation>その他をすべて取り込む</translation>
+    </message>
+    <message>
+        <source>Take all</source>
+        <translation>すべて取り込む</translation>
+    </message>
+    <message>
+        <source>a run is under way</source>
+        <translation>実行中です</translation>
+    </message>
+    <message>
+        <source>no recording, robot or simulator is open</source>
+        <translation>記録、ロボット、シミュレーターのどれも開かれていません</translation>
+    </message>
+    <message>
+        <source>nothing is running</source>
+        <translation>何も実行されていません</translation>
+    </message>
+    <message>
+        <source>no run has corrected anything yet</source>
+        <translation>まだどの実行も補正していません</translation>
+    </message>
+    <message>
+        <source>, %1 of %2</source>
+        <translation>、%1 / %2</translation>
+    </message>
+    <message>
+        <source>, %1</source>
+        <translation>、%1</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>開いています</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation>仕上げ中</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Ready to run</source>
+        <translation>実行できます</translation>
+    </message>
+    <message>
+        <source>No robot</source>
+        <translation>ロボットなし</translation>
+    </message>
+    <message>
+        <source>Looking back</source>
+        <translation>過去を表示中</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RunSetupPanel</name>
+    <message>
+        <source>Handmap</source>
+        <translation>Handmap</translation>
+    </message>
+    <message>
+        <source>Published FastSLAM/PSOM</source>
+        <translation>論文の FastSLAM/PSOM</translation>
+    </message>
+    <message>
+        <source>Ours, or the published method to the letter</source>
+        <translation>本プログラムの方法、または論文どおりの方法</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Scale unknown</source>
+        <translation>縮尺が不明</translation>
+    </message>
+    <message>
+        <source>The drawing may be 0.7 to 1.4 times as large as the place</source>
+        <translation>図面は実際の 0.7 倍から 1.4 倍の大きさかもしれない</translation>
+    </message>
+    <message>
+        <source>Turn unknown</source>
+        <translation>向きが不明</translation>
+    </message>
+    <message>
+        <source>The drawing may be turned by up to 40° about the robot's start</source>
+        <translation>図面はロボットの出発点を中心に最大 40° 回っているかもしれない</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>図面</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Poses of the robot that are followed at once</source>
+        <translation>同時に追うロボットの位置の数</translation>
+    </message>
+    <message>
+        <source>Swarm</source>
+        <translation>群れ</translation>
+    </message>
+    <message>
+        <source>Points of the swarm that corrects a building; published method</source>
+        <translation>建物を補正する群れの点の数 (論文の方法)</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>反復</translation>
+    </message>
+    <message>
+        <source>Moves of a swarm in one observation, at most; published method</source>
+        <translation>一観測での群れの最大移動回数 (論文の方法)</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>乱数の種</translation>
+    </message>
+    <message>
+        <source>The same seed and the same inputs give the same result</source>
+        <translation>同じ種と同じ入力からは同じ結果が得られます</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>スレッド</translation>
+    </message>
+    <message>
+        <source>The result does not depend on it</source>
+        <translation>結果はこれによりません</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>プログラム付属</translation>
+    </message>
+    <message>
+        <source>Nothing: all walls count</source>
+        <translation>なし: すべての壁を使う</translation>
+    </message>
+    <message>
+        <source>What tells buildings from trees and hedges in images; one's own comes from Teach buildings</source>
+        <translation>画像で建物を木や生け垣と見分けるもの。「建物を教える」で自分のものを作れます</translation>
+    </message>
+    <message>
+        <source>Told by</source>
+        <translation>見分けるもの</translation>
+    </message>
+    <message>
+        <source>Images, else points</source>
+        <translation>画像、なければ点</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>What is taken of a recording</source>
+        <translation>記録のどれを使うか</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>情報源</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>最初のフレーム</translation>
+    </message>
+    <message>
+        <source>First frame of a recording</source>
+        <translation>記録の最初のフレーム</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>最後のフレーム</translation>
+    </message>
+    <message>
+        <source>Last frame of a recording</source>
+        <translation>記録の最後のフレーム</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>終わり</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>Takes each Nth observation</source>
+        <translation>N 件ごとに一観測を使います</translation>
+    </message>
+    <message>
+        <source>What was taught</source>
+        <translation>教えたもの</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RunWorker</name>
+    <message>
+        <source>The run needs more memory than there is.</source>
+        <translation>実行に必要なメモリがありません。</translation>
+    </message>
+    <message>
+        <source>Fewer particles in the run settings need less.</source>
+        <translation>実行の設定で粒子を減らすと少なくて済みます。</translation>
+    </message>
+    <message>
+        <source>The run ended with an unexpected error: %1</source>
+        <translation>実行が予期しない問題で終わりました: %1</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::SelectTool</name>
+    <message>
+        <source>Release to select what the frame touches · Shift adds to it</source>
+        <translation>離すと枠に触れるものを選択 · Shift で追加</translation>
+    </message>
+    <message>
+        <source>Release to resize · Alt: about the centre · Esc: cancel</source>
+        <translation>離すと大きさを決定 · Alt: 中心を保つ · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Release to turn · Shift: steps of 15° · Esc: cancel</source>
+        <translation>離すと向きを決定 · Shift: 15° ごと · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Release to place it · Esc: cancel</source>
+        <translation>離すと置きます · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Click or drag a frame to select · Shift adds · Space or middle button pans</source>
+        <translation>クリックまたは枠のドラッグで選択 · Shift で追加 · Space または中ボタンで移動</translation>
+    </message>
+    <message>
+        <source>Drag a point to bend the route, a line to move it · Del removes</source>
+        <translation>点のドラッグで経路を曲げ、線のドラッグで移動 · Del で削除</translation>
+    </message>
+    <message>
+        <source>Drag to move · handles resize and turn · arrow keys nudge · Del removes</source>
+        <translation>ドラッグで移動 · ハンドルで大きさと向きを変更 · 矢印キーで微調整 · Del で削除</translation>
+    </message>
+    <message>
+        <source>Drag to move · arrow keys nudge · Del removes · Shift adds to the selection</source>
+        <translation>ドラッグで移動 · 矢印キーで微調整 · Del で削除 · Shift で選択に追加</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>微調整</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::StartPage</name>
+    <message>
+        <source>Start of the robot</source>
+        <translation>ロボットの出発点</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::StartTool</name>
+    <message>
+        <source>Press where the robot starts, drag to where it looks</source>
+        <translation>ロボットの出発点を押し、見る方向へドラッグします</translation>
+    </message>
+    <message>
+        <source>Release to finish · Shift: steps of 15° · Esc: cancel</source>
+        <translation>離すと完了 · Shift: 15° ごと · Esc: 中止</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::SummaryPage</name>
+    <message>
+        <source>Selection</source>
+        <translation>選択</translation>
+    </message>
+    <message>
+        <source>%1 objects of several kinds</source>
+        <translation>複数の種類のオブジェクト %1 個</translation>
+    </message>
+    <message>
+        <source>Route through %1 points, %2 m</source>
+        <translation>%1 点を通る経路、%2 m</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::SureBox</name>
+    <message>
+        <source>sure</source>
+        <translation>確か</translation>
+    </message>
+    <message>
+        <source>roughly</source>
+        <translation>だいたい</translation>
+    </message>
+    <message>
+        <source>a guess</source>
+        <translation>推測</translation>
+    </message>
+    <message>
+        <source>in numbers</source>
+        <translation>数値で</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::TeachPanel</name>
+    <message>
+        <source>Use colours</source>
+        <translation>色を使う</translation>
+    </message>
+    <message>
+        <source>Save model…</source>
+        <translation>モデルを保存…</translation>
+    </message>
+    <message>
+        <source>Save with the map</source>
+        <translation>地図とともに保存</translation>
+    </message>
+    <message>
+        <source>Open images…</source>
+        <translation>画像を開く…</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Not a building</source>
+        <translation>建物ではない</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>消す</translation>
+    </message>
+    <message>
+        <source>What the left button paints; the right one erases</source>
+        <translation>左ボタンで塗るもの。右ボタンは消します</translation>
+    </message>
+    <message>
+        <source>%1 × %1 windows</source>
+        <translation>%1 × %1 窓</translation>
+    </message>
+    <message>
+        <source>&amp;Paint</source>
+        <translation>塗る(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Without, the model also suits cameras that see grey</source>
+        <translation>使わないと、白黒カメラにも合うモデルになります</translation>
+    </message>
+    <message>
+        <source>Beside the drawing, which takes it up whenever it is opened</source>
+        <translation>図面の横に保存し、図面を開くたびに使われます</translation>
+    </message>
+    <message>
+        <source>Load model…</source>
+        <translation>モデルを読み込む…</translation>
+    </message>
+    <message>
+        <source>Open images</source>
+        <translation>画像を開く</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg)</source>
+        <translation>画像 (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>モデルを保存</translation>
+    </message>
+    <message>
+        <source>Load a model</source>
+        <translation>モデルを読み込む</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>&amp;Train</source>
+        <translation>学習(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Painted: %1 windows of buildings, %2 of others.</source>
+        <translation>塗った窓: 建物 %1、その他 %2。</translation>
+    </message>
+    <message>
+        <source> Paint at least %1 of each to train.</source>
+        <translation> 学習するには、それぞれ %1 以上塗ってください。</translation>
+    </message>
+    <message>
+        <source>&lt;br&gt;The model (crosses): balanced accuracy &lt;b&gt;%1 %&lt;/b&gt;, precision %2 %, recall %3 %, cross-validated on %4 windows.</source>
+        <translation>&lt;br&gt;モデル (×印): 平均正解率 &lt;b&gt;%1 %&lt;/b&gt;、適合率 %2 %、再現率 %3 % (%4 窓で交差検証)</translation>
+    </message>
+    <message>
+        <source>Your own images</source>
+        <translation>自分の画像</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::TeachView</name>
+    <message>
+        <source>Open some of your own images, paint where there are buildings and where there are none, then train.</source>
+        <translation>自分の画像を何枚か開き、建物のある所とない所を塗って、学習させてください。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::TemplateMenu</name>
+    <message>
+        <source>A street, houses on both sides</source>
+        <translation>両側に家の並ぶ通り</translation>
+    </message>
+    <message>
+        <source>A crossroads</source>
+        <translation>交差点</translation>
+    </message>
+    <message>
+        <source>A campus around a yard</source>
+        <translation>中庭のあるキャンパス</translation>
+    </message>
+    <message>
+        <source>Keep as a template</source>
+        <translation>テンプレートとして保存</translation>
+    </message>
+    <message>
+        <source>Handmap drawings (*.handmap)</source>
+        <translation>Handmap の図面 (*.handmap)</translation>
+    </message>
+    <message>
+        <source>My template</source>
+        <translation>私のテンプレート</translation>
+    </message>
+    <message>
+        <source>The drawing can be begun with under File / New from Template.</source>
+        <translation>「ファイル」→「テンプレートから新規作成」で、この図面から始められます。</translation>
+    </message>
+    <message>
+        <source>New fro&amp;m Template</source>
+        <translation>テンプレートから新規作成(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
+    </message>
+    <message>
+        <source>Click: look at that moment · Shift+drag: play this again and again</source>
+        <translation>クリック: その時点を見る · Shift+ドラッグ: この区間を繰り返し再生</translation>
+    </message>
+    <message>
+        <source>Bookmark at %1</source>
+        <translation>%1 のブックマーク</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>ツアーを終える</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 / %2: %3</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::TransportBar</name>
+    <message>
+        <source>Speed: times the clock of the recording</source>
+        <translation>速さ: 記録の時計の何倍か</translation>
+    </message>
+    <message>
+        <source>No robot yet</source>
+        <translation>ロボットはまだありません</translation>
+    </message>
+    <message>
+        <source>Where the observations come from</source>
+        <translation>観測の出どころ</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 秒</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速さ</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::UnderlayItem</name>
+    <message>
+        <source>outside of the folder of the drawing</source>
+        <translation>図面のフォルダーの外にあります</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it</source>
+        <translation>メモリが足りません</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 を読んでいます…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::VertexTable</name>
+    <message>
+        <source>Add corner</source>
+        <translation>角を追加</translation>
+    </message>
+    <message>
+        <source>Remove corner</source>
+        <translation>角を削除</translation>
+    </message>
+    <message>
+        <source>Corners of the building</source>
+        <translation>建物の角</translation>
+    </message>
+    <message>
+        <source>x, m</source>
+        <translation>x (m)</translation>
+    </message>
+    <message>
+        <source>y, m</source>
+        <translation>y (m)</translation>
+    </message>
+    <message>
+        <source>In the middle of the edge after the chosen corner</source>
+        <translation>選んだ角の次の辺の中央に</translation>
+    </message>
+    <message>
+        <source>“%1” is no number of metres on the map.</source>
+        <translation>「%1」は地図上のメートル値ではありません。</translation>
+    </message>
+    <message>
+        <source>The outline would cross itself, or have no area.</source>
+        <translation>輪郭が自分自身と交差するか、面積がなくなります。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::WelcomeStrip</name>
+    <message>
+        <source>&lt;b&gt;Draw the map you remember&lt;/b&gt;; Handmap finds the robot on it and corrects the drawing.</source>
+        <translation>&lt;b&gt;覚えている地図を描いてください。&lt;/b&gt;Handmap がその上でロボットの位置を見つけ、図面を補正します。</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>デモ</translation>
+    </message>
+    <message>
+        <source>Watch a simulated robot correct a drawing</source>
+        <translation>模擬ロボットが図面を補正する様子を見る</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>描く</translation>
+    </message>
+    <message>
+        <source>Start with an empty drawing</source>
+        <translation>空の図面から始める</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>What a real robot has seen</source>
+        <translation>実際のロボットが見たもの</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>シミュレーター</translation>
+    </message>
+    <message>
+        <source>A robot among buildings that you have a sketch of</source>
+        <translation>スケッチのある建物の間を走るロボット</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Connect a live robot: camera or scanner, head, wheels</source>
+        <translation>実機を接続: カメラまたはスキャナー、雲台、車輪</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>Where things are, in five steps</source>
+        <translation>五段階の画面案内</translation>
+    </message>
+    <message>
+        <source>Do not show this again</source>
+        <translation>今後表示しない</translation>
+    </message>
+</context>
+</TS>

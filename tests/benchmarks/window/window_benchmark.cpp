@@ -1,0 +1,181 @@
+// What who looks on has to wait for: the window to come up, what is drawn to be new, the event loop
+// to answer, and memory to stay what it is.
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <thread>
+
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include "app/gui/application.h"
+#include "app/gui/main_window.h"
+#include "app/gui/run_actions.h"
+#include "core/session/run_history.h"
+#include "core/simulation/simulated_source.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/run/run_mailbox.h"
+#include "widgets/run/run_overlays.h"
+#include "widgets/run/transport_bar.h"
+
+namespace handmap {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsNow() {
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+double residentMb() {
+  std::ifstream file("/proc/self/statm");
+  double pages = 0.0;
+  file >> pages >> pages;
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
+}
+
+/// p50, p99 and the worst of times in milliseconds.
+void count(benchmark::State& state, std::vector<double> ms) {
+  if (ms.empty()) return;
+  std::sort(ms.begin(), ms.end());
+  const auto at = [&](double share) {
+    return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
+  };
+  state.counters["p50_ms"] = at(0.5);
+  state.counters["p99_ms"] = at(0.99);
+  state.counters["worst_ms"] = ms.back();
+}
+
+struct Window {
+  Window() : settings(folder.filePath("settings.ini"), QSettings::IniFormat) {
+    window = std::make_unique<MainWindow>(document, settings);
+    window->show();
+    static_cast<void>(QTest::qWaitForWindowExposed(window.get()));
+  }
+  QTemporaryDir folder;
+  QSettings settings;
+  MapDocument document;
+  std::unique_ptr<MainWindow> window;
+};
+
+void comesUp(benchmark::State& state) {
+  for (auto _ : state) {
+    Window window;
+    window.window->grab();
+  }
+}
+BENCHMARK(comesUp)->Unit(benchmark::kMillisecond);
+
+/// One run after another at the speed of the computer; a heart beats beside.
+void stalls(benchmark::State& state) {
+  std::vector<double> gaps;
+  for (auto _ : state) {
+    Window one;
+    MainWindow& window = *one.window;
+    window.runs().openTwoRows();
+    window.transport().setSpeed(0.0);
+    QTimer heart;
+    heart.setTimerType(Qt::PreciseTimer);
+    QElapsedTimer since;
+    QObject::connect(&heart, &QTimer::timeout, &heart, [&] {
+      gaps.push_back(1e-6 * static_cast<double>(since.nsecsElapsed()));
+      since.start();
+    });
+    since.start();
+    heart.start(1);
+    QElapsedTimer all;
+    all.start();
+    while (all.elapsed() < 1000 * state.range(0)) {
+      if (!window.run().isActive()) window.runs().runOrResume();
+      QTest::qWait(50);
+    }
+  }
+  count(state, gaps);
+}
+BENCHMARK(stalls)->Arg(20)->Iterations(1)->Unit(benchmark::kSecond);
+
+/// Snapshots of a run come so many times a second; how old is what has just been drawn?
+void ageOfWhatIsDrawn(benchmark::State& state) {
+  const World world = twoRowWorld(1);
+  RunSession session(perturbed(world.map, 3.0, 1), simulate(world, {}, 1), {});
+  std::vector<std::shared_ptr<const Snapshot>> run;
+  while (auto snapshot = session.step()) run.push_back(std::move(snapshot));
+
+  MapDocument document;
+  document.reset(perturbed(world.map, 3.0, 1));
+  MapCanvas canvas(document);
+  canvas.resize(1000, 700);
+  canvas.show();
+  canvas.zoomToFit();
+  RunOverlays overlays(*canvas.scene(), kOverlayZ);
+  RunMailbox mailbox;
+  std::vector<double> ages;
+  QObject::connect(&mailbox, &RunMailbox::arrived, &mailbox, [&](const RunNews& news) {
+    overlays.show(*news.newest);
+    canvas.viewport()->repaint();
+    ages.push_back(1e3 * (secondsNow() - news.newest->report.time_s));
+  });
+  for (auto _ : state) {
+    const std::jthread source([&](const std::stop_token& stop) {
+      auto next = Clock::now();
+      for (std::size_t i = 0; !stop.stop_requested(); ++i) {
+        auto snapshot = std::make_shared<Snapshot>(*run[i % run.size()]);
+        snapshot->report.time_s = secondsNow();
+        mailbox.post(std::move(snapshot));
+        next += std::chrono::microseconds(1'000'000 / state.range(0));
+        std::this_thread::sleep_until(next);
+      }
+    });
+    QTest::qWait(5000);
+  }
+  count(state, ages);
+}
+BENCHMARK(ageOfWhatIsDrawn)->Arg(400)->Iterations(1)->Unit(benchmark::kSecond);
+
+/// As those of a run: the way grows, a window of it changes each time.
+void pastOfARun(benchmark::State& state) {
+  constexpr std::size_t kWindow = 12;
+  for (auto _ : state) {
+    RunHistory history;
+    SharedListWriter<StampedPose> way;
+    const double before_mb = residentMb();
+    for (int i = 1; i <= state.range(0); ++i) {
+      way.push_back({0.1 * i, {0.1 * i, 0.0, 0.0}});
+      for (std::size_t k = way.size() - std::min(kWindow, way.size()); k < way.size(); ++k) {
+        way.set(k, {way[k].time_s, {way[k].pose.x, 1e-3 * i, 0.0}});
+      }
+      Snapshot snapshot;
+      snapshot.index = i;
+      snapshot.report.time_s = 0.1 * i;
+      snapshot.particles.resize(100);
+      snapshot.image = cv::Mat1b(370, 1226);
+      snapshot.trajectory = way.share();
+      history.add(snapshot);
+    }
+    state.counters["MB"] = residentMb() - before_mb;
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+BENCHMARK(pastOfARun)
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace handmap
+
+int main(int argc, char** argv) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  handmap::Application app(argc, argv);
+  QStandardPaths::setTestModeEnabled(true);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,117 @@
+// Every text of the program in every language, and the window in Japanese.
+#include "app/gui/language.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QMenuBar>
+#include <QRegularExpression>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include <gtest/gtest.h>
+
+#include "tests/journeys/window_test.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/run/layers.h"
+
+namespace handmap {
+namespace {
+
+struct Entry {
+  QString context;
+  QString source;
+  QStringList translations;  ///< one, or one a plural form
+  bool finished = true;
+};
+
+std::vector<Entry> entriesOf(const char* language) {
+  QFile file(QStringLiteral(HANDMAP_TRANSLATIONS "/handmap_%1.ts").arg(language));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << language;
+  QXmlStreamReader xml(&file);
+  std::vector<Entry> entries;
+  QString context;
+  bool numerus = false;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    if (xml.name() == QLatin1String("message")) numerus = xml.attributes().hasAttribute("numerus");
+    if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+    if (xml.name() == QLatin1String("source"))
+      entries.push_back({context, xml.readElementText(), {}});
+    if (xml.name() == QLatin1String("numerusform"))
+      entries.back().translations << xml.readElementText();
+    if (xml.name() != QLatin1String("translation")) continue;
+    entries.back().finished = !xml.attributes().hasAttribute("type");
+    if (!numerus) entries.back().translations << xml.readElementText();
+  }
+  EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+  return entries;
+}
+
+/// "%1", "%2" … and "%n", sorted.
+QStringList placesIn(const QString& text) {
+  QStringList places;
+  static const QRegularExpression kPlace(QStringLiteral("%(\\d|n)"));
+  for (auto match = kPlace.globalMatch(text); match.hasNext();) places << match.next().captured();
+  places.sort();
+  return places;
+}
+
+TEST(Translations, NoneIsUnfinishedAndNoneLosesANumber) {
+  for (const char* language : {"ja", "en"}) {
+    const std::vector<Entry> entries = entriesOf(language);
+    EXPECT_FALSE(entries.empty()) << language;
+    for (const Entry& entry : entries) {
+      EXPECT_TRUE(entry.finished && !entry.translations.join(QString()).isEmpty())
+          << language << ": " << entry.context.toStdString() << ": " << entry.source.toStdString();
+      for (const QString& text : entry.translations)
+        EXPECT_EQ(placesIn(text), placesIn(entry.source)) << text.toStdString();
+    }
+  }
+}
+
+class Translated : public WindowTest {
+ protected:
+  void speak(const char* language) {
+    settings_.setValue("view/language", language);
+    installLanguage(*qApp, settings_);
+  }
+  ~Translated() override {
+    for (QTranslator* translator : qApp->findChildren<QTranslator*>()) {
+      QCoreApplication::removeTranslator(translator);
+      delete translator;
+    }
+  }
+};
+
+TEST_F(Translated, EveryActionAndLayerIsTaken) {
+  speak("ja");
+  for (const ActionSpec& spec : actionTable()) {
+    for (const char* text : {spec.text, spec.hint}) {
+      const bool is_name_of_a_language = QLatin1String(text) == QLatin1String("&English");
+      EXPECT_TRUE(is_name_of_a_language ||
+                  QCoreApplication::translate("Actions", text) != QString::fromUtf8(text))
+          << text << ": ./dev translate takes new texts up into resources/translations";
+    }
+  }
+  for (const LayerSpec& spec : kLayers)
+    EXPECT_NE(QCoreApplication::translate("handmap::LayersPanel", spec.text),
+              QString::fromUtf8(spec.text));
+}
+
+TEST_F(Translated, TheWindowSpeaksJapaneseAndCountsInEnglish) {
+  speak("ja");
+  auto window = open();
+  EXPECT_EQ(window->menuBar()->actions().front()->text(), "ファイル(&F)");
+  EXPECT_TRUE(action(*window, "file.save")->toolTip().startsWith("保存 (Ctrl+S)"));
+  window.reset();
+  speak("en");
+  EXPECT_EQ(QCoreApplication::translate("handmap::IssuesPanel", "%n issue(s); a click shows where.",
+                                        nullptr, 1),
+            "1 issue; a click shows where.");
+  EXPECT_EQ(QCoreApplication::translate("handmap::IssuesPanel", "%n issue(s); a click shows where.",
+                                        nullptr, 2),
+            "2 issues; a click shows where.");
+}
+
+}  // namespace
+}  // namespace handmap

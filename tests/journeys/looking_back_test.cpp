@@ -1,0 +1,163 @@
+// The past of a run in the window: looked at, played again, and changed.
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "core/map/map_io.h"
+#include "tests/journeys/window_test.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/document/map_document.h"
+#include "widgets/run/timeline.h"
+
+namespace handmap {
+namespace {
+
+class LookingBack : public WindowTest {
+ protected:
+  LookingBack() : window_(open()) { runSimulator(*window_); }
+
+  PlaybackActions& past() { return window_->runs().past(); }
+  int shown() { return window_->transport().timeline().value(); }
+  int done() { return window_->transport().timeline().done(); }
+  bool waitDone() {
+    return QTest::qWaitFor([this] { return done() > 0 && !window_->run().isActive(); },
+                           kPatienceMs);
+  }
+  bool waitForPast(int index) {
+    return QTest::qWaitFor([this, index] { return done() >= index; }, kPatienceMs);
+  }
+  bool waitForRevision() {
+    QSignalSpy revised(&window_->run(), &RunController::revised);
+    return revised.wait(kPatienceMs);
+  }
+  void pressMessage(const QString& text) {
+    for (auto* button : window_->messages().findChildren<QPushButton*>()) {
+      if (button->text() == text) return button->click();
+    }
+    FAIL() << "no button " << text.toStdString() << " in " << message(*window_).toStdString();
+  }
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(LookingBack, PausesShowsThePastAndGoesOnFromThere) {
+  ASSERT_TRUE(waitForPast(5));
+  past().seek(3);
+  EXPECT_EQ(shown(), 3);
+  EXPECT_FALSE(past().playback().atNewest());
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return window_->run().state() != RunState::Running; }, kPatienceMs));
+  EXPECT_TRUE(window_->runs().stateInWords().startsWith("Looking back"));
+  action(*window_, "run.back")->trigger();
+  EXPECT_EQ(shown(), 2);
+  action(*window_, "run.step")->trigger();
+  EXPECT_EQ(shown(), 3);
+  action(*window_, "run.run")->trigger();
+  ASSERT_TRUE(waitDone());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return past().playback().atNewest(); }, kPatienceMs));
+  EXPECT_EQ(shown(), done());
+  EXPECT_TRUE(window_->runs().stateInWords().startsWith("Done"));
+}
+
+TEST_F(LookingBack, WhatIsStillToComeIsComputedFirst) {
+  ASSERT_TRUE(waitForPast(1));
+  const int goal = window_->transport().timeline().maximum() - 2;
+  past().seek(goal);
+  ASSERT_TRUE(waitForPast(goal));
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return window_->run().state() != RunState::Running; }, kPatienceMs));
+  EXPECT_GE(shown(), goal);
+}
+
+TEST_F(LookingBack, StaysInThePastWhileTheRunHasEnded) {
+  ASSERT_TRUE(waitDone());
+  past().seek(1);
+  EXPECT_EQ(shown(), 1);
+  EXPECT_TRUE(action(*window_, "run.newest")->isEnabled());
+  action(*window_, "run.newest")->trigger();
+  EXPECT_EQ(shown(), done());
+  EXPECT_FALSE(action(*window_, "run.newest")->isEnabled());
+}
+
+TEST_F(LookingBack, AChangedDrawingIsTakenOrNot) {
+  ASSERT_TRUE(waitDone());
+  EXPECT_FALSE(action(*window_, "run.recompute")->isEnabled());
+  const std::string before = formatMap(window_->run().result()->map());
+  const QString gone = QString::fromStdString(document_.map().buildings.back().id);
+  document_.setSelection({gone});
+  document_.removeSelected();
+  ASSERT_TRUE(action(*window_, "run.recompute")->isEnabled());
+  for (const bool take : {false, true}) {
+    QSignalSpy ready(&window_->run(), &RunController::revisionReady);
+    action(*window_, "run.recompute")->trigger();
+    ASSERT_TRUE(ready.wait(kPatienceMs));
+    pressMessage(take ? "Take the new one" : "Keep what was");
+    EXPECT_FALSE(window_->run().isRevising());
+    const Map& refined = window_->run().result()->map();
+    EXPECT_EQ(formatMap(refined) == before, !take);
+    EXPECT_EQ(refined.buildings.size(), document_.map().buildings.size() + (take ? 0 : 1));
+  }
+  EXPECT_FALSE(action(*window_, "run.recompute")->isEnabled());
+  // And back, to the byte.
+  document_.undoStack().undo();
+  QSignalSpy ready(&window_->run(), &RunController::revisionReady);
+  action(*window_, "run.recompute")->trigger();
+  ASSERT_TRUE(ready.wait(kPatienceMs));
+  pressMessage("Take the new one");
+  EXPECT_EQ(formatMap(window_->run().result()->map()), before);
+}
+
+TEST_F(LookingBack, APoseThatIsGivenIsTakenInTheMiddleAndTheRunGoesOn) {
+  ASSERT_TRUE(waitForPast(4));
+  past().seek(4);
+  const Pose2 given{40.0, 1.0, 0.1};
+  Q_EMIT window_->canvas().robotPoseGiven(given);
+  ASSERT_TRUE(waitForRevision());
+  ASSERT_EQ(window_->run().settings().given_poses.size(), 1U);
+  EXPECT_EQ(window_->run().settings().given_poses[0].pose, given);
+  ASSERT_TRUE(window_->run().history());
+  EXPECT_GE(window_->run().history()->newest(), 4);
+  window_->runs().past().playback().toNewest();
+  window_->run().resume();
+  ASSERT_TRUE(waitDone());
+  EXPECT_TRUE(action(*window_, "run.forget_poses")->isEnabled());
+  action(*window_, "run.forget_poses")->trigger();
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_TRUE(window_->run().settings().given_poses.empty());
+}
+
+TEST_F(LookingBack, ABuildingIsRightOrNotThere) {
+  ASSERT_TRUE(waitDone());
+  const std::string right = document_.map().buildings[0].id;
+  const std::size_t count = document_.map().buildings.size();
+  const Rectangle corrected = window_->run().result()->map().buildings[0].box();
+  document_.setSelection({QString::fromStdString(right)});
+  action(*window_, "run.right")->trigger();
+  EXPECT_TRUE(document_.map().buildings[0].fixed);
+  EXPECT_LT((document_.map().buildings[0].box().centre - corrected.centre).norm(), 1e-6);
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_TRUE(window_->run().drawing().buildings[0].fixed);
+  document_.setSelection({QString::fromStdString(document_.map().buildings[1].id)});
+  action(*window_, "run.not_there")->trigger();
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_EQ(window_->run().result()->map().buildings.size(), count - 1);
+}
+
+TEST_F(LookingBack, ARevisionThatIsLeftIsForgotten) {
+  ASSERT_TRUE(waitDone());
+  for (const char* leave : {"file.new", "run.run", "quit"}) {
+    document_.setSelection({QString::fromStdString(document_.map().buildings.back().id)});
+    action(*window_, "run.not_there")->trigger();
+    EXPECT_TRUE(window_->run().isRevising());
+    if (leave == std::string("quit")) {
+      window_.reset();
+      break;
+    }
+    document_.undoStack().setClean();  // nobody is to be asked
+    action(*window_, leave)->trigger();
+    EXPECT_FALSE(window_->run().isRevising());
+    if (leave == std::string("file.new")) runSimulator(*window_);
+    ASSERT_TRUE(waitDone());
+  }
+}
+
+}  // namespace
+}  // namespace handmap

@@ -1,0 +1,138 @@
+// Pictures under the drawing, from the menu and dropped on the window.
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QPushButton>
+
+#include <gtest/gtest.h>
+
+#include "app/gui/file_actions.h"
+#include "core/map/map_io.h"
+#include "tests/journeys/scripted_dialogs.h"
+#include "tests/journeys/window_test.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/pictures/picture_tool.h"
+
+namespace handmap {
+namespace {
+
+class PictureWindow : public WindowTest {
+ protected:
+  PictureWindow() {
+    auto dialogs = std::make_unique<ScriptedDialogs>();
+    dialogs_ = dialogs.get();
+    window_ = std::make_unique<MainWindow>(document_, settings_, std::move(dialogs));
+    window_->show();
+    EXPECT_TRUE(QDir(folder_.path()).mkdir("elsewhere"));
+    EXPECT_TRUE(QImage(400, 200, QImage::Format_RGB32).save(path("elsewhere/photo.png")));
+  }
+  ~PictureWindow() override { document_.undoStack().setClean(); }
+
+  void add(const QString& name) {
+    dialogs_->paths = {path(name)};
+    window_->findChild<QAction*>("draw.add_picture")->trigger();
+  }
+  void drop(const QString& name) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path(name))});
+    QDragEnterEvent enter(QPoint(200, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &enter);
+    QDropEvent event(QPointF(200.0, 300.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &event);
+  }
+  QString newest() const {
+    const auto messages = window_->messages().messages();
+    return messages.isEmpty() ? QString() : messages.front()->text();
+  }
+
+  ScriptedDialogs* dialogs_ = nullptr;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(PictureWindow, APictureIsAddedSelectedAndReadyToBeMoved) {
+  add("elsewhere/photo.png");
+  ASSERT_EQ(document_.map().underlays.size(), 1u);
+  EXPECT_EQ(document_.map().underlays[0].image, path("elsewhere/photo.png").toStdString());
+  EXPECT_EQ(document_.selection(), QStringList{pictureKey(0)});
+  EXPECT_EQ(window_->canvas().tool(), ToolId::Picture);
+  EXPECT_TRUE(document_.trustsReferences()) << "chosen by hand";
+  EXPECT_TRUE(newest().contains("“photo.png” lies under the drawing")) << newest().toStdString();
+  window_->findChild<QAction*>("edit.delete")->trigger();
+  EXPECT_TRUE(document_.map().underlays.empty());
+}
+
+TEST_F(PictureWindow, ASavedDrawingNamesItFromItsOwnFolder) {
+  document_.save(path("m.handmap"));
+  drop("elsewhere/photo.png");
+  ASSERT_EQ(document_.map().underlays.size(), 1u);
+  EXPECT_EQ(document_.map().underlays[0].image, "elsewhere/photo.png");
+  const Underlay& underlay = document_.map().underlays[0];
+  const double middle = underlay.x + 200.0 * underlay.metres_per_pixel;
+  EXPECT_LT(middle, window_->canvas().visibleMetres().center().x()) << "where it was dropped";
+}
+
+TEST_F(PictureWindow, AWorldFileIsBelievedAndItsPlaceTakenOver) {
+  QFile file(path("elsewhere/photo.pgw"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("0.000005\n0\n0\n-0.000004\n137.4\n34.7\n");
+  file.close();
+  add("elsewhere/photo.png");
+  ASSERT_TRUE(document_.map().georeference.has_value());
+  EXPECT_NEAR(document_.map().georeference->latitude, 34.7, 0.01);
+  EXPECT_NEAR(document_.map().underlays[0].metres_per_pixel, 0.45, 0.02);
+  EXPECT_TRUE(newest().contains("lies where its file says")) << newest().toStdString();
+  document_.undoStack().undo();
+  EXPECT_FALSE(document_.map().georeference.has_value()) << "one step";
+}
+
+TEST_F(PictureWindow, HostilePicturesAreToldAndNothingIsAdded) {
+  QFile file(path("bad.png"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("\x89PNG but no more");
+  file.close();
+  add("bad.png");
+  EXPECT_TRUE(newest().contains("bad.png")) << newest().toStdString();
+  drop("bad.png");
+  add("gone.png");
+  EXPECT_TRUE(newest().contains("no such file")) << newest().toStdString();
+  EXPECT_TRUE(document_.map().underlays.empty());
+}
+
+TEST_F(PictureWindow, ADrawingOfSomebodyElseIsNotTrustedByAddingOneOfMine) {
+  Map map;
+  map.underlays.push_back({"../secret.png", 0.0, 0.0, 1.0, 0.0, 1.0, {}});
+  writeMap(map, path("elsewhere/theirs.handmap").toStdString());
+  ASSERT_TRUE(window_->files().open(path("elsewhere/theirs.handmap")));
+  add("elsewhere/photo.png");
+  EXPECT_EQ(document_.map().underlays.size(), 2u);
+  EXPECT_FALSE(document_.trustsReferences());
+}
+
+TEST_F(PictureWindow, ThePropertiesScaleItByALength) {
+  add("elsewhere/photo.png");
+  auto press = [&](const char* name) { window_->findChild<QPushButton*>(name)->click(); };
+  press("by_length");
+  PictureTool& tool = window_->canvas().pictureTool();
+  EXPECT_EQ(tool.mode(), PictureTool::Mode::Scale);
+  ToolEvent event;
+  for (const double x : {0.0, 10.0}) {
+    event.position = event.snapped = Vec2(x, 0.0);
+    tool.press(event);
+    tool.release(event);
+  }
+  const double before = document_.map().underlays[0].metres_per_pixel;
+  auto* length = window_->findChild<QDoubleSpinBox*>("length");
+  ASSERT_TRUE(length->isEnabled());
+  EXPECT_EQ(length->value(), 10.0);
+  length->setFocus();
+  length->selectAll();
+  QTest::keyClicks(length, "25");
+  QTest::keyClick(length, Qt::Key_Return);
+  EXPECT_NEAR(document_.map().underlays[0].metres_per_pixel, 2.5 * before, 1e-9);
+  EXPECT_FALSE(length->isEnabled());
+}
+
+}  // namespace
+}  // namespace handmap

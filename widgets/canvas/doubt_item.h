@@ -1,0 +1,37 @@
+// How unsure the drawing is: a soft edge as wide as what a run takes for the error of each wall,
+// and a question mark on what may not exist.
+#pragma once
+
+#include <QGraphicsItem>
+#include <vector>
+
+#include "widgets/document/map_document.h"
+#include "widgets/style/colours.h"
+
+namespace handmap {
+
+class DoubtItem : public QGraphicsItem {
+ public:
+  explicit DoubtItem(const MapDocument& document);
+
+  void rebuild();  ///< the map is another
+  void setColours(const Colours& colours);
+
+  QRectF boundingRect() const override { return bounds_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  struct Edge {
+    QPolygonF outline;  ///< metres
+    QRectF bounds;      ///< with the soft edge
+    double sigma;       ///< of a wall, metres
+    bool may_not_exist;
+  };
+
+  const MapDocument& document_;
+  const Colours* colours_ = &Colours::light();
+  std::vector<Edge> edges_;
+  QRectF bounds_;
+};
+
+}  // namespace handmap
