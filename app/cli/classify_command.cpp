@@ -7,6 +7,7 @@
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "core/classification/building_classifier.h"
+#include "core/classification/load_classifier.h"
 #include "core/classification/overlay.h"
 #include "core/recording/image_file.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 struct ClassifyArguments {
   std::string model;
+  std::optional<int> building_class;
   std::string image;
   std::string out;
   bool json = false;
@@ -35,12 +37,13 @@ std::string toJson(const cv::Mat1f& probabilities) {
 int classify(const ClassifyArguments& arguments) {
   checkOutputFiles({arguments.out}, {arguments.image, arguments.model});
   const cv::Mat image = readImage(arguments.image);
-  const BuildingClassifier classifier = arguments.model.empty()
-                                            ? BuildingClassifier::builtIn(image.channels() == 3)
-                                            : BuildingClassifier::load(arguments.model);
+  const auto classifier = arguments.model.empty()
+                              ? std::make_shared<const BuildingClassifier>(
+                                    BuildingClassifier::builtIn(image.channels() == 3))
+                              : loadClassifier(arguments.model, arguments.building_class);
   cv::Mat1f probabilities;
   try {
-    probabilities = classifier.probabilities(image);
+    probabilities = classifier->probabilities(image);
   } catch (const Error& error) {
     throw Error(error.code(), arguments.image + ": " + error.what(), error.hint());
   }
@@ -65,8 +68,11 @@ void addClassifyCommand(CLI::App& app, ChosenCommand& chosen) {
   command->callback(
       [&chosen, arguments] { chosen = [arguments] { return classify(*arguments); }; });
   command->add_option("image", a.image, "PNG or JPEG (required)")->required()->option_text("IMAGE");
-  command->add_option("--model", a.model, "Made by train (default: the one of the program)")
-      ->option_text("MODEL");
+  command
+      ->add_option("--model", a.model,
+                   "Made by train, or a network (default: the one of the program)")
+      ->option_text("MODEL|NET.onnx");
+  addBuildingClass(*command, a.building_class);
   command->add_option("--out", a.out, "The image with a cross on every such window, PNG")
       ->option_text("overlay.png");
   command->add_flag("--json", a.json, "Print the probabilities of all windows");

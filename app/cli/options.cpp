@@ -41,6 +41,11 @@ CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& 
       ->option_text("N");
 }
 
+void addBuildingClass(CLI::App& command, std::optional<int>& building_class) {
+  addNumber(command, "--building-class", building_class, 0, 1000,
+            "Which class of a network is a building");
+}
+
 void checkOutputFiles(const std::vector<std::string>& outputs,
                       const std::vector<std::string>& inputs) {
   std::error_code error;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -31,6 +32,9 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, Number& value
 
 /// --seed.
 CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text);
+
+/// --building-class, of networks.
+void addBuildingClass(CLI::App& command, std::optional<int>& building_class);
 
 /// Of --allow-outside.
 inline constexpr auto kAllowOutsideText =

@@ -13,6 +13,7 @@
 #include "app/cli/run_summary.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/classification/load_classifier.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "core/recording/image_file.h"
@@ -38,6 +39,7 @@ struct RunArguments {
   std::string report;
   std::string local_map;
   std::string model;
+  std::optional<int> building_class;
   std::string given_poses;
   bool allow_outside = false;
 };
@@ -133,12 +135,15 @@ std::filesystem::path modelFile(const RunArguments& arguments, const Map& drawin
 }
 
 /// nullptr: the program's own.
-std::shared_ptr<const BuildingClassifier> classifierFor(const RunArguments& arguments,
-                                                        const Map& drawing) {
+std::shared_ptr<const WindowClassifier> classifierFor(const RunArguments& arguments,
+                                                      const Map& drawing) {
   const std::filesystem::path model = modelFile(arguments, drawing);
-  if (model.empty()) return nullptr;
+  if (model.empty()) {
+    if (!arguments.building_class) return nullptr;
+    throw Error(ErrorCode::Usage, "--building-class: only with --model NAME.onnx");
+  }
   try {
-    return std::make_shared<const BuildingClassifier>(BuildingClassifier::load(model));
+    return loadClassifier(model, arguments.building_class);
   } catch (const Error& error) {
     if (!arguments.model.empty()) throw;
     throw Error(error.code(), error.what(),
@@ -233,7 +238,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
           "--model", a.model,
           "Tells buildings in images, made by train; none: all walls are (default: that of the "
           "map, else the program's)")
-      ->option_text("MODEL|none");
+      ->option_text("MODEL|NET.onnx|none");
+  addBuildingClass(*command, a.building_class);
   command->add_flag("--allow-outside", a.allow_outside, kAllowOutsideText);
   addChoice(*command, "--method", a.settings.method,
             {{"handmap", Method::Handmap}, {"paper", Method::Paper}},

@@ -89,7 +89,8 @@ int runProgram(Application& app, const CommandLine& line) {
   QSettings none(scratch.filePath("settings.ini"), QSettings::IniFormat);
   QSettings& settings = line.isBatch() ? none : own;
   constexpr auto kStartedKey = "window/started";
-  const bool first_start = !line.isBatch() && !settings.contains(kStartedKey);
+  const bool first_start = !line.isBatch() && !settings.contains(kStartedKey) &&
+                           !settings.contains("window/geometry");  // of an earlier version
   settings.setValue(kStartedKey, true);
   installLanguage(app, settings);
 

@@ -10,6 +10,7 @@
 #include "core/classification/kernel_svm.h"
 #include "core/classification/logistic.h"
 #include "core/classification/standardization.h"
+#include "core/classification/window_classifier.h"
 #include "core/classification/window_features.h"
 
 namespace handmap {
@@ -22,8 +23,7 @@ struct TrainingRecord {
   Confusion cross_validated;
 };
 
-/// Immutable once made; any number of threads may use one.
-class BuildingClassifier {
+class BuildingClassifier : public WindowClassifier {
  public:
   BuildingClassifier(FeatureSet features, Standardization standardization, KernelSvm svm,
                      Logistic logistic, TrainingRecord record);
@@ -40,10 +40,8 @@ class BuildingClassifier {
   /// Throws RunFailed.
   void save(const std::filesystem::path& path) const;
 
-  /// Rows × columns of the whole windows: the probability that the window shows a building, if
-  /// buildings and the rest were equally frequent. Windows that are not wanted, where `wanted` is
-  /// given (same size, noWindows()), are not judged: 0.5. `image` and errors as windowFeatures().
-  cv::Mat1f probabilities(const cv::Mat& image, const cv::Mat1b& wanted = {}) const;
+  /// If buildings and the rest were equally frequent. `image` and errors as windowFeatures().
+  cv::Mat1f probabilities(const cv::Mat& image, const cv::Mat1b& wanted = {}) const override;
 
   const FeatureSet& features() const { return features_; }
   const TrainingRecord& record() const { return record_; }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/map/map_flags.h"
+
 namespace handmap {
 
 namespace {
@@ -39,10 +41,11 @@ class Assigner {
         found_(found),
         way_(way),
         options_(options),
-        log_undrawn_(std::log(undrawnDensity(drawing, options))),
-        log_present_(std::log((1.0 - options.phantom) / options.phantom)) {
+        log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
       drawn_at_.push_back(building.box().centre);
+      const double phantom = mayNotExist(building) ? options.uncertain_phantom : options.phantom;
+      log_present_.push_back(std::log((1.0 - phantom) / phantom));
     }
     for (const FoundBox& box : found) {
       found_at_.push_back(box.box.rectangle().centre);
@@ -143,7 +146,7 @@ class Assigner {
 
     Hypothesis extended = hypothesis;
     extended.found_of[building] = static_cast<int>(f);
-    extended.log_weight += pair->log_likelihood - undrawn + log_present_ -
+    extended.log_weight += pair->log_likelihood - undrawn + log_present_[building] -
                            disorder(hypothesis, building, f) - side_price;
     extended.motion = pair->motion;
     next.push_back(std::move(extended));
@@ -158,7 +161,7 @@ class Assigner {
   std::vector<double> half_size_;  ///< of the found ones
   std::vector<int> sides_;         ///< of the found buildings
   double log_undrawn_;
-  double log_present_;
+  std::vector<double> log_present_;  ///< of the drawn ones
 };
 
 }  // namespace

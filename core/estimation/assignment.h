@@ -10,8 +10,9 @@ namespace handmap {
 
 struct AssignmentOptions : PairingOptions {
   int hypotheses = 100;
-  double undrawn = 0.05;    ///< found buildings that no one drew, as a share of the drawn ones
-  double phantom = 0.02;    ///< drawn buildings that are not there or were not found, share
+  double undrawn = 0.05;  ///< found buildings that no one drew, as a share of the drawn ones
+  double phantom = 0.02;  ///< drawn buildings that are not there or were not found, share
+  double uncertain_phantom = 0.5;  ///< the same of those that their drawer says may not exist
   double disorder = 2.0;    ///< price of two buildings that change places in the drawing, nats
   double wrong_side = 3.0;  ///< and of one found on the other side of the robot's way
   double scale_sigma = kUsualScaleSigma;  ///< of the whole drawing

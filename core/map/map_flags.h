@@ -1,5 +1,4 @@
-// What is noted of single objects of a drawing; a run does not look at it. Kept in the file as
-// members of our own ("handmap:hidden": true), so that other readers need not know them.
+// What is noted of single objects of a drawing. Kept in the file as members of our own ("handmap:hidden": true), so that other readers need not know them.
 #pragma once
 
 #include "core/map/map.h"
@@ -36,7 +35,7 @@ bool isLocked(const Item& item) {
   return hasFlag(item.unknown, kLockedKey);
 }
 
-/// Whoever drew it is not sure that it is there at all.
+/// Whoever drew it is not sure that it is there at all. The only one of them that a run looks at.
 inline bool mayNotExist(const Building& building) {
   return hasFlag(building.unknown, kMayNotExistKey);
 }

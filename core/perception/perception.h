@@ -17,7 +17,7 @@ struct PerceptionOptions {
   LocalMapOptions local_map;
   bool classify = true;  ///< tell buildings from the rest in images
   /// nullptr: the ones that come with the program.
-  std::shared_ptr<const BuildingClassifier> classifier;
+  std::shared_ptr<const WindowClassifier> classifier;
 };
 
 struct Percept {

@@ -20,10 +20,10 @@ void forWindows(const WallColumn& wall, cv::Size image, cv::Size seen, Use use) 
 
 }  // namespace
 
-WallJudge::WallJudge(std::shared_ptr<const BuildingClassifier> classifier)
+WallJudge::WallJudge(std::shared_ptr<const WindowClassifier> classifier)
     : classifier_(std::move(classifier)) {}
 
-const BuildingClassifier& WallJudge::classifierFor(const cv::Mat& image) {
+const WindowClassifier& WallJudge::classifierFor(const cv::Mat& image) {
   if (classifier_) return *classifier_;
   const bool colour = image.channels() == 3;
   if (!built_in_ || built_in_->features().colour != colour) {

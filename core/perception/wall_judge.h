@@ -12,7 +12,7 @@ namespace handmap {
 class WallJudge {
  public:
   /// nullptr: the classifiers that come with the program, for grey and for colour images.
-  explicit WallJudge(std::shared_ptr<const BuildingClassifier> classifier);
+  explicit WallJudge(std::shared_ptr<const WindowClassifier> classifier);
 
   /// Writes the probability of its windows into every wall; `columns` in pixels of an image of the
   /// size `seen`, the same view as `image` (8 bit, grey or BGR). Returns the probability of each
@@ -21,9 +21,9 @@ class WallJudge {
   cv::Mat1f operator()(const cv::Mat& image, cv::Size seen, std::vector<WallColumn>& columns);
 
  private:
-  const BuildingClassifier& classifierFor(const cv::Mat& image);
+  const WindowClassifier& classifierFor(const cv::Mat& image);
 
-  std::shared_ptr<const BuildingClassifier> classifier_;
+  std::shared_ptr<const WindowClassifier> classifier_;
   std::unique_ptr<const BuildingClassifier> built_in_;
 };
 

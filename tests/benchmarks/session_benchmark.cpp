@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <thread>
@@ -10,6 +11,8 @@
 #include <pthread.h>
 #include <time.h>
 
+#include "core/map/map_io.h"
+#include "core/recording/recording.h"
 #include "core/session/run_session.h"
 #include "core/simulation/simulated_source.h"
 
@@ -58,6 +61,28 @@ class CreepingSource : public ObservationSource {
   SourceInfo info_;
   int next_ = 0;
 };
+
+/// A real street with cameras, or its lidar, with another drawing: from what was perceived before.
+void doneAgain(benchmark::State& state) {
+  const std::filesystem::path street = std::filesystem::path(HANDMAP_SHARED_DATA) / "street";
+  if (!std::filesystem::exists(street)) return state.SkipWithError("needs the street");
+  ReplayOptions options;
+  options.from = 38;
+  options.kind = state.range(0) == 0 ? SourceKind::Images : SourceKind::Points;
+  constexpr std::size_t kAll = 2U << 30U;
+  const auto tape =
+      std::make_shared<Tape>(replay(openRecording(street), options), PerceptionOptions{}, kAll);
+  const auto run = [&](const char* drawing) {
+    RunSession session(readMap(street / drawing), tape, {});
+    while (session.step()) {
+    }
+  };
+  const auto begin = Clock::now();
+  run("sketch-a.handmap");
+  state.counters["first_ms"] = millisecondsSince(begin);
+  for (auto _ : state) run("sketch-b.handmap");
+}
+BENCHMARK(doneAgain)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 /// Of the last of as many frames: all of a step that its report does not count as its own.
 void snapshot(benchmark::State& state) {

@@ -182,7 +182,8 @@ TEST_F(WindowTest, ATaughtModelIsSavedAndOpenedWithItsMap) {
   EXPECT_FALSE(chosen());
   ASSERT_TRUE(window->files().open(path("yard.handmap")));
   ASSERT_TRUE(chosen());
-  EXPECT_EQ(chosen()->toJson(), BuildingClassifier::builtIn(false).toJson());
+  EXPECT_EQ(chosen(), teach.classifier());
+  EXPECT_EQ(teach.classifier()->toJson(), BuildingClassifier::builtIn(false).toJson());
 
   window->files().replace({});
   QFile::remove(path("yard.model.json"));

@@ -73,7 +73,7 @@ QSpinBox* RunSetupPanel::addNumber(const QString& label, int low, int high, cons
   return box;
 }
 
-void RunSetupPanel::setTaughtClassifier(std::shared_ptr<const BuildingClassifier> classifier) {
+void RunSetupPanel::setTaughtClassifier(std::shared_ptr<const WindowClassifier> classifier) {
   taught_ = std::move(classifier);
   int index = buildings_->findData(static_cast<int>(ToldBy::Taught));
   if (!taught_) {

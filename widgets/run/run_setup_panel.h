@@ -25,7 +25,7 @@ class RunSetupPanel : public QWidget {
 
   /// What tells buildings from the rest in images, beside the classifier of the program; chosen at
   /// once. nullptr: there is none any more.
-  void setTaughtClassifier(std::shared_ptr<const BuildingClassifier> classifier);
+  void setTaughtClassifier(std::shared_ptr<const WindowClassifier> classifier);
 
   RunSetup setup() const;
   void setSetup(const RunSetup& setup);
@@ -49,7 +49,7 @@ class RunSetupPanel : public QWidget {
   QSpinBox* from_;
   QSpinBox* to_;
   QSpinBox* every_;
-  std::shared_ptr<const BuildingClassifier> taught_;
+  std::shared_ptr<const WindowClassifier> taught_;
 };
 
 }  // namespace handmap

@@ -107,7 +107,7 @@ void Timeline::setLoop(std::optional<PlayRange> loop) {
 }
 
 double Timeline::xOf(double index) const {
-  const double share = count() > 0 ? index / count() : 0.0;
+  const double share = index / std::max(count(), 1);
   return kMarginPx + share * (width() - 2.0 * kMarginPx);
 }
 
@@ -129,7 +129,7 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
   QColor still_open = palette().color(QPalette::Text);
   still_open.setAlphaF(0.18F);
   QColor done = palette().color(QPalette::Highlight);
-  strip(0, count(), 3.0, still_open);
+  strip(0, std::max(count(), 1), 3.0, still_open);
   if (loop_) {
     QColor band = done;
     band.setAlphaF(0.35F);

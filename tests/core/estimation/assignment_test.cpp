@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "core/map/map_flags.h"
 
 namespace handmap {
 namespace {
@@ -182,6 +183,33 @@ TEST(Assignment, TakesWhatTheDrawingStatesOfItsScaleAndTurn) {
   EXPECT_GT(sigma({0.0, 0.0}, 0), 0.0);
   EXPECT_LT(sigma({0.0, 0.0}, 1), 1e-3);
   EXPECT_TRUE(withStated({{}, toRadians(20.0)}, {}).free_turn);
+}
+
+TEST(Assignment, WhatMayNotExistNeedsABetterMatch) {
+  Case c;
+  c.drawing.start = Pose2{};
+  c.drawing.uncertainty = {2.0, 2.0};
+  Building building;
+  building.id = "A";
+  building.shape = Rectangle{{40.0, 20.0}, 20.0, 15.0, 0.0};
+  const auto share = [&](double off, bool may_not_exist) {
+    setFlag(building.unknown, kMayNotExistKey, may_not_exist);
+    c.drawing.buildings = {building};
+    c.found = {foundAt({{40.0 + off, 20.0}, 20.0, 15.0, 0.0})};
+    double with = 0.0;
+    for (const Hypothesis& hypothesis : assignAlone(c, {}, plainOptions())) {
+      if (hypothesis.found_of[0] == 0) with += hypothesis.weight;
+    }
+    return with;
+  };
+  for (const double off : {0.0, 4.0, 6.0, 8.0}) {
+    EXPECT_LT(share(off, true), share(off, false)) << off;
+    // The odds are those of its being there: 98 to 2, or even.
+    const double odds = share(off, false) / (1.0 - share(off, false));
+    const double uncertain = share(off, true) / (1.0 - share(off, true));
+    EXPECT_NEAR(odds / uncertain, 49.0, 0.5) << off;
+  }
+  EXPECT_GT(share(0.0, true), 0.9);
 }
 
 }  // namespace
