@@ -31,6 +31,7 @@ class RevisionActions;
 class RigActions;
 class RunActions;
 class RunOverlays;
+class RunViews;
 class TemplateMenu;
 class TransportBar;
 class WelcomeStrip;
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   RunActions& runs() { return *runs_; }
   RigActions& rigs() { return *rigs_; }
   Docks& docks() { return *docks_; }
+  RunViews& views() { return *views_; }
   TransportBar& transport() { return *transport_; }
   MessageBar& messages() { return *messages_; }
 
@@ -97,6 +99,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<RevisionActions> revisions_;
   FileActions* files_;
   RunActions* runs_;
+  RunViews* views_;
   RigActions* rigs_;
   PictureActions* pictures_;
   TemplateMenu* templates_;

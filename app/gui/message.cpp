@@ -118,7 +118,7 @@ void Message::setQuestion() {
 
 /// What can be read and no more goes by itself.
 void Message::letGoInTime() {
-  const bool only_told = kind_ == Kind::Info && !question_ && buttons_->isEmpty();
+  const bool only_told = kind_ == Kind::Info && !question_ && buttons_->count() == 0;
   only_told ? timer_->start() : timer_->stop();
 }
 

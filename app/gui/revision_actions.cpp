@@ -2,7 +2,6 @@
 
 #include <QGraphicsScene>
 #include <algorithm>
-#include <utility>
 
 #include "app/gui/message_bar.h"
 #include "app/gui/playback_actions.h"
@@ -91,7 +90,8 @@ void RevisionActions::forget() {
   parts_.messages.withdraw(kTopic);
 }
 
-void RevisionActions::revise(std::vector<StampedPose> given, Then then, const QString& text) {
+void RevisionActions::revise(const std::vector<StampedPose>& given, Then then,
+                             const QString& text) {
   if (!parts_.run.canRevise()) {
     parts_.messages.show(MessageBar::Kind::Warning,
                          tr("The beginning of the run is no longer in memory."),
@@ -120,7 +120,7 @@ void RevisionActions::give(const Pose2& pose) {
       given.begin(), given.end(), now_s,
       [](double time_s, const StampedPose& other) { return time_s < other.time_s; });
   given.insert(after, {now_s, pose});
-  revise(std::move(given), Then::Take, tr("Recomputing with the pose that you gave"));
+  revise(given, Then::Take, tr("Recomputing with the pose that you gave"));
 }
 
 /// As it is shown, which is corrected.

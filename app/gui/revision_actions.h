@@ -49,7 +49,7 @@ class RevisionActions : public QObject {
   enum class Then { Ask, Take };
 
   /// With the drawing as it is now.
-  void revise(std::vector<StampedPose> given, Then then, const QString& text);
+  void revise(const std::vector<StampedPose>& given, Then then, const QString& text);
   void give(const Pose2& pose);
   void setRight();
   void removeNotThere();

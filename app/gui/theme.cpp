@@ -37,7 +37,7 @@ constexpr std::array kChoices = {
 
 QPalette paletteOf(bool dark) {
   const QColor window = dark ? QColor(0x2a, 0x2d, 0x31) : QColor(0xef, 0xef, 0xec);
-  const QColor base = dark ? QColor(0x1d, 0x20, 0x23) : QColor(Qt::white);
+  const QColor base = dark ? QColor(0x3a, 0x3e, 0x43) : QColor(Qt::white);
   const QColor text = dark ? QColor(0xf1, 0xf2, 0xf3) : QColor(0x1c, 0x20, 0x23);
   const QColor faint = dark ? QColor(0x8a, 0x91, 0x98) : QColor(0x8c, 0x8c, 0x86);
   QPalette palette(window);  // shades of all buttons and frames

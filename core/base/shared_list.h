@@ -52,7 +52,7 @@ class SharedListWriter {
 
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return (*chunks_[i / kChunk].items)[i % kChunk]; }
-  void push_back(T item) {
+  void push_back(T item) {  // NOLINT(readability-identifier-naming): as std::vector has it
     if (size_ % kChunk == 0) chunks_.emplace_back();
     own(size_++).push_back(std::move(item));
   }

@@ -97,14 +97,15 @@ std::shared_ptr<const SegmentationNet> SegmentationNet::load(const std::filesyst
     throwBadInput(path.string(), "", reasonOf(error), "a network in ONNX form");
   }
   if (net.empty()) throwBadInput(path.string(), "", "nothing", "a network in ONNX form");
-  auto made = std::make_shared<const SegmentationNet>(path.string(), std::move(net), input);
+  auto made = std::make_shared<const SegmentationNet>(path.string(), net, input);
   const cv::Size size = input.size.value_or(cv::Size(kStride_px, kStride_px));
   made->probabilities(cv::Mat3b(size, cv::Vec3b()));  // says now what would be said in a run
   return made;
 }
 
-SegmentationNet::SegmentationNet(std::string name, cv::dnn::Net net, const SegmentationInput& input)
-    : name_(std::move(name)), input_(input), net_(std::move(net)) {
+SegmentationNet::SegmentationNet(std::string name, const cv::dnn::Net& net,
+                                 const SegmentationInput& input)
+    : name_(std::move(name)), input_(input), net_(net) {
   net_.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
   net_.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
 }

@@ -30,7 +30,7 @@ class SegmentationNet : public WindowClassifier {
   /// not one score (or one number from 0 to 1) a class and pixel.
   static std::shared_ptr<const SegmentationNet> load(const std::filesystem::path& path,
                                                      std::optional<int> building_class = {});
-  SegmentationNet(std::string name, cv::dnn::Net net, const SegmentationInput& input);
+  SegmentationNet(std::string name, const cv::dnn::Net& net, const SegmentationInput& input);
 
   cv::Mat1f probabilities(const cv::Mat& image, const cv::Mat1b& wanted = {}) const override;
 

@@ -1,4 +1,5 @@
-// What is noted of single objects of a drawing. Kept in the file as members of our own ("handmap:hidden": true), so that other readers need not know them.
+// What is noted of single objects of a drawing. Kept in the file as members of our own
+// ("handmap:hidden": true), so that other readers need not know them.
 #pragma once
 
 #include "core/map/map.h"

@@ -2,6 +2,7 @@
 
 #include <QPushButton>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 
 #include <gtest/gtest.h>
@@ -86,6 +87,13 @@ TEST_F(MessageBarTest, ButtonsGoToTheLatestMessageAndCloseItFirst) {
   bar_.clear();
   bar_.addAction("Too late", [] {});  // nobody is there to take it
   EXPECT_TRUE(texts().isEmpty());
+}
+
+TEST_F(MessageBarTest, WhatHasAButtonDoesNotGoByItself) {
+  bar_.show(Kind::Info, "only told");
+  EXPECT_TRUE(bar_.messages().first()->findChild<QTimer*>()->isActive());
+  bar_.show(Kind::Info, "to be answered").addAction("Do", [] {});
+  EXPECT_FALSE(bar_.messages().first()->findChild<QTimer*>()->isActive());
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ QAction* makeAction(const ActionSpec& spec, QActionGroup& tools, QObject* parent
   auto* action = new QAction(translated(spec.text), parent);
   action->setObjectName(QLatin1String(spec.id));
   action->setShortcuts(ActionSet::usualKeys(spec));
+  action->setIconText(plainTextOf(spec));  // beside a tool button's icon
   action->setStatusTip(hintOf(spec));
   if (*spec.icon) action->setIcon(icon(QLatin1String(spec.icon)));
   action->setCheckable(spec.kind != ActionKind::Push);

@@ -26,14 +26,12 @@ void TimeLeft::update(double share, double now_s) {
 
 QString TimeLeft::inWords() const {
   if (!left_s_) return {};
-  const auto tr = [](const char* text, int n) {
-    return QCoreApplication::translate("TimeLeft", text, nullptr, n);
-  };
   constexpr double kMinute_s = 60.0;
-  if (*left_s_ < 2.0 * kMinute_s) {
-    return tr(", about %n second(s) left", static_cast<int>(std::ceil(*left_s_)));
-  }
-  return tr(", about %n minute(s) left", static_cast<int>(std::ceil(*left_s_ / kMinute_s)));
+  const bool in_seconds = *left_s_ < 2.0 * kMinute_s;
+  const int n = static_cast<int>(std::ceil(in_seconds ? *left_s_ : *left_s_ / kMinute_s));
+  return in_seconds
+             ? QCoreApplication::translate("TimeLeft", ", about %n second(s) left", nullptr, n)
+             : QCoreApplication::translate("TimeLeft", ", about %n minute(s) left", nullptr, n);
 }
 
 double steadySeconds() {

@@ -75,6 +75,7 @@ void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
     }
   }
   const QTransform to_device = painter->worldTransform();
+  painter->save();  // others write with the font that they find
   painter->setWorldTransform({});
   painter->setPen((*colours_)[Role::Doubtful]);
   QFont font = painter->font();
@@ -87,7 +88,7 @@ void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
         QRectF(on_device.right() - kMarkPx - 2.0, on_device.top() + 2.0, kMarkPx, kMarkPx + 2.0),
         Qt::AlignCenter, QStringLiteral("?"));
   }
-  painter->setWorldTransform(to_device);
+  painter->restore();
 }
 
 }  // namespace handmap

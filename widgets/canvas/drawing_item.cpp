@@ -21,6 +21,12 @@ bool isLarge(const QRectF& bounds) { return std::max(bounds.width(), bounds.heig
 
 QPointF toScene(const Vec2& point) { return {point.x(), point.y()}; }
 
+QPointF middleOf(const QPolygonF& outline) {
+  Polygon corners;
+  for (const QPointF& corner : outline) corners.emplace_back(corner.x(), corner.y());
+  return toScene(centroid(corners));
+}
+
 /// Lines of one pixel are sharp when they run through the middle of pixels.
 QPointF crisp(const QPointF& point) {
   return {std::floor(point.x()) + 0.5, std::floor(point.y()) + 0.5};
@@ -158,9 +164,19 @@ void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
   paintLandmarkLabels(painter, to_device);
   const std::vector<Placed> placed = place(to_device, exposed);
   const double line = painter.fontMetrics().height();
-  const bool on_ground = !document_.map().underlays.empty();
-  for (const auto& [shape, outline, bounds] : placed) {
-    const QPointF centre = to_device.map(shape->middle);
+  for (const Placed& drawn : placed) {
+    bool on_ground = !document_.map().underlays.empty();
+    const Shape* shape = drawn.shape;
+    QPolygonF outline = drawn.outline;
+    QPointF centre = to_device.map(shape->middle);
+    // What the tool moves is where its preview is.
+    const auto other = label_outlines_.constFind(shape->id);
+    if (other != label_outlines_.cend() && previewed_.empty()) {
+      outline = to_device.map(*other);
+      centre = middleOf(outline);
+      on_ground = true;  // an arrow may end there
+    }
+    const QRectF bounds = outline.boundingRect();
     const auto fits = [&, &at = outline, &box = bounds](const QString& text, int lines) {
       if (text.isEmpty() || box.width() < kNarrowestLetterPx * static_cast<double>(text.size()) ||
           box.height() < lines * line)
