@@ -14,6 +14,7 @@
 #include "app/gui/comfort.h"
 #include "app/gui/disk_watch.h"
 #include "app/gui/docks.h"
+#include "app/gui/edit_actions.h"
 #include "app/gui/file_actions.h"
 #include "app/gui/map_model.h"
 #include "app/gui/message_bar.h"
@@ -197,11 +198,7 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::connectEditing() {
-  QUndoStack& undo = document_.undoStack();
-  actions_.on("edit.undo", &undo, [&undo] { undo.undo(); });
-  actions_.on("edit.redo", &undo, [&undo] { undo.redo(); });
-  actions_.on("edit.delete", this, [this] { document_.removeSelected(); });
-  actions_.on("edit.select_all", this, [this] { document_.selectAll(); });
+  edits_ = new EditActions({document_, *canvas_, actions_, *messages_, settings_}, this);
   actions_.on("edit.settings", this, [this] { docks_->showSetup(); });
   actions_.on("run.teach", this, [this] { docks_->showTeach(); });
   connect(&docks_->teach(), &TeachPanel::classifierChanged, &docks_->setup(),
@@ -215,12 +212,9 @@ void MainWindow::connectEditing() {
                     tr("Draw the map you remember; Handmap finds the robot on it and corrects the "
                        "drawing. Free software: GPL-3.0-or-later, without any warranty."));
   });
-  connect(&undo, &QUndoStack::indexChanged, this, &MainWindow::updateEditActions);
-  connect(&document_, &MapDocument::selectionChanged, this, &MainWindow::updateEditActions);
   connect(&document_, &MapDocument::fileChanged, this, &MainWindow::updateTitle);
   connect(&docks_->properties(), &PropertyPanel::messageRaised, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
-  updateEditActions();
 }
 
 void MainWindow::connectView() {
@@ -231,7 +225,6 @@ void MainWindow::connectView() {
   actions_.on("view.grid", this, [this](bool on) { docks_->layers().setOn(Layer::Grid, on); });
   actions_["view.uncertainty"].setChecked(true);
   actions_.on("view.uncertainty", canvas_, [this](bool on) { canvas_->setDoubtVisible(on); });
-  actions_.on("view.snap", canvas_, [this](bool on) { canvas_->setSnapStep(on ? 0.5 : 0.0); });
   connect(&docks_->layers(), &LayersPanel::toggled, this, &MainWindow::setLayer);
   connect(&docks_->layers(), &LayersPanel::opacityChanged, this, [this](Layer layer, double share) {
     if (layer == Layer::Drawing) return canvas_->setDrawingOpacity(share);
@@ -240,10 +233,18 @@ void MainWindow::connectView() {
   docks_->layers().setAvailable(Layer::Truth, false);
 
   static constexpr std::pair<const char*, ToolId> kTools[] = {
-      {"draw.select", ToolId::Select},      {"draw.rectangle", ToolId::Rectangle},
-      {"draw.polygon", ToolId::Corners},    {"draw.start", ToolId::Start},
-      {"draw.route", ToolId::Route},        {"draw.landmark", ToolId::Landmark},
-      {"run.give_pose", ToolId::RobotPose}, {"draw.picture", ToolId::Picture}};
+      {"draw.select", ToolId::Select},
+      {"draw.rectangle", ToolId::Rectangle},
+      {"draw.edge_rectangle", ToolId::EdgeRectangle},
+      {"draw.polygon", ToolId::Corners},
+      {"draw.freehand", ToolId::Freehand},
+      {"draw.start", ToolId::Start},
+      {"draw.route", ToolId::Route},
+      {"draw.landmark", ToolId::Landmark},
+      {"draw.measure", ToolId::Measure},
+      {"draw.eraser", ToolId::Eraser},
+      {"run.give_pose", ToolId::RobotPose},
+      {"draw.picture", ToolId::Picture}};
   for (const auto& [id, tool] : kTools) {
     actions_[id].setChecked(tool == canvas_->tool());
     actions_.on(id, canvas_, [this, tool = tool] { canvas_->setTool(tool); });
@@ -342,13 +343,6 @@ void MainWindow::setLayer(Layer layer, bool on) {
 void MainWindow::updateTitle() {
   setWindowTitle(document_.displayName() + QStringLiteral("[*] — Handmap"));
   setWindowModified(document_.isModified());
-}
-
-void MainWindow::updateEditActions() {
-  QUndoStack& undo = document_.undoStack();
-  actions_.setEnabled({"edit.undo"}, undo.canUndo(), tr("nothing has been changed"));
-  actions_.setEnabled({"edit.redo"}, undo.canRedo(), tr("nothing has been taken back"));
-  actions_.setEnabled({"edit.delete"}, !document_.selection().isEmpty(), tr("nothing is selected"));
 }
 
 void MainWindow::restoreState() {

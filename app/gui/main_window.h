@@ -20,6 +20,7 @@ namespace handmap {
 
 class Comfort;
 class Docks;
+class EditActions;
 class FileActions;
 class MapCanvas;
 class MapModel;
@@ -77,7 +78,6 @@ class MainWindow : public QMainWindow {
   void showIssue(const Issue& issue);
   void setLayer(Layer layer, bool on);
   void updateTitle();
-  void updateEditActions();
   void restoreState();
   void saveState();
 
@@ -97,6 +97,7 @@ class MainWindow : public QMainWindow {
   QLabel* run_state_;
   std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
   std::unique_ptr<RevisionActions> revisions_;
+  EditActions* edits_;
   FileActions* files_;
   RunActions* runs_;
   RunViews* views_;

@@ -21,12 +21,23 @@ std::string number(double value) {
   return formatNumber(value + 0.0);
 }
 
-/// To 1e-10 degrees, so that reading and writing a file again does not change it.
+double rounded(double value, double step) {
+  const double steps = std::round(1.0 / step);
+  return std::round(value * steps) / steps;
+}
+
+constexpr double kMillimetre = 1e-3;
+
+/// What is drawn by hand is no finer, and files stay readable.
+std::string metres(double value) { return number(rounded(value, kMillimetre)); }
+
+/// Of something that has an extent, however small.
+std::string size(double value) { return value < kMillimetre ? number(value) : metres(value); }
+
 std::string degrees(double radians) {
-  constexpr double kSteps = 1e10;
   double angle = toDegrees(radians);
   if (std::abs(angle) > kMaxHeadingDeg) angle = std::remainder(angle, 360.0);
-  return number(std::round(angle * kSteps) / kSteps);
+  return number(rounded(angle, 1e-3));
 }
 
 std::string points(const std::vector<Vec2>& points) {
@@ -36,6 +47,18 @@ std::string points(const std::vector<Vec2>& points) {
     texts.push_back(fmt::format("[{}, {}]", number(p.x()), number(p.y())));
   }
   return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::vector<Vec2> toMillimetres(std::vector<Vec2> points) {
+  for (Vec2& p : points) p = {rounded(p.x(), kMillimetre), rounded(p.y(), kMillimetre)};
+  return points;
+}
+
+/// Whole where whole millimetres would make another outline of it.
+Polygon outline(const Polygon& polygon) {
+  Polygon whole = toMillimetres(polygon);
+  const bool same = isSimple(whole) && signedArea(whole) >= kMinPolygonArea;
+  return same ? whole : polygon;
 }
 
 /// The members of an object in the order in which they were added.
@@ -75,8 +98,8 @@ class Members {
 
 Members uncertaintyMembers(const Uncertainty& uncertainty) {
   return Members()
-      .add("position_m", number(uncertainty.position))
-      .add("size_m", number(uncertainty.size));
+      .add("position_m", metres(uncertainty.position))
+      .add("size_m", metres(uncertainty.size));
 }
 
 Members uncertaintyMembers(const Map& map) {
@@ -88,22 +111,23 @@ Members uncertaintyMembers(const Map& map) {
 
 Members estimateMembers(const Estimate& estimate) {
   return Members()
-      .add("sigma_x", number(estimate.sigma_x))
-      .add("sigma_y", number(estimate.sigma_y))
-      .add("sigma_width", number(estimate.sigma_width))
+      .add("sigma_x", metres(estimate.sigma_x))
+      .add("sigma_y", metres(estimate.sigma_y))
+      .add("sigma_width", metres(estimate.sigma_width))
       .add("observations", std::to_string(estimate.observations));
 }
 
 void addShape(const Building& building, Members& members) {
   if (const auto* rectangle = std::get_if<Rectangle>(&building.shape)) {
     members.add("shape", "\"rectangle\"")
-        .add("x", number(rectangle->centre.x()))
-        .add("y", number(rectangle->centre.y()))
-        .add("width", number(rectangle->width))
-        .add("depth", number(rectangle->depth))
+        .add("x", metres(rectangle->centre.x()))
+        .add("y", metres(rectangle->centre.y()))
+        .add("width", size(rectangle->width))
+        .add("depth", size(rectangle->depth))
         .add("heading_deg", degrees(rectangle->heading));
   } else {
-    members.add("shape", "\"polygon\"").add("vertices", points(std::get<Polygon>(building.shape)));
+    members.add("shape", "\"polygon\"")
+        .add("vertices", points(outline(std::get<Polygon>(building.shape))));
   }
 }
 
@@ -129,8 +153,8 @@ std::string landmarkLine(const Landmark& landmark) {
   Members members;
   members.add("id", quotedJson(landmark.id));
   if (!landmark.name.empty()) members.add("name", quotedJson(landmark.name));
-  return members.add("x", number(landmark.position.x()))
-      .add("y", number(landmark.position.y()))
+  return members.add("x", metres(landmark.position.x()))
+      .add("y", metres(landmark.position.y()))
       .addUnknown(landmark.unknown)
       .line();
 }
@@ -138,8 +162,8 @@ std::string landmarkLine(const Landmark& landmark) {
 std::string underlayLine(const Underlay& underlay) {
   return Members()
       .add("image", quotedJson(underlay.image))
-      .add("x", number(underlay.x))
-      .add("y", number(underlay.y))
+      .add("x", metres(underlay.x))
+      .add("y", metres(underlay.y))
       .add("metres_per_pixel", number(underlay.metres_per_pixel))
       .add("heading_deg", degrees(underlay.heading))
       .add("opacity", number(underlay.opacity))
@@ -158,8 +182,8 @@ std::string georeferenceLine(const Georeference& georeference) {
 
 std::string startLine(const Pose2& start, const UnknownMembers& of_map) {
   return Members()
-      .add("x", number(start.x))
-      .add("y", number(start.y))
+      .add("x", metres(start.x))
+      .add("y", metres(start.y))
       .add("heading_deg", degrees(start.heading))
       .addKept(of_map, "start")
       .line();
@@ -184,7 +208,7 @@ std::string formatMap(const Map& map) {
   members.add("uncertainty", uncertaintyMembers(map).addKept(map.unknown, "uncertainty").line());
   members.add("buildings", lines(map.buildings, buildingLine));
   if (!map.landmarks.empty()) members.add("landmarks", lines(map.landmarks, landmarkLine));
-  if (!map.route.empty()) members.add("route", points(map.route));
+  if (!map.route.empty()) members.add("route", points(toMillimetres(map.route)));
   if (!map.underlays.empty()) members.add("underlays", lines(map.underlays, underlayLine));
   if (map.georeference) members.add("georeference", georeferenceLine(*map.georeference));
   if (!map.refinement.empty()) {

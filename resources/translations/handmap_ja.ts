@@ -492,6 +492,210 @@
         <translation>テンプレートとして保存(&amp;K)…</translation>
     </message>
     <message>
+        <source>Cu&amp;t</source>
+        <translation>切り取り(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Put what is selected on the clipboard.</source>
+        <translation>選択したものを切り取り、クリップボードに移します。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>コピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy what is selected to the clipboard.</source>
+        <translation>選択したものをクリップボードにコピーします。</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>貼り付け(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Put what is on the clipboard where the pointer is.</source>
+        <translation>クリップボードの内容をポインターの位置に貼り付けます。</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>複製(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Copy what is selected beside itself.</source>
+        <translation>選択したものを隣に複製します。</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>名前の変更(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Type the name where the building is.</source>
+        <translation>建物の上で名前を入力します。</translation>
+    </message>
+    <message>
+        <source>Add C&amp;orner</source>
+        <translation>角を追加(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Put another corner into the wall or the route.</source>
+        <translation>壁または経路に角を一つ加えます。</translation>
+    </message>
+    <message>
+        <source>&amp;Lock</source>
+        <translation>ロック(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Neither a hand nor a run moves it; again unlocks it.</source>
+        <translation>手でも実行でも動かなくなります。もう一度で解除します。</translation>
+    </message>
+    <message>
+        <source>&amp;Square Up</source>
+        <translation>直角にそろえる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Make nearly right angles right, and what is nearly level level.</source>
+        <translation>ほぼ直角の角を直角に、ほぼ水平のものを水平にします。</translation>
+    </message>
+    <message>
+        <source>Make &amp;Parallel</source>
+        <translation>平行にする(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Turn it to the direction of the nearest building.</source>
+        <translation>最も近い建物の向きに合わせて回します。</translation>
+    </message>
+    <message>
+        <source>Make P&amp;olygon</source>
+        <translation>多角形にする(&amp;O)</translation>
+    </message>
+    <message>
+        <source>So that each corner can be moved alone.</source>
+        <translation>角を一つずつ動かせるようにします。</translation>
+    </message>
+    <message>
+        <source>Align L&amp;eft</source>
+        <translation>左をそろえる(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Lay the left sides on one line.</source>
+        <translation>左の辺を一直線にそろえます。</translation>
+    </message>
+    <message>
+        <source>Align &amp;Right</source>
+        <translation>右をそろえる(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Lay the right sides on one line.</source>
+        <translation>右の辺を一直線にそろえます。</translation>
+    </message>
+    <message>
+        <source>Align &amp;Top</source>
+        <translation>上をそろえる(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Lay the upper sides on one line.</source>
+        <translation>上の辺を一直線にそろえます。</translation>
+    </message>
+    <message>
+        <source>Align &amp;Bottom</source>
+        <translation>下をそろえる(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Lay the lower sides on one line.</source>
+        <translation>下の辺を一直線にそろえます。</translation>
+    </message>
+    <message>
+        <source>Align &amp;Middles in a Column</source>
+        <translation>中心を縦にそろえる(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Lay the middles above one another.</source>
+        <translation>中心を縦一列にそろえます。</translation>
+    </message>
+    <message>
+        <source>Align M&amp;iddles in a Row</source>
+        <translation>中心を横にそろえる(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Lay the middles beside one another.</source>
+        <translation>中心を横一列にそろえます。</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute in a Row</source>
+        <translation>横に等間隔で並べる(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Make the gaps from left to right equal.</source>
+        <translation>左右の間隔を等しくします。</translation>
+    </message>
+    <message>
+        <source>Distribute in a &amp;Column</source>
+        <translation>縦に等間隔で並べる(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Make the gaps from bottom to top equal.</source>
+        <translation>上下の間隔を等しくします。</translation>
+    </message>
+    <message>
+        <source>Snap to O&amp;bjects</source>
+        <translation>物にスナップ(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Draw points to corners, walls, their lines and right angles; Alt holds it off.</source>
+        <translation>点を角、壁、その延長線、直角に吸い付けます。Alt を押している間は働きません。</translation>
+    </message>
+    <message>
+        <source>&amp;Next Way to Snap</source>
+        <translation>次のスナップ方法(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Objects, grid, both or neither in turn.</source>
+        <translation>物、グリッド、両方、なしを順に切り替えます。</translation>
+    </message>
+    <message>
+        <source>Rectangle by &amp;Edge</source>
+        <translation>辺から長方形(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Draw one wall at any angle, then the depth.</source>
+        <translation>任意の角度で壁を一つ描き、次に奥行きを決めます。</translation>
+    </message>
+    <message>
+        <source>Free&amp;hand</source>
+        <translation>フリーハンド(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Draw around a building; the stroke is made straight.</source>
+        <translation>建物を一筆で囲みます。線は整えられます。</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>測る(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Read lengths, angles and areas.</source>
+        <translation>長さ、角度、面積を読みます。</translation>
+    </message>
+    <message>
+        <source>Er&amp;aser</source>
+        <translation>消しゴム(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Erase what a stroke touches.</source>
+        <translation>なぞったものを消します。</translation>
+    </message>
+    <message>
+        <source>&amp;Guess Shapes of Strokes</source>
+        <translation>一筆の形を推測(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Offer a rectangle, an L or a polygon for each freehand stroke.</source>
+        <translation>フリーハンドの線ごとに長方形、L 字形、多角形を提案します。</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange</source>
+        <translation>配置(&amp;A)</translation>
+    </message>
+    <message>
         <source>Follow the Ro&amp;bot</source>
         <translation>ロボットを追う(&amp;B)</translation>
     </message>
@@ -691,6 +895,62 @@
     <message>
         <source>this program was built without GDAL, which reads such pictures</source>
         <translation>このプログラムは、この種の画像を読む GDAL なしで作られています</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>角</translation>
+    </message>
+    <message>
+        <source>crossing</source>
+        <translation>交点</translation>
+    </message>
+    <message>
+        <source>wall</source>
+        <translation>壁</translation>
+    </message>
+    <message>
+        <source>right angle</source>
+        <translation>直角</translation>
+    </message>
+    <message>
+        <source>in line</source>
+        <translation>延長線</translation>
+    </message>
+    <message>
+        <source>Snap: objects, grid</source>
+        <translation>スナップ: 物とグリッド</translation>
+    </message>
+    <message>
+        <source>Snap: grid</source>
+        <translation>スナップ: グリッド</translation>
+    </message>
+    <message>
+        <source>Snap: objects</source>
+        <translation>スナップ: 物</translation>
+    </message>
+    <message>
+        <source>Snap: off</source>
+        <translation>スナップ: なし</translation>
+    </message>
+    <message>
+        <source>Add Corner</source>
+        <translation>角を追加</translation>
+    </message>
+    <message>
+        <source>Move Corner</source>
+        <translation>角を移動</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>長方形</translation>
+    </message>
+    <message>
+        <source>L-shape</source>
+        <translation>L 字形</translation>
+    </message>
+    <message>
+        <source>Polygon of %1 corners</source>
+        <translation>角が %1 個の多角形</translation>
     </message>
 </context>
 <context>
@@ -1123,6 +1383,37 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::CanvasChips</name>
+    <message>
+        <source>What points are drawn to: click for the next</source>
+        <translation>点が吸い付くもの: クリックで次へ</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Take the last point back (Backspace)</source>
+        <translation>最後の点を取り消します (Backspace)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>Drop what is begun (Esc)</source>
+        <translation>描きかけを捨てます (Esc)</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Finish what is drawn (Enter)</source>
+        <translation>描いているものを完成します (Enter)</translation>
+    </message>
+</context>
+<context>
     <name>handmap::ChartsPanel</name>
     <message>
         <source>Effective sample size (particles)</source>
@@ -1377,6 +1668,106 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::DrawingTool</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::EdgeRectangleTool</name>
+    <message>
+        <source>Drag or click along one wall of the building</source>
+        <translation>建物の壁の一つに沿ってドラッグまたはクリックします</translation>
+    </message>
+    <message>
+        <source>The other end of the wall · or type its length and angle</source>
+        <translation>壁のもう一方の端 · または長さと角度を入力</translation>
+    </message>
+    <message>
+        <source>How deep is it? Click, or type the depth · Backspace: one back · Esc: cancel</source>
+        <translation>奥行きは? クリックまたは数値を入力 · Backspace: 一つ戻る · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::EditActions</name>
+    <message>
+        <source>There is nothing on the clipboard to paste</source>
+        <translation>クリップボードに貼り付けるものがありません</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>貼り付け</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no part of a drawing</source>
+        <translation>クリップボードの内容は図面ではありません</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>nothing has been changed</source>
+        <translation>何も変更されていません</translation>
+    </message>
+    <message>
+        <source>nothing has been taken back</source>
+        <translation>取り消したものがありません</translation>
+    </message>
+    <message>
+        <source>nothing is selected</source>
+        <translation>何も選択されていません</translation>
+    </message>
+    <message>
+        <source>not one building or landmark is selected</source>
+        <translation>建物または目印が一つだけ選択されていません</translation>
+    </message>
+    <message>
+        <source>no building that is not locked, and no route, is selected</source>
+        <translation>ロックされていない建物も経路も選択されていません</translation>
+    </message>
+    <message>
+        <source>fewer than two buildings or landmarks are selected</source>
+        <translation>選択された建物や目印が二つ未満です</translation>
+    </message>
+    <message>
+        <source>fewer than three buildings or landmarks are selected</source>
+        <translation>選択された建物や目印が三つ未満です</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::EraserTool</name>
+    <message>
+        <source>Release to erase what is crossed out · Esc: cancel</source>
+        <translation>離すと × の付いたものを消します · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Drag over what shall go, or click it · what is locked stays</source>
+        <translation>消すものをなぞるかクリックします · ロックされたものは残ります</translation>
+    </message>
+</context>
+<context>
     <name>handmap::FileActions</name>
     <message>
         <source>Handmap drawings (*.handmap)</source>
@@ -1489,6 +1880,25 @@ Observations: %4</source>
     <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::FreehandTool</name>
+    <message>
+        <source>Enter: take it as %1 · Tab: something else · Esc: leave it as drawn</source>
+        <translation>Enter: %1 とする · Tab: 別の形 · Esc: 描いたまま残す</translation>
+    </message>
+    <message>
+        <source>Draw once around the building</source>
+        <translation>建物を一周して囲みます</translation>
+    </message>
+    <message>
+        <source>Draw around a building in one stroke</source>
+        <translation>建物を一筆で囲みます</translation>
+    </message>
+    <message>
+        <source>Straighten to %1</source>
+        <translation>%1 に整える</translation>
     </message>
 </context>
 <context>
@@ -1625,8 +2035,8 @@ Observations: %4</source>
 <context>
     <name>handmap::LandmarkTool</name>
     <message>
-        <source>Click to mark a place · its name is set under Properties</source>
-        <translation>クリックで場所に目印を付けます · 名前は「プロパティ」で設定します</translation>
+        <source>Click to mark a place, then type its name</source>
+        <translation>クリックして場所に目印を付け、名前を入力します</translation>
     </message>
 </context>
 <context>
@@ -1974,17 +2384,12 @@ Observations: %4</source>
         <source>Unsaved work is kept in %1</source>
         <translation>保存していない作業は %1 に置かれています</translation>
     </message>
+</context>
+<context>
+    <name>handmap::MapCanvas</name>
     <message>
-        <source>nothing has been changed</source>
-        <translation>変更がありません</translation>
-    </message>
-    <message>
-        <source>nothing has been taken back</source>
-        <translation>取り消した変更がありません</translation>
-    </message>
-    <message>
-        <source>nothing is selected</source>
-        <translation>何も選択されていません</translation>
+        <source>Drawing</source>
+        <translation>図面</translation>
     </message>
 </context>
 <context>
@@ -2205,6 +2610,25 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::MeasureTool</name>
+    <message>
+        <source>Click from point to point to measure · Esc: leave</source>
+        <translation>点から点へクリックして測ります · Esc: 終了</translation>
+    </message>
+    <message>
+        <source>The next point · Enter or a double click: done · Backspace: one back</source>
+        <translation>次の点 · Enter またはダブルクリック: 完了 · Backspace: 一つ戻る</translation>
+    </message>
+    <message>
+        <source>Σ %1</source>
+        <translation>Σ %1</translation>
+    </message>
+    <message>
+        <source>   %1 m²</source>
+        <translation>   %1 m²</translation>
+    </message>
+</context>
+<context>
     <name>handmap::Message</name>
     <message>
         <source>Close this message</source>
@@ -2213,6 +2637,17 @@ Corrected by a run.</source>
     <message>
         <source>%1 (%2 times)</source>
         <translation>%1 (%2 回)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::NameEditor</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name %1</source>
+        <translation>%1 に名前を付ける</translation>
     </message>
 </context>
 <context>
@@ -2538,12 +2973,12 @@ Corrected by a run.</source>
         <translation>建物の角を順にクリックします</translation>
     </message>
     <message>
-        <source>Click the next corner · Backspace: one back · Esc: cancel</source>
-        <translation>次の角をクリックします · Backspace: 一つ戻る · Esc: 中止</translation>
-    </message>
-    <message>
         <source>Enter, a double click or the first corner closes it · Backspace: one back · Esc: cancel</source>
         <translation>Enter、ダブルクリック、または最初の角で閉じます · Backspace: 一つ戻る · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>The next corner, or type length, Tab, angle, Enter · Backspace: one back</source>
+        <translation>次の角、または長さ、Tab、角度、Enter と入力 · Backspace: 一つ戻る</translation>
     </message>
 </context>
 <context>
@@ -2599,12 +3034,20 @@ Corrected by a run.</source>
 <context>
     <name>handmap::RectangleTool</name>
     <message>
-        <source>Drag from corner to corner to draw a building</source>
-        <translation>角から角へドラッグして建物を描きます</translation>
+        <source>Drag from corner to corner, or click both · arrow keys and Enter do it too</source>
+        <translation>角から角へドラッグするか両方をクリックします · 矢印キーと Enter でもできます</translation>
     </message>
     <message>
-        <source>Release to finish · Shift: square · Alt: from the centre · Esc: cancel</source>
-        <translation>離すと完了 · Shift: 正方形 · Alt: 中心から · Esc: 中止</translation>
+        <source>The opposite corner, or type: 40 Tab 15 Enter · Shift: square · Ctrl: from the centre · Esc: cancel</source>
+        <translation>反対側の角、または 40 Tab 15 Enter と入力 · Shift: 正方形 · Ctrl: 中心から · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
     </message>
 </context>
 <context>
@@ -2977,8 +3420,8 @@ Corrected by a run.</source>
         <translation>ロボットの通る点をクリックします</translation>
     </message>
     <message>
-        <source>Click to lengthen the route · Backspace: one point back · Esc: done</source>
-        <translation>クリックで経路を延ばします · Backspace: 一点戻る · Esc: 完了</translation>
+        <source>Click to lengthen the route · Backspace: one point back · Enter or Esc: done</source>
+        <translation>クリックで経路を延ばします · Backspace: 一つ戻る · Enter または Esc: 完了</translation>
     </message>
 </context>
 <context>
@@ -3389,20 +3832,8 @@ Corrected by a run.</source>
         <translation>離すと枠に触れるものを選択 · Shift で追加</translation>
     </message>
     <message>
-        <source>Release to resize · Alt: about the centre · Esc: cancel</source>
-        <translation>離すと大きさを決定 · Alt: 中心を保つ · Esc: 中止</translation>
-    </message>
-    <message>
         <source>Release to turn · Shift: steps of 15° · Esc: cancel</source>
         <translation>離すと向きを決定 · Shift: 15° ごと · Esc: 中止</translation>
-    </message>
-    <message>
-        <source>Release to place it · Esc: cancel</source>
-        <translation>離すと置きます · Esc: 中止</translation>
-    </message>
-    <message>
-        <source>Click or drag a frame to select · Shift adds · Space or middle button pans</source>
-        <translation>クリックまたは枠のドラッグで選択 · Shift で追加 · Space または中ボタンで移動</translation>
     </message>
     <message>
         <source>Drag a point to bend the route, a line to move it · Del removes</source>
@@ -3419,6 +3850,46 @@ Corrected by a run.</source>
     <message>
         <source>Nudge</source>
         <translation>微調整</translation>
+    </message>
+    <message>
+        <source>The outline must not cross itself</source>
+        <translation>輪郭は自分自身と交差できません</translation>
+    </message>
+    <message>
+        <source>Release to resize · Ctrl: about the centre · Alt: no snapping · Esc: cancel</source>
+        <translation>離すと大きさを決定 · Ctrl: 中心から · Alt: スナップなし · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Release to place it · Alt: no snapping · Esc: cancel</source>
+        <translation>離すと位置を決定 · Alt: スナップなし · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the corner · Ins adds one · Del removes it · Tab: the next</source>
+        <translation>矢印キーで角を移動 · Ins で追加 · Del で削除 · Tab: 次の角</translation>
+    </message>
+    <message>
+        <source>Click or drag a frame to select · Shift adds · Tab: the next · Space pans</source>
+        <translation>クリックまたは枠のドラッグで選択 · Shift で追加 · Tab: 次へ · スペースで画面移動</translation>
+    </message>
+    <message>
+        <source>It is locked · Ctrl+L unlocks it</source>
+        <translation>ロックされています · Ctrl+L で解除</translation>
+    </message>
+    <message>
+        <source>Drag corners, or a dot to add one · Enter: corners by keys · arrow keys nudge</source>
+        <translation>角をドラッグ、点のドラッグで角を追加 · Enter: キーで角を操作 · 矢印キーで微調整</translation>
+    </message>
+    <message>
+        <source>Add Corner</source>
+        <translation>角を追加</translation>
+    </message>
+    <message>
+        <source>Delete Corner</source>
+        <translation>角を削除</translation>
+    </message>
+    <message>
+        <source>Move Corner</source>
+        <translation>角を移動</translation>
     </message>
 </context>
 <context>
@@ -3443,8 +3914,12 @@ Corrected by a run.</source>
         <translation>ロボットの出発点を押し、見る方向へドラッグします</translation>
     </message>
     <message>
-        <source>Release to finish · Shift: steps of 15° · Esc: cancel</source>
-        <translation>離すと完了 · Shift: 15° ごと · Esc: 中止</translation>
+        <source>Release to finish, or type the heading · Shift: steps of 15° · Esc: cancel</source>
+        <translation>離すと決定、または向きを入力 · Shift: 15° ごと · Esc: 中止</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>向き</translation>
     </message>
 </context>
 <context>

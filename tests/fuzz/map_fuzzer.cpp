@@ -1,4 +1,4 @@
-// A map that is read is written and read again as the same.
+// What is written of a map that was read comes back as the same bytes.
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "tests/fuzz/fuzz.h"
@@ -8,7 +8,8 @@ using namespace handmap;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::takenOrRefused([&] {
     const Map map = parseMap(fuzz::textOf(data, size), "map");
-    fuzz::require(parseMap(formatMap(map), "again") == map);
+    const std::string written = formatMap(map);
+    fuzz::require(formatMap(parseMap(written, "again")) == written);
     for (const Building& building : map.buildings) {
       fuzz::require(building.box().width >= 0.0);
     }

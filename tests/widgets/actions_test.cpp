@@ -60,11 +60,12 @@ class ActionsTest : public QObject {
       titles << menu->text();
       for (const QAction* action : menu->menu()->actions()) entries += !action->isSeparator();
     }
-    QCOMPARE(titles, (QStringList{"&File", "&Edit", "&View", "&Draw", "&Run", "&Help"}));
+    QCOMPARE(titles,
+             (QStringList{"&File", "&Edit", "&Arrange", "&View", "&Draw", "&Run", "&Help"}));
     QCOMPARE(entries, qsizetype(actionTable().size()));
     QToolBar tools;
     actions.fillToolBar(tools, ToolBar::Tools);
-    QCOMPARE(tools.actions().size(), 7);
+    QCOMPARE(tools.actions().size(), 11);
   }
 
   void actionsCallTheirHandlersAndToolsExclude() {

@@ -153,7 +153,7 @@ class CanvasTest : public QObject {
     canvas_->setTool(ToolId::Rectangle);
     QCOMPARE(tool.count(), 1);
     QCOMPARE(hint.last()[0].toString(), canvas_->hint());
-    canvas_->setSnapStep(0.5);
+    canvas_->setSnapModes({.grid = true, .objects = false});
     dragMouse({-20.1, -9.9}, {-10.2, -5.1});
     QCOMPARE(document_->map().buildings.size(), std::size_t(2));
     const Rectangle drawn = document_->map().buildings.back().box();

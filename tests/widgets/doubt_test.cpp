@@ -84,7 +84,7 @@ class DoubtTest : public QObject {
     const QPoint point = canvas_->viewportTransform().map(QPointF(x, 4.0)).toPoint();
     return picture().pixel(point);
   }
-  QString key() const { return objectAt(document_->map(), {5.0, 4.0}, 0.1); }
+  QString key() const { return objectAt(*document_, {5.0, 4.0}, 0.1); }
 
   std::unique_ptr<MapDocument> document_;
   std::unique_ptr<MapCanvas> canvas_;

@@ -3,7 +3,11 @@
 #include <QTest>
 
 #include "widgets/canvas/tools/building_handles.h"
+#include "widgets/canvas/tools/edge_rectangle_tool.h"
+#include "widgets/canvas/tools/eraser_tool.h"
+#include "widgets/canvas/tools/freehand_tool.h"
 #include "widgets/canvas/tools/landmark_tool.h"
+#include "widgets/canvas/tools/measure_tool.h"
 #include "widgets/canvas/tools/polygon_tool.h"
 #include "widgets/canvas/tools/rectangle_tool.h"
 #include "widgets/canvas/tools/route_tool.h"
@@ -91,7 +95,7 @@ class ToolsTest : public QObject {
     RectangleTool tool(*document_);
     drag(tool, {0.0, 0.0}, {10.0, -4.0}, Qt::ShiftModifier);
     compare(box("B1"), {{5.0, -5.0}, 10.0, 10.0, 0.0});
-    drag(tool, {0.0, 0.0}, {10.0, -4.0}, Qt::AltModifier);
+    drag(tool, {0.0, 0.0}, {10.0, -4.0}, Qt::ControlModifier);
     compare(box("B2"), {{0.0, 0.0}, 20.0, 8.0, 0.0});
   }
 
@@ -279,11 +283,11 @@ class ToolsTest : public QObject {
     QCOMPARE(document_->undoStack().count(), 4);
   }
 
-  void altResizesAboutTheCentreAndNothingTurnsInsideOut() {
+  void controlResizesAboutTheCentreAndNothingTurnsInsideOut() {
     SelectTool tool(*document_);
     document_->setSelection({"A"});
     const Vec2 top = handlePosition(box("A"), {0, 1}, kScale);
-    drag(tool, top, top + Vec2(0.0, 2.0), Qt::AltModifier);
+    drag(tool, top, top + Vec2(0.0, 2.0), Qt::ControlModifier);
     compare(box("A"), {{0.0, 0.0}, 20.0, 14.0, 0.0});
     const Vec2 right = handlePosition(box("A"), {1, 0}, kScale);
     drag(tool, right, {-90.0, 0.0});
@@ -307,10 +311,11 @@ class ToolsTest : public QObject {
     document_->setSelection({document_->addBuilding(house)});
     SelectTool tool(*document_);
     const Rectangle before = box("B1");
-    const Vec2 handle = handlePosition(before, {1, 1}, kScale);
-    const Vec2 own = Pose2{before.centre.x(), before.centre.y(), before.heading}.toOwn(handle);
-    drag(tool, handle,
-         Pose2{before.centre.x(), before.centre.y(), before.heading}.toOuter(3.0 * own));
+    const Pose2 frame{before.centre.x(), before.centre.y(), before.heading};
+    const Vec2 corner = handlePosition(before, {1, 1}, kScale);
+    const Vec2 handle =
+        handlePosition(handleFrame(*document_->map().find("B1"), kScale), {1, 1}, kScale);
+    drag(tool, handle, handle - corner + frame.toOuter(3.0 * frame.toOwn(corner)));
     QCOMPARE(std::round(box("B1").width * 1e6), std::round(2.0 * before.width * 1e6));
     QCOMPARE(std::round(box("B1").depth * 1e6), std::round(2.0 * before.depth * 1e6));
     QCOMPARE(std::get<Polygon>(document_->map().buildings.back().shape).size(), std::size_t(6));
@@ -346,13 +351,17 @@ class ToolsTest : public QObject {
     std::vector<std::unique_ptr<Tool>> tools;
     tools.push_back(std::make_unique<SelectTool>(*document_));
     tools.push_back(std::make_unique<RectangleTool>(*document_));
+    tools.push_back(std::make_unique<EdgeRectangleTool>(*document_));
     tools.push_back(std::make_unique<PolygonTool>(*document_));
+    tools.push_back(std::make_unique<FreehandTool>(*document_));
     tools.push_back(std::make_unique<StartTool>(*document_));
     tools.push_back(std::make_unique<RouteTool>(*document_));
     tools.push_back(std::make_unique<LandmarkTool>(*document_));
+    tools.push_back(std::make_unique<MeasureTool>(*document_));
+    tools.push_back(std::make_unique<EraserTool>(*document_));
     QSet<QString> hints;
     for (const auto& tool : tools) hints.insert(tool->hint());
-    QCOMPARE(hints.size(), 6);
+    QCOMPARE(hints.size(), 10);
     QVERIFY(!hints.contains(QString()));
   }
 

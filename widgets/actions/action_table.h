@@ -6,7 +6,7 @@
 
 namespace handmap {
 
-enum class Menu { File, Edit, View, Draw, Run, Help };
+enum class Menu { File, Edit, Arrange, View, Draw, Run, Help };
 
 enum class ToolBar { None, Main, Tools, Transport };
 

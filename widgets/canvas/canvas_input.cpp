@@ -1,13 +1,16 @@
-// How the canvas takes mouse, wheel, gestures and keys, and what of it the tools are told.
-#include <QGestureEvent>
+// How the canvas takes mouse, wheel and keys, and what of it the tools are told.
+#include <QContextMenuEvent>
 #include <QMouseEvent>
-#include <QNativeGestureEvent>
-#include <QPinchGesture>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/map/map_limits.h"
+#include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/canvas/name_editor.h"
+#include "widgets/canvas/rulers.h"
+#include "widgets/canvas/tools/select_tool.h"
 
 namespace handmap {
 
@@ -15,28 +18,44 @@ namespace {
 
 constexpr double kWheelNotch = 120.0;
 constexpr double kZoomPerNotch = 1.25;
-constexpr double kUnsnappedStep = 0.01;  // metres
-constexpr double kNudgeStep = 0.1;       // metres
-
-Vec2 rounded(const Vec2& point, double step) {
-  // Through the number of steps in one, so that 0.1-steps give 0.3 and not 0.30000000000000004.
-  const double steps = std::round(1.0 / step);
-  return (point * steps).array().round() / steps;
-}
+constexpr double kNudgeStep = 0.1;  // metres
+constexpr double kSnapPx = 9.0;
+constexpr double kStridePx = 6.0;  // at least so far goes the keyboard's cursor with a key
+constexpr double kHitPx = 5.0;
 
 }  // namespace
 
-ToolEvent MapCanvas::toolEvent(const QMouseEvent& event) const {
-  const QPointF metres = viewportTransform().inverted().map(event.position());
+Vec2 MapCanvas::toMetres(QPointF viewport_position) const {
+  const QPointF metres = viewportTransform().inverted().map(viewport_position);
+  return Vec2(metres.x(), metres.y()).cwiseMax(-kMaxCoordinate).cwiseMin(kMaxCoordinate);
+}
+
+ToolEvent MapCanvas::toolEvent(QPointF viewport_position, Qt::KeyboardModifiers modifiers) {
   ToolEvent result;
-  result.position = Vec2(metres.x(), metres.y()).cwiseMax(-kMaxCoordinate).cwiseMin(kMaxCoordinate);
-  result.snapped = rounded(result.position, snap_step_ > 0.0 ? snap_step_ : kUnsnappedStep);
+  result.position = toMetres(viewport_position);
   result.metres_per_pixel = 1.0 / pixelsPerMetre();
+  result.modifiers = modifiers;
+  snap_ = snapping_.snap(result.position, kSnapPx * result.metres_per_pixel, tool_->snapContext(),
+                         modifiers & Qt::AltModifier);
+  result.snapped = snap_.point.cwiseMax(-kMaxCoordinate).cwiseMin(kMaxCoordinate);
+  return result;
+}
+
+ToolEvent MapCanvas::toolEvent(const QMouseEvent& event) {
+  ToolEvent result = toolEvent(event.position(), event.modifiers());
   result.button = event.button();
-  result.modifiers = event.modifiers();
   result.pressure = event.points().isEmpty() ? 1.0 : event.points().first().pressure();
   result.pointer = event.pointerType();
   return result;
+}
+
+/// Whatever is pressed ends what could still be typed.
+void MapCanvas::press(const ToolEvent& event) {
+  fitted_ = false;  // whoever works on it keeps it where it is
+  menu_at_.reset();
+  name_->commit();
+  name_->disarm();
+  tool_->press(event);
 }
 
 void MapCanvas::updateCursor() {
@@ -47,18 +66,19 @@ void MapCanvas::updateCursor() {
 }
 
 void MapCanvas::mousePressEvent(QMouseEvent* event) {
-  fitted_ = false;  // whoever works on it keeps it where it is
+  cancelled_by_press_ = false;
   if (event->button() == Qt::MiddleButton || (space_held_ && event->button() == Qt::LeftButton)) {
     pan_from_ = event->position();
     updateCursor();
   } else if (event->button() == Qt::LeftButton) {
-    tool_->press(toolEvent(*event));
+    press(toolEvent(*event));
   } else if (event->button() == Qt::RightButton) {
-    tool_->cancel();
+    cancelled_by_press_ = tool_->cancel();
   }
 }
 
 void MapCanvas::mouseMoveEvent(QMouseEvent* event) {
+  pointer_ = event->position();
   if (pan_from_) {
     Q_EMIT movedByHand();
     panBy(event->position() - *std::exchange(pan_from_, event->position()));
@@ -97,36 +117,84 @@ void MapCanvas::wheelEvent(QWheelEvent* event) {
   zoomAt(event->position(), std::pow(kZoomPerNotch, event->angleDelta().y() / kWheelNotch));
 }
 
-bool MapCanvas::viewportEvent(QEvent* event) {
-  if (event->type() == QEvent::NativeGesture) {
-    const auto& gesture = static_cast<QNativeGestureEvent&>(*event);
-    if (gesture.gestureType() == Qt::ZoomNativeGesture) {
-      zoomAt(gesture.position(), 1.0 + gesture.value());
-      return true;
-    }
-  } else if (event->type() == QEvent::Gesture) {
-    auto& gestures = static_cast<QGestureEvent&>(*event);
-    if (const auto* pinch = static_cast<QPinchGesture*>(gestures.gesture(Qt::PinchGesture))) {
-      tool_->cancel();
-      Q_EMIT movedByHand();
-      const QPointF centre = viewport()->mapFromGlobal(pinch->centerPoint());
-      zoomAt(centre, pinch->scaleFactor());
-      panBy(pinch->centerPoint() - pinch->lastCenterPoint());
+void MapCanvas::leaveEvent(QEvent* event) {
+  pointer_.reset();
+  QGraphicsView::leaveEvent(event);
+}
+
+void MapCanvas::contextMenuEvent(QContextMenuEvent* event) {
+  event->accept();
+  if (std::exchange(cancelled_by_press_, false)) return;
+  if (event->reason() == QContextMenuEvent::Keyboard) {
+    const QString key = document_.selection().value(0);
+    const auto bounds = key.isEmpty() ? std::nullopt : boundsOf(document_.map(), key);
+    const Vec2 middle = bounds ? Vec2((bounds->low + bounds->high) / 2.0) : pastePosition();
+    menu_at_.reset();
+    Q_EMIT contextMenuRequested(viewport()->mapToGlobal(
+        viewportTransform().map(QPointF(middle.x(), middle.y())).toPoint()));
+    return;
+  }
+  showMenuAt(event->pos());
+}
+
+void MapCanvas::showMenuAt(QPointF viewport_position) {
+  tool_->interrupt();
+  const ToolEvent at = toolEvent(viewport_position, Qt::NoModifier);
+  if (!select_->chooseCornerAt(at)) {
+    const QString key = objectAt(document_, at.position, kHitPx * at.metres_per_pixel);
+    if (!document_.selection().contains(key))
+      document_.setSelection(key.isEmpty() ? QStringList() : QStringList{key});
+  }
+  menu_at_ = viewport_position;
+  Q_EMIT contextMenuRequested(viewport()->mapToGlobal(viewport_position.toPoint()));
+}
+
+// --- Keys
+
+bool MapCanvas::event(QEvent* event) {
+  // What is a letter of a name or a digit of a number is no shortcut.
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto& key = static_cast<QKeyEvent&>(*event);
+    const bool plain = !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    const QChar character = key.text().isEmpty() ? QChar() : key.text().front();
+    if (plain && (name_->wants(character) || tool_->wants(character))) {
+      event->accept();
       return true;
     }
   }
-  return QGraphicsView::viewportEvent(event);
+  return QGraphicsView::event(event);
+}
+
+bool MapCanvas::focusNextPrevChild(bool next) {
+  const QKeyEvent key(QEvent::KeyPress, next ? Qt::Key_Tab : Qt::Key_Backtab, Qt::NoModifier);
+  return giveKey(key) || QGraphicsView::focusNextPrevChild(next);
+}
+
+bool MapCanvas::giveKey(const QKeyEvent& event) {
+  ToolKey key{event.key(), event.modifiers()};
+  key.step_m = snapModes().grid ? CanvasSnapping::kGridStep : kNudgeStep;
+  key.text = event.text();
+  key.metres_per_pixel = 1.0 / pixelsPerMetre();
+  key.stride_m = std::max(key.step_m, roundedStep(kStridePx * key.metres_per_pixel));
+  const Vec2 home = toMetres(pointer_.value_or(viewport()->rect().toRectF().center()));
+  key.home = roundedTo(home, pointer_ ? Snapper::kTidy : key.stride_m);
+  snap_ = {};
+  return tool_->key(key);
 }
 
 void MapCanvas::keyPressEvent(QKeyEvent* event) {
+  const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
   if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
     space_held_ = true;
     updateCursor();
   } else if (event->key() == Qt::Key_Escape) {
+    name_->disarm();
     escape();
+  } else if (plain && event->text().size() == 1 && name_->wants(event->text().front())) {
+    name_->begin(QString(name_->armedKey()), event->text());
+    layOut();
   } else if (event->key() != Qt::Key_Space) {
-    const double step = snap_step_ > 0.0 ? snap_step_ : kNudgeStep;
-    event->setAccepted(tool_->key({event->key(), event->modifiers(), step}));
+    event->setAccepted(giveKey(*event));
   }
 }
 
@@ -157,6 +225,7 @@ void MapCanvas::showEvent(QShowEvent* event) {
 
 void MapCanvas::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
+  layOut();
   if (fitted_ && isVisible()) zoomToFit();
 }
 

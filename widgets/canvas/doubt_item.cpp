@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
+#include <algorithm>
 #include <cmath>
 
 #include "core/map/map_flags.h"
@@ -37,41 +38,56 @@ void DoubtItem::setColours(const Colours& colours) {
 void DoubtItem::rebuild() {
   prepareGeometryChange();
   const Map& map = document_.map();
-  edges_.clear();
   bounds_ = {};
-  if (stateOf(layersOf(map), DrawingLayer::Buildings).hidden) return;
-  edges_.reserve(map.buildings.size());
-  for (const Building& building : map.buildings) {
-    if (isHidden(building)) continue;
-    Edge edge{{}, {}, sigmaOfWall(map.uncertaintyOf(building)), mayNotExist(building)};
-    for (const Vec2& corner : building.footprint()) edge.outline << QPointF(corner.x(), corner.y());
-    const double reach = edge.sigma;
-    edge.bounds = edge.outline.boundingRect().adjusted(-reach, -reach, reach, reach);
-    bounds_ |= edge.bounds;
-    edges_.push_back(std::move(edge));
-  }
+  reach_ = 0.0;
+  any_may_not_exist_ = false;
   update();
+  if (stateOf(layersOf(map), DrawingLayer::Buildings).hidden) return;
+  const BoxIndex& boxes = document_.buildingIndex();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec2 size = boxes.box(i).high - boxes.box(i).low;
+    bounds_ |= QRectF(boxes.box(i).low.x(), boxes.box(i).low.y(), size.x(), size.y());
+    reach_ = std::max(reach_, sigmaOfWall(map.uncertaintyOf(map.buildings[i])));
+    any_may_not_exist_ |= mayNotExist(map.buildings[i]);
+  }
+  bounds_.adjust(-reach_, -reach_, reach_, reach_);
+}
+
+/// Those in sight whose edges can be seen.
+std::vector<DoubtItem::Edge> DoubtItem::edgesIn(const QRectF& exposed,
+                                                double pixels_per_metre) const {
+  const Map& map = document_.map();
+  std::vector<Edge> edges;
+  if (bounds_.isNull() || (reach_ * pixels_per_metre < kLeastPx && !any_may_not_exist_))
+    return edges;
+  const Bounds area{{exposed.left() - reach_, exposed.top() - reach_},
+                    {exposed.right() + reach_, exposed.bottom() + reach_}};
+  for (const std::size_t i : document_.buildingIndex().touching(area)) {
+    const Building& building = map.buildings[i];
+    Edge edge{{}, sigmaOfWall(map.uncertaintyOf(building)), mayNotExist(building)};
+    const bool is_soft = edge.sigma * pixels_per_metre >= kLeastPx || edge.may_not_exist;
+    if (!is_soft || isHidden(building)) continue;
+    if (edges.size() == kMostEdges) return {};  // from so far away it would only be fog
+    for (const Vec2& corner : building.footprint()) edge.outline << QPointF(corner.x(), corner.y());
+    edges.push_back(std::move(edge));
+  }
+  return edges;
 }
 
 void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const double pixels_per_metre =
       std::hypot(painter->worldTransform().m11(), painter->worldTransform().m12());
-  std::vector<const Edge*> seen;
-  for (const Edge& edge : edges_) {
-    const bool is_soft = edge.sigma * pixels_per_metre >= kLeastPx || edge.may_not_exist;
-    if (!is_soft || !edge.bounds.intersects(option->exposedRect)) continue;
-    seen.push_back(&edge);
-    if (seen.size() > kMostEdges) return;  // from so far away it would only be fog
-  }
+  const std::vector<Edge> seen = edgesIn(option->exposedRect, pixels_per_metre);
+  if (seen.empty()) return;
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setBrush(Qt::NoBrush);
   QColor ink = (*colours_)[Role::Drawing];
   ink.setAlpha(kRingAlpha);
-  for (const Edge* edge : seen) {
+  for (const Edge& edge : seen) {
     for (int ring = 1; ring <= kRings; ++ring) {
-      painter->setPen(QPen(ink, 2.0 * edge->sigma * ring / kRings, Qt::SolidLine, Qt::SquareCap,
-                           Qt::RoundJoin));
-      painter->drawPolygon(edge->outline);
+      painter->setPen(
+          QPen(ink, 2.0 * edge.sigma * ring / kRings, Qt::SolidLine, Qt::SquareCap, Qt::RoundJoin));
+      painter->drawPolygon(edge.outline);
     }
   }
   const QTransform to_device = painter->worldTransform();
@@ -81,9 +97,9 @@ void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
   QFont font = painter->font();
   font.setBold(true);
   painter->setFont(font);
-  for (const Edge* edge : seen) {
-    if (!edge->may_not_exist) continue;
-    const QRectF on_device = to_device.map(edge->outline).boundingRect();
+  for (const Edge& edge : seen) {
+    if (!edge.may_not_exist) continue;
+    const QRectF on_device = to_device.map(edge.outline).boundingRect();
     painter->drawText(
         QRectF(on_device.right() - kMarkPx - 2.0, on_device.top() + 2.0, kMarkPx, kMarkPx + 2.0),
         Qt::AlignCenter, QStringLiteral("?"));

@@ -23,14 +23,16 @@ class DoubtItem : public QGraphicsItem {
  private:
   struct Edge {
     QPolygonF outline;  ///< metres
-    QRectF bounds;      ///< with the soft edge
     double sigma;       ///< of a wall, metres
     bool may_not_exist;
   };
 
+  std::vector<Edge> edgesIn(const QRectF& exposed, double pixels_per_metre) const;
+
   const MapDocument& document_;
   const Colours* colours_ = &Colours::light();
-  std::vector<Edge> edges_;
+  double reach_ = 0.0;  ///< the widest edge, metres
+  bool any_may_not_exist_ = false;
   QRectF bounds_;
 };
 

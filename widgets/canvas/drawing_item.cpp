@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 #include <cmath>
+#include <utility>
 
 #include "core/map/map_flags.h"
 #include "widgets/canvas/symbols.h"
@@ -11,13 +12,12 @@ namespace handmap {
 
 namespace {
 
-constexpr double kDotPx = 3.0;      ///< smaller buildings are dots
+constexpr double kDotPx = 3.0;  ///< smaller buildings are dots
+constexpr double kDotOfManyPx = 8.0;
 constexpr double kMarkedPx = 18.0;  ///< smaller buildings show no lock
 constexpr double kNarrowestLetterPx = 3.5;
-constexpr std::size_t kManyBuildings = 1000;
+constexpr std::size_t kManyBuildings = 1000;  ///< at once: drawn as plain lines, in one go
 constexpr qsizetype kManySelected = 100;
-
-bool isLarge(const QRectF& bounds) { return std::max(bounds.width(), bounds.height()) >= kDotPx; }
 
 QPointF toScene(const Vec2& point) { return {point.x(), point.y()}; }
 
@@ -44,45 +44,76 @@ void DrawingItem::setColours(const Colours& colours) {
   update();
 }
 
+bool DrawingItem::Shape::shows(const Building& building) const {
+  return of == building.shape && id == building.id && name == building.name &&
+         fixed == building.fixed;
+}
+
 DrawingItem::Shape DrawingItem::shapeOf(const Building& building) const {
   Shape shape;
+  shape.of = building.shape;
+  shape.id = building.id;
+  shape.name = building.name;
+  shape.fixed = building.fixed;
   const Polygon footprint = building.footprint();
   for (const Vec2& corner : footprint) shape.outline << toScene(corner);
   shape.bounds = shape.outline.boundingRect();
   shape.middle = toScene(centroid(footprint));
-  shape.id = QString::fromStdString(building.id);
-  shape.name = QString::fromStdString(building.name);
-  shape.fixed = building.fixed;
-  shape.selected = selected_.contains(shape.id);
+  shape.selected = selected_.contains(QString::fromStdString(building.id));
   return shape;
 }
 
 void DrawingItem::rebuild() {
+  const std::vector<Building>& buildings = document_.map().buildings;
+  bool same_ids = shapes_.size() == buildings.size();
+  shapes_.resize(buildings.size());
+  drawn_ = {};
+  layers_ = layersOf(document_.map());
+  const bool none = layer(DrawingLayer::Buildings).hidden;
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    same_ids &= shapes_[i].id == buildings[i].id;
+    if (!shapes_[i].shows(buildings[i])) shapes_[i] = shapeOf(buildings[i]);
+    shapes_[i].off = none || isHidden(buildings[i]);
+    if (!shapes_[i].off) drawn_ |= shapes_[i].bounds;
+  }
+  if (!same_ids) {
+    places_.clear();
+    places_.reserve(shapes_.size());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) places_.emplace(shapes_[i].id, i);
+  }
+  reselect();
+  showPreviewed();
+}
+
+void DrawingItem::reselect() {
+  const auto mark = [&](bool selected) {
+    for (const QString& key : std::as_const(selected_)) {
+      const auto place = places_.find(key.toStdString());
+      if (place != places_.end()) shapes_[place->second].selected = selected;
+    }
+  };
+  mark(false);
   const QStringList keys = document_.selection();
   selected_ = QSet<QString>(keys.begin(), keys.end());
-  shapes_.clear();
-  places_.clear();
-  shapes_.reserve(document_.map().buildings.size());
-  layers_ = layersOf(document_.map());
-  for (const Building& building : document_.map().buildings) {
-    if (layer(DrawingLayer::Buildings).hidden || isHidden(building)) continue;
-    shapes_.push_back(shapeOf(building));
-    places_.insert(shapes_.back().id, shapes_.size() - 1);
-  }
-  const MapChange preview = preview_;
-  setPreview(&preview);
+  mark(true);
+  update();
 }
 
 void DrawingItem::setPreview(const MapChange* preview) {
+  if (!preview && preview_.isEmpty()) return;
   for (const Shape& shape : previewed_)
-    if (const auto place = places_.constFind(shape.id); place != places_.cend())
-      shapes_[*place].hidden = false;
-  previewed_.clear();
+    if (const auto place = places_.find(shape.id); place != places_.end())
+      shapes_[place->second].hidden = false;
   preview_ = preview ? *preview : MapChange();
+  showPreviewed();
+}
+
+void DrawingItem::showPreviewed() {
+  previewed_.clear();
   for (const Building& building : preview_.buildings) {
     previewed_.push_back(shapeOf(building));
-    if (const auto place = places_.constFind(previewed_.back().id); place != places_.cend())
-      shapes_[*place].hidden = true;
+    if (const auto place = places_.find(building.id); place != places_.end())
+      shapes_[place->second].hidden = true;
   }
   updateBounds();
   update();
@@ -91,12 +122,11 @@ void DrawingItem::setPreview(const MapChange* preview) {
 void DrawingItem::updateBounds() {
   prepareGeometryChange();
   const Map& map = document_.map();
-  bounds_ = {};
+  bounds_ = drawn_;
   const auto include = [&](const QRectF& box) { bounds_ = bounds_ | box; };
   const auto include_point = [&](const Vec2& point) {
     include(QRectF(toScene(point), QSizeF()).adjusted(-1.0, -1.0, 1.0, 1.0));
   };
-  for (const Shape& shape : shapes_) include(shape.bounds);
   for (const Shape& shape : previewed_) include(shape.bounds);
   for (const Landmark& landmark : map.landmarks) include_point(landmark.position);
   for (const Landmark& landmark : preview_.landmarks) include_point(landmark.position);
@@ -110,97 +140,120 @@ void DrawingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* optio
   painter->save();
   painter->setWorldTransform({});
   painter->setRenderHint(QPainter::Antialiasing);
-  const std::vector<Placed> placed = place(to_device, option->exposedRect);
   painter->setOpacity(layer(DrawingLayer::Buildings).opacity);
-  paintBuildings(*painter, placed);
+  paintBuildings(*painter, visible(option->exposedRect), to_device);
   paintSigns(*painter, to_device);
   painter->restore();
 }
 
-std::vector<DrawingItem::Placed> DrawingItem::place(const QTransform& to_device,
-                                                    const QRectF& exposed) const {
-  std::vector<Placed> placed;
-  for (const auto* shapes : {&shapes_, &previewed_}) {
-    for (const Shape& shape : *shapes) {
-      if (shape.hidden || !shape.bounds.intersects(exposed)) continue;
-      QPolygonF outline = to_device.map(shape.outline);
-      std::ranges::transform(outline, outline.begin(), crisp);
-      placed.push_back({&shape, outline, outline.boundingRect()});
-    }
-  }
-  return placed;
+DrawingItem::Shapes DrawingItem::visible(const QRectF& exposed) const {
+  Shapes shapes;
+  const Bounds area{{exposed.left(), exposed.top()}, {exposed.right(), exposed.bottom()}};
+  for (const std::size_t i : document_.buildingIndex().touching(area))
+    if (i < shapes_.size() && !shapes_[i].hidden && !shapes_[i].off) shapes.push_back(&shapes_[i]);
+  for (const Shape& shape : previewed_)
+    if (shape.bounds.intersects(exposed)) shapes.push_back(&shape);
+  return shapes;
 }
 
-void DrawingItem::paintBuildings(QPainter& painter, const std::vector<Placed>& placed) const {
+void DrawingItem::paintBuildings(QPainter& painter, const Shapes& shapes,
+                                 const QTransform& to_device) const {
+  const bool many = shapes.size() > kManyBuildings;
+  const double dot = (many ? kDotOfManyPx : kDotPx) / std::hypot(to_device.m11(), to_device.m12());
   for (const bool selected : {false, true}) {
     const Role role = selected ? Role::Selection : Role::Drawing;
     QPen pen = colours_->pen(role);
-    if (placed.size() > kManyBuildings) pen.setWidthF(1.0);  // ten times as fast
-    const auto paint_all = [&](auto paint_one) {
-      for (const Placed& building : placed)
-        if (building.shape->selected == selected) paint_one(building);
-    };
+    QList<QRectF> dots;
+    QList<QLineF> walls;
+    QList<QPolygonF> outlines;
+    for (const Shape* shape : shapes) {
+      if (shape->selected != selected) continue;
+      if (std::max(shape->bounds.width(), shape->bounds.height()) < dot) {
+        const QPointF a = to_device.map(shape->bounds.topLeft());
+        const QPointF b = to_device.map(shape->bounds.bottomRight());
+        dots << QRectF(a, b).normalized().adjusted(-0.5, -0.5, 0.5, 0.5);
+      } else if (many) {
+        QPointF from = to_device.map(shape->outline.constLast());
+        for (const QPointF& corner : shape->outline) {
+          const QPointF to = to_device.map(corner);
+          walls << QLineF(from, to);
+          from = to;
+        }
+      } else {
+        outlines << to_device.map(shape->outline);
+        std::ranges::transform(outlines.last(), outlines.last().begin(), crisp);
+      }
+    }
     // The outline hides the steps at the edge of the ground.
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(Qt::NoPen);
+    painter.setBrush(pen.color());
+    painter.drawRects(dots);
     painter.setBrush(colours_->brush(role));
-    paint_all([&](const Placed& building) {
-      if (isLarge(building.bounds)) painter.drawPolygon(building.outline);
-    });
-    painter.setRenderHint(QPainter::Antialiasing);
+    for (const QPolygonF& outline : outlines) painter.drawPolygon(outline);
+    pen.setWidthF(many ? 0.0 : pen.widthF());
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
-    paint_all([&](const Placed& building) {
-      if (isLarge(building.bounds))
-        painter.drawPolygon(building.outline);
-      else
-        painter.fillRect(building.bounds.adjusted(-0.5, -0.5, 0.5, 0.5), pen.color());
-    });
+    painter.drawLines(walls);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const QPolygonF& outline : outlines) painter.drawPolygon(outline);
   }
 }
 
 void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
                               const QRectF& exposed) const {
   paintLandmarkLabels(painter, to_device);
-  const std::vector<Placed> placed = place(to_device, exposed);
+  const double scale = std::hypot(to_device.m11(), to_device.m12());
   const double line = painter.fontMetrics().height();
-  for (const Placed& drawn : placed) {
-    bool on_ground = !document_.map().underlays.empty();
-    const Shape* shape = drawn.shape;
-    QPolygonF outline = drawn.outline;
-    QPointF centre = to_device.map(shape->middle);
-    // What the tool moves is where its preview is.
-    const auto other = label_outlines_.constFind(shape->id);
-    if (other != label_outlines_.cend() && previewed_.empty()) {
-      outline = to_device.map(*other);
-      centre = middleOf(outline);
-      on_ground = true;  // an arrow may end there
-    }
-    const QRectF bounds = outline.boundingRect();
-    const auto fits = [&, &at = outline, &box = bounds](const QString& text, int lines) {
-      if (text.isEmpty() || box.width() < kNarrowestLetterPx * static_cast<double>(text.size()) ||
-          box.height() < lines * line)
-        return false;
-      const double width = painter.fontMetrics().horizontalAdvance(text) + 6.0;
-      QPolygonF label(QRectF(0.0, 0.0, width, lines * line)
-                          .translated(centre - QPointF(width / 2.0, lines * line / 2.0)));
-      return std::ranges::all_of(
-          label, [&](const QPointF& corner) { return at.containsPoint(corner, Qt::OddEvenFill); });
-    };
-    const QPointF half_line(0.0, line / 2.0);
-    if (fits(shape->name, 2)) {
-      paintLabel(painter, centre - half_line, shape->name, *colours_, on_ground);
-      paintLabel(painter, centre + half_line, shape->id, *colours_, on_ground);
-    } else if (fits(shape->name, 1)) {
-      paintLabel(painter, centre, shape->name, *colours_, on_ground);
-    } else if (fits(shape->id, 1)) {
-      paintLabel(painter, centre, shape->id, *colours_, on_ground);
-    } else if (shape->selected && selected_.size() < kManySelected) {
-      paintLabel(painter, QPointF(centre.x(), bounds.bottom() + line), shape->id, *colours_, true);
-    }
-    if (shape->fixed && std::min(bounds.width(), bounds.height()) >= kMarkedPx)
-      paintFixedSymbol(painter, bounds.topLeft() + QPointF(11.0, 11.0), (*colours_)[Role::Drawing]);
+  for (const Shape* shape : visible(exposed)) {
+    const double size = std::max(shape->bounds.width(), shape->bounds.height()) * scale;
+    if (size >= line || shape->selected) paintLabel(painter, *shape, to_device);
   }
+}
+
+void DrawingItem::paintLabel(QPainter& painter, const Shape& shape,
+                             const QTransform& to_device) const {
+  const double line = painter.fontMetrics().height();
+  bool on_ground = !document_.map().underlays.empty();
+  QPolygonF outline = to_device.map(shape.outline);
+  QPointF centre = to_device.map(shape.middle);
+  const QString id = QString::fromStdString(shape.id);
+  // What the tool moves is where its preview is.
+  const auto other = label_outlines_.constFind(id);
+  if (other != label_outlines_.cend() && previewed_.empty()) {
+    outline = to_device.map(*other);
+    centre = middleOf(outline);
+    on_ground = true;  // an arrow may end there
+  }
+  const QRectF bounds = outline.boundingRect();
+  const QString name = QString::fromStdString(shape.name);
+  const auto fits = [&](const QString& text, int lines) {
+    if (text.isEmpty() || bounds.width() < kNarrowestLetterPx * static_cast<double>(text.size()) ||
+        bounds.height() < lines * line)
+      return false;
+    const double width = painter.fontMetrics().horizontalAdvance(text) + 6.0;
+    QPolygonF label(QRectF(0.0, 0.0, width, lines * line)
+                        .translated(centre - QPointF(width / 2.0, lines * line / 2.0)));
+    return std::ranges::all_of(label, [&](const QPointF& corner) {
+      return outline.containsPoint(corner, Qt::OddEvenFill);
+    });
+  };
+  const QPointF half_line(0.0, line / 2.0);
+  const auto write = [&](const QPointF& at, const QString& text, bool ground) {
+    handmap::paintLabel(painter, at, text, *colours_, ground);
+  };
+  if (fits(name, 2)) {
+    write(centre - half_line, name, on_ground);
+    write(centre + half_line, id, on_ground);
+  } else if (fits(name, 1)) {
+    write(centre, name, on_ground);
+  } else if (fits(id, 1)) {
+    write(centre, id, on_ground);
+  } else if (shape.selected && selected_.size() < kManySelected) {
+    write(QPointF(centre.x(), bounds.bottom() + line), id, true);
+  }
+  if (shape.fixed && std::min(bounds.width(), bounds.height()) >= kMarkedPx)
+    paintFixedSymbol(painter, bounds.topLeft() + QPointF(11.0, 11.0), (*colours_)[Role::Drawing]);
 }
 
 const Landmark& DrawingItem::shown(const Landmark& on_map) const {
@@ -216,9 +269,9 @@ void DrawingItem::paintLandmarkLabels(QPainter& painter, const QTransform& to_de
     const QString text =
         QString::fromStdString(landmark.name.empty() ? landmark.id : landmark.name);
     const int width = painter.fontMetrics().horizontalAdvance(text);
-    paintLabel(painter,
-               to_device.map(toScene(landmark.position)) + QPointF(12.0 + width / 2.0, 0.0), text,
-               *colours_, true);
+    handmap::paintLabel(
+        painter, to_device.map(toScene(landmark.position)) + QPointF(12.0 + width / 2.0, 0.0), text,
+        *colours_, true);
   }
 }
 

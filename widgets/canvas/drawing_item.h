@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QGraphicsItem>
-#include <QHash>
 #include <QSet>
+#include <string>
+#include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "core/map/map_layers.h"
@@ -16,7 +18,8 @@ class DrawingItem : public QGraphicsItem {
  public:
   explicit DrawingItem(const MapDocument& document);
 
-  void rebuild();  ///< the map, or what is selected, is another
+  void rebuild();   ///< the map is another; what has not changed in it costs next to nothing
+  void reselect();  ///< what is selected is another
   /// Shown in place of the objects of the same ids; nullptr: nothing.
   void setPreview(const MapChange* preview);
   void setColours(const Colours& colours);
@@ -31,26 +34,28 @@ class DrawingItem : public QGraphicsItem {
 
  private:
   struct Shape {
+    std::variant<Rectangle, Polygon> of;
+    std::string id;
+    std::string name;
+    bool fixed = false;
     QPolygonF outline;  ///< metres
     QRectF bounds;
     QPointF middle;  ///< of its area
-    QString id;
-    QString name;
-    bool fixed = false;
     bool selected = false;
+    bool off = false;     ///< hidden by the person
     bool hidden = false;  ///< a preview stands in its place
+
+    bool shows(const Building& building) const;
   };
-  struct Placed {  ///< on the device
-    const Shape* shape;
-    QPolygonF outline;
-    QRectF bounds;
-  };
+  using Shapes = std::vector<const Shape*>;
 
   Shape shapeOf(const Building& building) const;
   const LayerState& layer(DrawingLayer which) const { return stateOf(layers_, which); }
   void updateBounds();
-  std::vector<Placed> place(const QTransform& to_device, const QRectF& exposed) const;
-  void paintBuildings(QPainter& painter, const std::vector<Placed>& placed) const;
+  void showPreviewed();
+  Shapes visible(const QRectF& exposed) const;
+  void paintBuildings(QPainter& painter, const Shapes& shapes, const QTransform& to_device) const;
+  void paintLabel(QPainter& painter, const Shape& shape, const QTransform& to_device) const;
   void paintLandmarkLabels(QPainter& painter, const QTransform& to_device) const;
   const Landmark& shown(const Landmark& on_map) const;
   void paintSigns(QPainter& painter, const QTransform& to_device) const;
@@ -59,11 +64,12 @@ class DrawingItem : public QGraphicsItem {
   const Colours* colours_ = &Colours::light();
   std::vector<Shape> shapes_;
   std::vector<Shape> previewed_;
-  QHash<QString, std::size_t> places_;
+  std::unordered_map<std::string, std::size_t> places_;
   QHash<QString, QPolygonF> label_outlines_;
   MapChange preview_;
   LayerStates layers_;
   QSet<QString> selected_;
+  QRectF drawn_;  ///< around shapes_
   QRectF bounds_;
 };
 

@@ -27,7 +27,8 @@ bool isOpen(const LayerStates& layers, DrawingLayer layer) {
 
 }  // namespace
 
-QString objectAt(const Map& map, const Vec2& position, double reach) {
+QString objectAt(const MapDocument& document, const Vec2& position, double reach) {
+  const Map& map = document.map();
   const LayerStates layers = layersOf(map);
   for (const Landmark& landmark : map.landmarks)
     if (isOpen(layers, DrawingLayer::Landmarks) && !isHidden(landmark) &&
@@ -43,10 +44,11 @@ QString objectAt(const Map& map, const Vec2& position, double reach) {
   const Building* best = nullptr;
   double best_area = std::numeric_limits<double>::infinity();
   const Bounds around{position.array() - reach, position.array() + reach};
-  for (const Building& building : map.buildings) {
+  for (const std::size_t i : document.buildingIndex().touching(around)) {
+    const Building& building = map.buildings[i];
     if (isHidden(building)) continue;
     const Polygon footprint = building.footprint();
-    if (!boundsOf(footprint).overlaps(around) || distanceTo(footprint, position) > reach) continue;
+    if (distanceTo(footprint, position) > reach) continue;
     const double area = std::abs(signedArea(footprint));
     if (area > best_area) continue;
     best = &building;
@@ -55,13 +57,15 @@ QString objectAt(const Map& map, const Vec2& position, double reach) {
   return best ? QString::fromStdString(best->id) : QString();
 }
 
-QStringList objectsIn(const Map& map, const Bounds& box) {
+QStringList objectsIn(const MapDocument& document, const Bounds& box) {
+  const Map& map = document.map();
   QStringList keys;
   const LayerStates layers = layersOf(map);
-  for (const Building& building : map.buildings)
-    if (isOpen(layers, DrawingLayer::Buildings) && !isHidden(building) &&
-        boundsOf(building.footprint()).overlaps(box))
+  for (const std::size_t i : document.buildingIndex().touching(box)) {
+    const Building& building = map.buildings[i];
+    if (isOpen(layers, DrawingLayer::Buildings) && !isHidden(building))
       keys << QString::fromStdString(building.id);
+  }
   for (const Landmark& landmark : map.landmarks)
     if (isOpen(layers, DrawingLayer::Landmarks) && !isHidden(landmark) &&
         isInside(box, landmark.position))

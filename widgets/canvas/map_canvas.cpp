@@ -4,12 +4,20 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <algorithm>
+#include <utility>
 
 #include "core/map/map_limits.h"
+#include "widgets/canvas/canvas_chips.h"
 #include "widgets/canvas/doubt_item.h"
 #include "widgets/canvas/drawing_item.h"
+#include "widgets/canvas/name_editor.h"
 #include "widgets/canvas/rulers.h"
+#include "widgets/canvas/tools/corner_handles.h"
+#include "widgets/canvas/tools/edge_rectangle_tool.h"
+#include "widgets/canvas/tools/eraser_tool.h"
+#include "widgets/canvas/tools/freehand_tool.h"
 #include "widgets/canvas/tools/landmark_tool.h"
+#include "widgets/canvas/tools/measure_tool.h"
 #include "widgets/canvas/tools/polygon_tool.h"
 #include "widgets/canvas/tools/rectangle_tool.h"
 #include "widgets/canvas/tools/robot_pose_tool.h"
@@ -44,7 +52,8 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
       scene_(new QGraphicsScene(this)),
       underlays_(new UnderlayItem(document)),
       doubt_(new DoubtItem(document)),
-      drawing_(new DrawingItem(document)) {
+      drawing_(new DrawingItem(document)),
+      snapping_(document) {
   setScene(scene_);
   scene_->setSceneRect(-kReach, -kReach, 2.0 * kReach, 2.0 * kReach);
   scene_->setItemIndexMethod(QGraphicsScene::NoIndex);
@@ -64,8 +73,10 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
   setOptimizationFlag(DontSavePainterState);
   setFocusPolicy(Qt::StrongFocus);
   viewport()->setMouseTracking(true);
-  viewport()->grabGesture(Qt::PinchGesture);
+  viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
+  setAccessibleName(tr("Drawing"));
 
+  makeOverlays();
   makeTools();
   connect(&document_, &MapDocument::mapChanged, this, [this] {
     underlays_->rebuild();
@@ -75,7 +86,7 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
   });
   connect(&document_, &MapDocument::trustChanged, this, [this] { underlays_->reload(); });
   connect(&document_, &MapDocument::selectionChanged, this, [this] {
-    drawing_->rebuild();
+    drawing_->reselect();
     onToolChanged();
   });
   applyPalette();
@@ -84,26 +95,56 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
 
 MapCanvas::~MapCanvas() = default;
 
+template <typename ToolType, typename... Arguments>
+ToolType* MapCanvas::addTool(Arguments&&... arguments) {
+  auto tool = std::make_unique<ToolType>(document_, std::forward<Arguments>(arguments)...);
+  ToolType* added = tool.get();
+  connect(added, &Tool::changed, this, &MapCanvas::onToolChanged);
+  connect(added, &Tool::created, name_, &NameEditor::arm);
+  connect(added, &Tool::finished, this, [this] { setTool(ToolId::Select); });
+  tools_.push_back(std::move(tool));
+  return added;
+}
+
 void MapCanvas::makeTools() {
-  tools_.push_back(std::make_unique<SelectTool>(document_));
-  tools_.push_back(std::make_unique<RectangleTool>(document_));
-  tools_.push_back(std::make_unique<PolygonTool>(document_));
-  tools_.push_back(std::make_unique<StartTool>(document_));
-  tools_.push_back(std::make_unique<RouteTool>(document_));
-  tools_.push_back(std::make_unique<LandmarkTool>(document_));
-  auto picture_tool = std::make_unique<PictureTool>(
-      document_, [this](std::size_t place) { return underlays_->sizeOf(place); });
-  picture_tool_ = picture_tool.get();
-  tools_.push_back(std::move(picture_tool));
-  auto robot_pose = std::make_unique<RobotPoseTool>(document_);
-  connect(robot_pose.get(), &RobotPoseTool::given, this, [this](const Pose2& pose) {
+  tool_ = select_ = addTool<SelectTool>();
+  addTool<RectangleTool>();
+  addTool<EdgeRectangleTool>();
+  addTool<PolygonTool>();
+  freehand_ = addTool<FreehandTool>();
+  addTool<StartTool>();
+  addTool<RouteTool>();
+  addTool<LandmarkTool>();
+  addTool<MeasureTool>();
+  eraser_ = addTool<EraserTool>();
+  picture_tool_ =
+      addTool<PictureTool>([this](std::size_t place) { return underlays_->sizeOf(place); });
+  const auto* robot_pose = addTool<RobotPoseTool>();
+  connect(robot_pose, &RobotPoseTool::given, this, [this](const Pose2& pose) {
     setTool(ToolId::Select);
     Q_EMIT robotPoseGiven(pose);
   });
-  tools_.push_back(std::move(robot_pose));
-  tool_ = tools_.front().get();
-  for (const auto& tool : tools_)
-    connect(tool.get(), &Tool::changed, this, &MapCanvas::onToolChanged);
+  connect(select_, &SelectTool::renameRequested, this, [this](const QString& key) {
+    document_.setSelection({key});
+    renameSelected();
+  });
+}
+
+void MapCanvas::makeOverlays() {
+  name_ = new NameEditor(document_, this);
+  chips_ = new CanvasChips(this);
+  connect(chips_, &CanvasChips::doneRequested, this, &MapCanvas::finishTool);
+  connect(chips_, &CanvasChips::backRequested, this, [this] { tool_->takeBack(); });
+  connect(chips_, &CanvasChips::cancelRequested, this, [this] { tool_->cancel(); });
+  connect(chips_, &CanvasChips::snapRequested, this, &MapCanvas::cycleSnapModes);
+  chips_->setSnapText(snapping_.modeName());
+}
+
+void MapCanvas::layOut() {
+  chips_->place();
+  if (!name_->isOpen()) return;
+  if (const auto bounds = boundsOf(document_.map(), name_->key()))
+    name_->placeAt(viewportTransform().map(toRect(*bounds).center()));
 }
 
 void MapCanvas::applyPalette() {
@@ -121,15 +162,87 @@ QString MapCanvas::hint() const { return tool_->hint(); }
 void MapCanvas::setTool(ToolId id) {
   if (id == tool_->id()) return;
   tool_->cancel();
+  name_->disarm();
+  before_eraser_ = nullptr;
+  snap_ = {};
   tool_ = std::ranges::find(tools_, id, [](const auto& tool) { return tool->id(); })->get();
   tool_->activate();
   onToolChanged();
   Q_EMIT toolChanged(id);
 }
 
+void MapCanvas::finishTool() {
+  if (tool_->canFinish()) tool_->finish();
+}
+
+void MapCanvas::setSnapModes(SnapModes modes) {
+  if (modes == snapping_.modes()) return;
+  snapping_.setModes(modes);
+  chips_->setSnapText(snapping_.modeName());
+  Q_EMIT snapModesChanged();
+}
+
+void MapCanvas::cycleSnapModes() {
+  CanvasSnapping next = snapping_;
+  next.cycle();
+  setSnapModes(next.modes());
+}
+
+void MapCanvas::setRecognizing(bool on) { freehand_->setRecognizing(on); }
+
+// --- What is selected
+
+void MapCanvas::deleteSelected() {
+  if (tool_ == select_ && select_->chosenCorner())
+    select_->removeChosenCorner();
+  else
+    document_.removeSelected();
+}
+
+void MapCanvas::renameSelected() {
+  const QString key = document_.selection().value(0);
+  if (document_.selection().size() != 1 || !nameOf(document_.map(), key)) return;
+  name_->begin(key);
+  layOut();
+}
+
+bool MapCanvas::canAddCorner() const {
+  const Building* building = onlyBuilding(document_);
+  return (building && !building->fixed) ||
+         (document_.selection() == QStringList{kRouteKey} && document_.map().route.size() > 1);
+}
+
+void MapCanvas::addCorner() {
+  if (!canAddCorner()) return;
+  setTool(ToolId::Select);
+  constexpr double kReachPx = 12.0;
+  const auto at = std::exchange(menu_at_, std::nullopt);
+  if (at && select_->addCornerAt(toMetres(*at), kReachPx / pixelsPerMetre())) return;
+  if (select_->addCornerBehindChosen()) return;
+  // Otherwise in the middle of the longest wall.
+  const Building* building = onlyBuilding(document_);
+  const CornerLine line =
+      building ? CornerLine{building->footprint(), true} : CornerLine{document_.map().route, false};
+  std::size_t longest = 0;
+  const auto length = [&](std::size_t edge) {
+    return (line.corners[(edge + 1) % line.corners.size()] - line.corners[edge]).norm();
+  };
+  for (std::size_t i = 1; i < line.edgeCount(); ++i)
+    if (length(i) > length(longest)) longest = i;
+  select_->addCornerAt(positionOf(line, {longest, true}), 0.01);
+}
+
+Vec2 MapCanvas::pastePosition() const {
+  if (menu_at_) return roundedTo(toMetres(*menu_at_), Snapper::kTidy);
+  const QPointF at = pointer_.value_or(viewport()->rect().toRectF().center());
+  return roundedTo(toMetres(at), Snapper::kTidy);
+}
+
 void MapCanvas::onToolChanged() {
   drawing_->setPreview(tool_->preview());
   underlays_->setPreview(tool_->preview());
+  chips_->show(*tool_);
+  if (const auto cursor = tool_->keyboardCursor()) keepInSight(*cursor);
   updateCursor();
   viewport()->update();
   Q_EMIT hintChanged(tool_->hint());
@@ -146,6 +259,7 @@ void MapCanvas::setView(double pixels_per_metre, QPointF metres, QPointF viewpor
   setTransform(QTransform().rotateRadians(turn_) * QTransform::fromScale(scale, -scale));
   const QPointF off = viewportTransform().map(metres) - viewport_position;
   panBy(-off);
+  layOut();
   Q_EMIT scaleChanged(scale);
 }
 
@@ -169,6 +283,17 @@ void MapCanvas::panBy(QPointF pixels) {
   };
   shift(horizontalScrollBar(), pixels.x());
   shift(verticalScrollBar(), pixels.y());
+  layOut();
+}
+
+void MapCanvas::keepInSight(const Vec2& point) {
+  constexpr double kMarginPx = 40.0;
+  const QRectF shown =
+      viewport()->rect().toRectF().adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx);
+  const QPointF at = viewportTransform().map(QPointF(point.x(), point.y()));
+  if (shown.contains(at) || shown.isEmpty()) return;
+  panBy({std::clamp(at.x(), shown.left(), shown.right()) - at.x(),
+         std::clamp(at.y(), shown.top(), shown.bottom()) - at.y()});
 }
 
 void MapCanvas::zoomAt(QPointF viewport_position, double factor) {
@@ -259,6 +384,7 @@ void MapCanvas::drawForeground(QPainter* painter, const QRectF&) {
   if (drawing_->isVisible()) drawing_->paintLabels(*painter, to_device, visibleMetres());
   ToolPaint canvas{*painter, to_device, *colours_};
   tool_->paint(canvas);
+  if (tool_->snapContext() && (tool_->isBusy() || tool_ == select_)) paintSnap(canvas, snap_);
   paintScaleBar(*painter, std::hypot(to_device.m11(), to_device.m12()), deviceArea(to_device),
                 *colours_);
   painter->restore();

@@ -1,18 +1,30 @@
 // The one canvas for drawing and for watching.
 #pragma once
 
+#include <QBasicTimer>
+#include <QElapsedTimer>
 #include <QGraphicsView>
+#include <QLineF>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "widgets/canvas/canvas_snapping.h"
 #include "widgets/canvas/tool.h"
+
+class QTabletEvent;
+class QTouchEvent;
 
 namespace handmap {
 
+class CanvasChips;
 class DoubtItem;
 class DrawingItem;
+class EraserTool;
+class FreehandTool;
+class NameEditor;
 class PictureTool;
+class SelectTool;
 class UnderlayItem;
 
 /// Heights of the layers in the scene; the overlays of a run lie between drawing and tool.
@@ -32,10 +44,22 @@ class MapCanvas : public QGraphicsView {
   ToolId tool() const;
   void setTool(ToolId id);
   QString hint() const;
+  Tool& currentTool() { return *tool_; }
   PictureTool& pictureTool() { return *picture_tool_; }
-  /// Metres; 0: no snapping.
-  double snapStep() const { return snap_step_; }
-  void setSnapStep(double step_m) { snap_step_ = step_m; }
+  void finishTool();
+  SnapModes snapModes() const { return snapping_.modes(); }
+  void setSnapModes(SnapModes modes);
+  void cycleSnapModes();
+  /// Whether the freehand tool guesses what a stroke was meant to be.
+  void setRecognizing(bool on);
+
+  // --- What is selected
+  void deleteSelected();  ///< the chosen corner, or the objects
+  void renameSelected();  ///< in place; nothing where not one building or landmark is selected
+  void addCorner();       ///< where the context menu was opened, or behind the chosen corner
+  bool canAddCorner() const;
+  /// Where something that is pasted goes: under the pointer, or in the middle of what is shown.
+  Vec2 pastePosition() const;
 
   // --- View
   double pixelsPerMetre() const;
@@ -71,8 +95,16 @@ class MapCanvas : public QGraphicsView {
   void movedByHand();
   /// Somebody says that the robot is there, at the moment that is shown.
   void robotPoseGiven(const handmap::Pose2& pose);
+  void snapModesChanged();
+  /// What it is about is selected.
+  void contextMenuRequested(QPoint global);
 
  protected:
+  bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void timerEvent(QTimerEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   bool viewportEvent(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -89,10 +121,25 @@ class MapCanvas : public QGraphicsView {
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
+  template <typename ToolType, typename... Arguments>
+  ToolType* addTool(Arguments&&... arguments);
   void makeTools();
+  void makeOverlays();
+  void layOut();  ///< what lies on the canvas
   void applyPalette();
   void escape();
-  ToolEvent toolEvent(const QMouseEvent& event) const;
+  bool giveKey(const QKeyEvent& event);
+  ToolEvent toolEvent(QPointF viewport_position, Qt::KeyboardModifiers modifiers);
+  ToolEvent toolEvent(const QMouseEvent& event);
+  void press(const ToolEvent& event);
+  void showMenuAt(QPointF viewport_position);
+  bool takeTouch(QTouchEvent& event);
+  void beginTouch(const ToolEvent& event, QPointF at);
+  void endTouch(const ToolEvent& event, QPointF at);
+  void moveByTwo(const QTouchEvent& event);
+  bool takeEraser(QTabletEvent& event);
+  Vec2 toMetres(QPointF viewport_position) const;
+  void keepInSight(const Vec2& point);
   void onToolChanged();
   void updateCursor();
   void panBy(QPointF pixels);
@@ -107,13 +154,30 @@ class MapCanvas : public QGraphicsView {
   std::vector<std::unique_ptr<Tool>> tools_;
   Tool* tool_ = nullptr;
   PictureTool* picture_tool_ = nullptr;
+  SelectTool* select_ = nullptr;
+  FreehandTool* freehand_ = nullptr;
+  EraserTool* eraser_ = nullptr;
+  Tool* before_eraser_ = nullptr;  ///< while the other end of a pen erases
+  CanvasChips* chips_ = nullptr;
+  NameEditor* name_ = nullptr;
+  CanvasSnapping snapping_;
+  Snap snap_;  ///< of the last event
   const Colours* colours_;
-  double snap_step_ = 0.0;
   double turn_ = 0.0;
   bool grid_visible_ = true;
   bool space_held_ = false;
   bool fitted_ = true;  ///< as zoomToFit() left it: stays so when the canvas gets another size
   std::optional<QPointF> pan_from_;
+  std::optional<QPointF> pointer_;   ///< in the viewport, while it is there
+  std::optional<QPointF> menu_at_;   ///< in the viewport, where a context menu was opened
+  bool cancelled_by_press_ = false;  ///< no menu after it
+  enum class Fingers { None, One, Two, Done };
+  Fingers fingers_ = Fingers::None;
+  QPointF touched_at_;
+  std::optional<QLineF> two_at_;  ///< the two fingers, when last heard of
+  QPointF tapped_at_;
+  QElapsedTimer since_tap_;
+  QBasicTimer long_press_;
 };
 
 }  // namespace handmap

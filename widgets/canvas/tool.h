@@ -8,6 +8,7 @@
 #include <Qt>
 #include <cmath>
 
+#include "core/sketching/snapping.h"
 #include "widgets/document/map_document.h"
 
 class QPainter;
@@ -16,23 +17,55 @@ namespace handmap {
 
 class Colours;
 
-enum class ToolId { Select, Rectangle, Corners, Start, Route, Landmark, RobotPose, Picture };
+enum class ToolId {
+  Select,
+  Rectangle,
+  EdgeRectangle,
+  Corners,
+  Freehand,
+  Start,
+  Route,
+  Landmark,
+  Measure,
+  Eraser,
+  RobotPose,
+  Picture
+};
 
 /// A pointer event in the map frame.
 struct ToolEvent {
   Vec2 position = Vec2::Zero();  ///< metres
-  Vec2 snapped = Vec2::Zero();   ///< on the snap grid, or to the centimetre without one
+  Vec2 snapped = Vec2::Zero();   ///< where the canvas draws it to; to the centimetre at least
   double metres_per_pixel = 0.1;
   Qt::MouseButton button = Qt::LeftButton;
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
   double pressure = 1.0;  ///< 0 … 1
   QPointingDevice::PointerType pointer = QPointingDevice::PointerType::Generic;
+
+  /// How far from a thing still counts as on it, metres: fingers are coarse.
+  double reach(double pixels) const {
+    const bool coarse = pointer == QPointingDevice::PointerType::Finger;
+    return pixels * metres_per_pixel * (coarse ? 2.5 : 1.0);
+  }
 };
 
 struct ToolKey {
   int key = 0;  ///< Qt::Key
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
-  double step_m = 1.0;  ///< how far an arrow key moves
+  double step_m = 1.0;  ///< how far an arrow key moves what is selected
+  QString text = {};
+  double stride_m = 1.0;     ///< how far an arrow key moves the keyboard's own cursor
+  Vec2 home = Vec2::Zero();  ///< where that cursor begins
+  double metres_per_pixel = 0.1;
+};
+
+/// What the canvas may draw the pointer to while a tool is at work.
+struct SnapContext {
+  std::vector<Vec2> from = {};           ///< right angles about these
+  std::optional<Vec2> along = {};        ///< the way of the edge before
+  QStringList ignored = {};              ///< objects that are being changed
+  std::vector<Vec2> moved_corners = {};  ///< what is dragged as a whole fits with one of these
+  Vec2 grip = Vec2::Zero();              ///< where it was gripped
 };
 
 /// What a tool paints with: a painter in device pixels and the way there from the map frame.
@@ -57,18 +90,36 @@ class Tool : public QObject {
   virtual void activate() {}
   /// Drops what is begun; true when something was. Also called when another tool takes over.
   virtual bool cancel() { return false; }
+  /// A second finger has come: what the first one did was no stroke. What was placed before stays.
+  virtual void interrupt() { cancel(); }
   virtual void press(const ToolEvent&) {}
   virtual void move(const ToolEvent&) {}  ///< with and without a button held
   virtual void release(const ToolEvent&) {}
   virtual void doubleClick(const ToolEvent& event) { press(event); }
   virtual bool key(const ToolKey&) { return false; }  ///< true when the tool used it
 
+  /// Whether something is begun, whether it can be finished as it is, and whether its last step can
+  /// be taken back: what the buttons on the canvas offer.
+  virtual bool isBusy() const { return false; }
+  virtual bool canFinish() const { return false; }
+  virtual bool canTakeBack() const { return false; }
+  virtual void finish() {}
+  virtual void takeBack() {}
+  /// Whether a character is meant for the tool, and no shortcut.
+  virtual bool wants(QChar) const { return false; }
+  /// Where the keyboard's cursor is, when it is in use.
+  virtual std::optional<Vec2> keyboardCursor() const { return std::nullopt; }
+  /// Nothing: the pointer is only rounded.
+  virtual std::optional<SnapContext> snapContext() const { return std::nullopt; }
+
   /// What is drawn in place of the document's objects while the tool is at work.
   virtual const MapChange* preview() const { return nullptr; }
   virtual void paint(ToolPaint&) const {}
 
  Q_SIGNALS:
-  void changed();  ///< preview, hint or cursor
+  void changed();                    ///< preview, hint or cursor
+  void created(const QString& key);  ///< what is typed next is its name
+  void finished();                   ///< the person is done with the tool
 
  protected:
   MapDocument& document() const { return document_; }

@@ -4,6 +4,9 @@
 #include <QObject>
 #include <QSet>
 
+#include "core/map/map_flags.h"
+#include "core/map/map_layers.h"
+
 namespace handmap {
 
 namespace {
@@ -27,6 +30,24 @@ Building moved(Building building, const Vec2& offset) {
   return building;
 }
 
+Bounds boundsOf(const Building& building) {
+  const auto* box = std::get_if<Rectangle>(&building.shape);
+  if (!box) return boundsOf(std::get<Polygon>(building.shape));
+  const Vec2 along = unitVector(box->heading).cwiseAbs();
+  const Vec2 half(along.x() * box->width + along.y() * box->depth,
+                  along.y() * box->width + along.x() * box->depth);
+  return {box->centre - half / 2.0, box->centre + half / 2.0};
+}
+
+QStringList allKeys(const Map& map) {
+  QStringList keys;
+  for (const Building& building : map.buildings) keys << QString::fromStdString(building.id);
+  for (const Landmark& landmark : map.landmarks) keys << QString::fromStdString(landmark.id);
+  if (map.start) keys << kStartKey;
+  if (!map.route.empty()) keys << kRouteKey;
+  return keys;
+}
+
 MapChange selected(const Map& map, const QStringList& keys) {
   const QSet<QString> wanted(keys.begin(), keys.end());
   MapChange objects;
@@ -36,6 +57,18 @@ MapChange selected(const Map& map, const QStringList& keys) {
     if (wanted.contains(QString::fromStdString(landmark.id))) objects.landmarks.push_back(landmark);
   if (wanted.contains(kStartKey)) objects.start = map.start;
   if (wanted.contains(kRouteKey)) objects.route = map.route;
+  return objects;
+}
+
+MapChange movable(const Map& map, const QStringList& keys) {
+  MapChange objects = selected(map, keys);
+  std::erase_if(objects.buildings, [](const Building& building) { return building.fixed; });
+  std::erase_if(objects.landmarks, [](const Landmark& landmark) { return isLocked(landmark); });
+  const LayerStates layers = layersOf(map);
+  if (stateOf(layers, DrawingLayer::Buildings).locked) objects.buildings.clear();
+  if (stateOf(layers, DrawingLayer::Landmarks).locked) objects.landmarks.clear();
+  if (stateOf(layers, DrawingLayer::Start).locked) objects.start.reset();
+  if (stateOf(layers, DrawingLayer::Route).locked) objects.route.reset();
   return objects;
 }
 

@@ -26,12 +26,21 @@ struct MapChange {
   std::optional<Pose2> start = {};
   std::optional<std::vector<Vec2>> route = {};
   std::optional<std::vector<Underlay>> underlays = {};  ///< all of them
+
+  bool isEmpty() const {
+    return buildings.empty() && landmarks.empty() && !start && !route && !underlays;
+  }
 };
 
 Building moved(Building building, const Vec2& offset);
+Bounds boundsOf(const Building& building);
 
+/// The keys of everything drawn, without pictures.
+QStringList allKeys(const Map& map);
 /// The objects of the map that `keys` names, as they are; without pictures.
 MapChange selected(const Map& map, const QStringList& keys);
+/// Those of them that are not locked.
+MapChange movable(const Map& map, const QStringList& keys);
 MapChange moved(MapChange objects, const Vec2& offset);
 
 /// "Library (N1)", "Start", "Route".

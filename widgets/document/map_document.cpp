@@ -33,12 +33,18 @@ std::unordered_map<std::string_view, std::size_t> placesOf(const std::vector<Ite
 /// Those of `changed` that are in the list and differ from it, at their places.
 template <typename Item>
 Placed<Item> differing(const std::vector<Item>& changed, const std::vector<Item>& list) {
+  constexpr std::size_t kFew = 8;  // faster found one by one than in a table of all
   Placed<Item> result;
-  const auto places = placesOf(list);
+  const auto places = changed.size() > kFew ? placesOf(list) : decltype(placesOf(list))();
+  const auto place_of = [&](const std::string& id) {
+    if (changed.size() <= kFew)
+      return static_cast<std::size_t>(std::ranges::find(list, id, &Item::id) - list.begin());
+    const auto place = places.find(id);
+    return place == places.end() ? list.size() : place->second;
+  };
   for (const Item& item : changed) {
-    const auto place = places.find(item.id);
-    if (place != places.end() && !(list[place->second] == item))
-      result.emplace_back(place->second, item);
+    const std::size_t place = place_of(item.id);
+    if (place < list.size() && !(list[place] == item)) result.emplace_back(place, item);
   }
   std::ranges::sort(result, {}, &std::pair<std::size_t, Item>::first);
   return result;
@@ -52,20 +58,16 @@ Placed<Item> chosen(const std::vector<Item>& list, const QSet<QString>& keys) {
   return result;
 }
 
+const Landmark* findLandmark(const Map& map, const std::string& id) {
+  const auto found = std::ranges::find(map.landmarks, id, &Landmark::id);
+  return found == map.landmarks.end() ? nullptr : &*found;
+}
+
 Placed<Underlay> chosenPictures(const std::vector<Underlay>& list, const QSet<QString>& keys) {
   Placed<Underlay> result;
   for (std::size_t i = 0; i < list.size(); ++i)
     if (keys.contains(pictureKey(i))) result.emplace_back(i, list[i]);
   return result;
-}
-
-QStringList allKeys(const Map& map) {
-  QStringList keys;
-  for (const Building& building : map.buildings) keys << QString::fromStdString(building.id);
-  for (const Landmark& landmark : map.landmarks) keys << QString::fromStdString(landmark.id);
-  if (map.start) keys << kStartKey;
-  if (!map.route.empty()) keys << kRouteKey;
-  return keys;
 }
 
 template <typename Item>
@@ -171,13 +173,29 @@ void MapDocument::setTrustsReferences(bool trusts) {
   Q_EMIT trustChanged();
 }
 
+const BoxIndex& MapDocument::buildingIndex() const {
+  if (!building_index_) {
+    std::vector<Bounds> boxes;
+    boxes.reserve(map_.buildings.size());
+    for (const Building& building : map_.buildings) boxes.push_back(handmap::boundsOf(building));
+    building_index_.emplace(std::move(boxes));
+  }
+  return *building_index_;
+}
+
 void MapDocument::setSelection(QStringList keys) {
-  const QStringList existing = allKeys(map_);
-  const QSet<QString> known(existing.begin(), existing.end());
-  keys.removeIf([&](const QString& key) {
-    const auto picture = pictureIndex(key);
-    return picture ? *picture >= map_.underlays.size() : !known.contains(key);
-  });
+  if (!keys.isEmpty()) {
+    constexpr qsizetype kFew = 8;  // faster found one by one than in a table of all
+    const bool few = keys.size() <= kFew;
+    const auto ids = few ? decltype(takenIds())() : takenIds();
+    keys.removeIf([&](const QString& key) {
+      if (key == kStartKey) return !map_.start.has_value();
+      if (key == kRouteKey) return map_.route.empty();
+      if (const auto picture = pictureIndex(key)) return *picture >= map_.underlays.size();
+      const std::string id = key.toStdString();
+      return few ? !map_.find(id) && !findLandmark(map_, id) : !ids.contains(id);
+    });
+  }
   keys.removeDuplicates();
   if (keys == selection_) return;
   selection_ = std::move(keys);
@@ -201,6 +219,37 @@ QString MapDocument::addLandmark(Landmark landmark) {
   push({toggleItems(&Map::landmarks, {{map_.landmarks.size(), std::move(landmark)}}, false)},
        tr("Add Landmark %1").arg(id));
   return id;
+}
+
+QStringList MapDocument::add(MapChange objects, const QString& text) {
+  std::vector<Toggle> toggles;
+  QStringList keys;
+  std::unordered_set<std::string> taken;
+  for (const std::string_view id : takenIds()) taken.emplace(id);
+  const auto add_all = [&]<typename Item>(std::vector<Item> Map::*list, std::vector<Item>& items,
+                                          char prefix) {
+    Placed<Item> placed;
+    int number = 1;
+    for (Item& item : items) {
+      while (taken.contains(item.id)) item.id = prefix + std::to_string(number++);
+      taken.insert(item.id);
+      keys << QString::fromStdString(item.id);
+      placed.emplace_back((map_.*list).size() + placed.size(), std::move(item));
+    }
+    if (!placed.empty()) toggles.push_back(toggleItems(list, std::move(placed), false));
+  };
+  add_all(&Map::buildings, objects.buildings, 'B');
+  add_all(&Map::landmarks, objects.landmarks, 'L');
+  if (objects.start && !map_.start) {
+    keys << kStartKey;
+    toggles.push_back(swapMember(&Map::start, objects.start));
+  }
+  if (objects.route && !objects.route->empty() && map_.route.empty()) {
+    keys << kRouteKey;
+    toggles.push_back(swapMember(&Map::route, *objects.route));
+  }
+  push(std::move(toggles), text);
+  return keys;
 }
 
 void MapDocument::apply(const MapChange& change, const QString& text, bool mergeable) {
@@ -261,8 +310,10 @@ bool MapDocument::rename(const QString& id, const QString& new_id) {
   return true;
 }
 
-void MapDocument::removeSelected() {
-  const QSet<QString> keys(selection_.begin(), selection_.end());
+void MapDocument::removeSelected() { remove(selection_); }
+
+void MapDocument::remove(const QStringList& objects) {
+  const QSet<QString> keys(objects.begin(), objects.end());
   std::vector<Toggle> toggles;
   if (auto items = chosen(map_.buildings, keys); !items.empty())
     toggles.push_back(toggleItems(&Map::buildings, std::move(items), true));
@@ -270,7 +321,7 @@ void MapDocument::removeSelected() {
     toggles.push_back(toggleItems(&Map::landmarks, std::move(items), true));
   if (keys.contains(kStartKey)) toggles.push_back(swapMember(&Map::start, {}));
   if (keys.contains(kRouteKey)) toggles.push_back(swapMember(&Map::route, {}));
-  const QString what = keys.size() == 1 ? handmap::displayName(map_, selection_.first())
+  const QString what = keys.size() == 1 ? handmap::displayName(map_, objects.first())
                                         : tr("%1 Objects").arg(keys.size());
   if (auto items = chosenPictures(map_.underlays, keys); !items.empty()) {
     toggles.push_back(toggleItems(&Map::underlays, std::move(items), true));
@@ -358,6 +409,7 @@ QStringList MapDocument::editedSince(const Map& before) const {
 }
 
 void MapDocument::onIndexChanged() {
+  building_index_.reset();
   setSelection(selection_);  // drops what is gone
   Q_EMIT mapChanged();
   if (file_path_.isEmpty()) Q_EMIT fileChanged();  // the name of the map may be the display name
@@ -370,10 +422,16 @@ void MapDocument::push(std::vector<Toggle> toggles, const QString& text, const Q
   undo_stack_.push(new Command(map_, std::move(toggles), text, key));
 }
 
-std::string MapDocument::freeId(char prefix, const std::string& wanted) const {
+std::unordered_set<std::string_view> MapDocument::takenIds() const {
   std::unordered_set<std::string_view> taken{"", "@start", "@route"};
+  taken.reserve(map_.buildings.size() + map_.landmarks.size() + 3);
   for (const Building& building : map_.buildings) taken.insert(building.id);
   for (const Landmark& landmark : map_.landmarks) taken.insert(landmark.id);
+  return taken;
+}
+
+std::string MapDocument::freeId(char prefix, const std::string& wanted) const {
+  const std::unordered_set<std::string_view> taken = takenIds();
   std::string id = wanted;
   for (int n = 1; taken.contains(id); ++n) id = prefix + std::to_string(n);
   return id;

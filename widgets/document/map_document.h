@@ -5,10 +5,13 @@
 #include <QStringList>
 #include <QUndoStack>
 #include <optional>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "core/map/map.h"
 #include "core/map/map_layers.h"
+#include "core/sketching/box_index.h"
 #include "widgets/document/map_change.h"
 #include "widgets/document/toggle.h"
 
@@ -25,6 +28,8 @@ class MapDocument : public QObject {
   ~MapDocument() override;
 
   const Map& map() const { return map_; }
+  /// The boxes around map().buildings, in their order; made anew after each change when asked for.
+  const BoxIndex& buildingIndex() const;
   QUndoStack& undoStack() { return undo_stack_; }
 
   // --- File
@@ -56,6 +61,9 @@ class MapDocument : public QObject {
   /// Gives an empty or taken id the next free one, B1, B2 …; returns the id.
   QString addBuilding(Building building);
   QString addLandmark(Landmark landmark);  ///< L1, L2 …
+  /// All of it in one step; ids that are taken become free ones. A start or a route that the
+  /// drawing has already stays. Returns the keys of what came.
+  QStringList add(MapChange objects, const QString& text);
   void changeBuilding(const QString& id, Building building, const QString& text,
                       bool mergeable = false);
   void changeLandmark(const QString& id, Landmark landmark, const QString& text,
@@ -65,6 +73,7 @@ class MapDocument : public QObject {
   /// False, and nothing is changed, when the id is empty, taken or one of the two special keys.
   bool rename(const QString& id, const QString& new_id);
   void removeSelected();
+  void remove(const QStringList& keys);
   void setStart(std::optional<Pose2> start, bool mergeable = false);
   void setRoute(std::vector<Vec2> route, bool mergeable = false);
   void setName(const QString& name, bool mergeable = false);
@@ -97,6 +106,7 @@ class MapDocument : public QObject {
   template <typename Value>
   void setMember(Value Map::*member, Value value, const QString& text, bool mergeable);
   void onIndexChanged();
+  std::unordered_set<std::string_view> takenIds() const;
   std::string freeId(char prefix, const std::string& wanted) const;
 
   Map map_;
@@ -105,6 +115,7 @@ class MapDocument : public QObject {
   QString origin_;
   bool trusts_references_ = false;
   QStringList selection_;
+  mutable std::optional<BoxIndex> building_index_;
   int merge_run_ = 0;
 };
 

@@ -1,23 +1,27 @@
 // Mark places by name.
 #pragma once
 
-#include "widgets/canvas/tool.h"
+#include "widgets/canvas/tools/drawing_tool.h"
 
 namespace handmap {
 
-class LandmarkTool : public Tool {
+class LandmarkTool : public DrawingTool {
   Q_OBJECT
  public:
-  using Tool::Tool;
+  using DrawingTool::DrawingTool;
 
   ToolId id() const override { return ToolId::Landmark; }
-  QString hint() const override {
-    return tr("Click to mark a place · its name is set under Properties");
-  }
-  void press(const ToolEvent& event) override {
+  QString hint() const override { return tr("Click to mark a place, then type its name"); }
+
+ protected:
+  std::size_t pointCount() const override { return 1; }
+  void complete() override {
     Landmark landmark;
-    landmark.position = event.snapped;
-    document().setSelection({document().addLandmark(std::move(landmark))});
+    landmark.position = placed().front();
+    cancel();
+    const QString id = document().addLandmark(std::move(landmark));
+    document().setSelection({id});
+    Q_EMIT created(id);
   }
 };
 

@@ -39,84 +39,48 @@ bool mayGoOn(const Polygon& corners, const Vec2& next) {
 }  // namespace
 
 QString PolygonTool::hint() const {
-  if (refused_)
+  if (isRefused())
     return tr("The outline must not cross itself · Backspace takes the last corner back");
-  if (corners_.empty()) return tr("Click the corners of a building, one after the other");
-  if (corners_.size() < 3) return tr("Click the next corner · Backspace: one back · Esc: cancel");
+  if (placed().empty()) return tr("Click the corners of a building, one after the other");
+  if (placed().size() < 3)
+    return tr("The next corner, or type length, Tab, angle, Enter · Backspace: one back");
   return tr(
       "Enter, a double click or the first corner closes it · Backspace: one back · Esc: "
       "cancel");
 }
 
-bool PolygonTool::cancel() {
-  const bool was_busy = !corners_.empty();
-  corners_.clear();
-  closing_ = refused_ = false;
-  if (was_busy) Q_EMIT changed();
-  return was_busy;
+bool PolygonTool::closesAt(const Vec2& point) const {
+  return placed().size() >= 3 && (placed().front() - point).norm() <= reach(kReachPx);
 }
 
-bool PolygonTool::isOnFirst(const ToolEvent& event) const {
-  return corners_.size() >= 3 &&
-         (corners_.front() - event.position).norm() <= kReachPx * event.metres_per_pixel;
+bool PolygonTool::mayPlace(const Vec2& point) const {
+  return placed().size() < kMaxPolygonVertices && mayGoOn(placed(), point);
 }
 
-void PolygonTool::press(const ToolEvent& event) {
-  if (isOnFirst(event)) return close();
-  const bool fits = mayGoOn(corners_, event.snapped) && corners_.size() < kMaxPolygonVertices;
-  if (fits) corners_.push_back(event.snapped);
-  refused_ = !fits && corners_.back() != event.snapped;
-  pointer_ = event.snapped;
-  Q_EMIT changed();
-}
-
-void PolygonTool::move(const ToolEvent& event) {
-  pointer_ = event.snapped;
-  if (corners_.empty()) return;
-  closing_ = isOnFirst(event);
-  refused_ = !closing_ && corners_.back() != pointer_ && !mayGoOn(corners_, pointer_);
-  Q_EMIT changed();
-}
-
-void PolygonTool::doubleClick(const ToolEvent&) { close(); }
-
-bool PolygonTool::key(const ToolKey& key) {
-  if (corners_.empty()) return false;
-  if (key.key == Qt::Key_Backspace) {
-    corners_.pop_back();
-    closing_ = refused_ = false;
-    Q_EMIT changed();
-    return true;
-  }
-  if (key.key == Qt::Key_Return || key.key == Qt::Key_Enter) {
-    close();
-    return true;
-  }
-  return false;
-}
-
-void PolygonTool::close() {
-  refused_ = !isSimple(corners_);
-  if (refused_) {
+void PolygonTool::finish() {
+  Polygon corners = placed();
+  if (!isSimple(corners)) {
+    refuse();
     Q_EMIT changed();
     return;
   }
+  if (signedArea(corners) < 0.0) std::ranges::reverse(corners);
   Building building;
-  if (signedArea(corners_) < 0.0) std::ranges::reverse(corners_);
-  building.shape = corners_;
+  building.shape = std::move(corners);
   cancel();
-  document().setSelection({document().addBuilding(std::move(building))});
+  const QString id = document().addBuilding(std::move(building));
+  document().setSelection({id});
+  Q_EMIT created(id);
 }
 
 void PolygonTool::paint(ToolPaint& canvas) const {
-  if (corners_.empty()) return;
-  Polygon outline = corners_;
-  outline.push_back(closing_ ? corners_.front() : pointer_);
-  paintOutline(canvas, outline, outline.size() > 3, refused_ ? Role::Problem : Role::Preview);
-  for (const Vec2& corner : corners_) paintHandle(canvas, corner, corner == corners_.front());
-  const double length = (outline.back() - corners_.back()).norm();
-  if (length > 0.0)
-    paintNote(canvas, canvas.toDevice(outline.back()) + QPointF(0.0, 22.0), metresText(length));
+  if (!placed().empty()) {
+    Polygon outline = withNext();
+    if (closesAt(outline.back())) outline.back() = outline.front();
+    paintOutline(canvas, outline, outline.size() > 3, isRefused() ? Role::Problem : Role::Preview);
+    for (const Vec2& corner : placed()) paintHandle(canvas, corner, corner == placed().front());
+  }
+  DrawingTool::paint(canvas);
 }
 
 }  // namespace handmap

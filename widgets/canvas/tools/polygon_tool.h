@@ -1,32 +1,26 @@
 // Draw a building of any simple shape, corner by corner.
 #pragma once
 
-#include "widgets/canvas/tool.h"
+#include "widgets/canvas/tools/drawing_tool.h"
 
 namespace handmap {
 
-class PolygonTool : public Tool {
+class PolygonTool : public DrawingTool {
   Q_OBJECT
  public:
-  using Tool::Tool;
+  using DrawingTool::DrawingTool;
 
   ToolId id() const override { return ToolId::Corners; }
   QString hint() const override;
-  bool cancel() override;
-  void press(const ToolEvent& event) override;
-  void move(const ToolEvent& event) override;
-  void doubleClick(const ToolEvent& event) override;
-  bool key(const ToolKey& key) override;
+  bool canFinish() const override { return placed().size() >= 3; }
+  void finish() override;
   void paint(ToolPaint& canvas) const override;
 
- private:
-  bool isOnFirst(const ToolEvent& event) const;
-  void close();
-
-  Polygon corners_;
-  Vec2 pointer_ = Vec2::Zero();
-  bool closing_ = false;  ///< the pointer is on the first corner
-  bool refused_ = false;  ///< the last corner, or closing, would make the outline cross itself
+ protected:
+  std::size_t pointCount() const override { return 0; }
+  bool mayPlace(const Vec2& point) const override;
+  bool closesAt(const Vec2& point) const override;
+  void complete() override {}
 };
 
 }  // namespace handmap

@@ -1,5 +1,6 @@
 #include "widgets/canvas/tools/rectangle_tool.h"
 
+#include "core/map/map_limits.h"
 #include "widgets/canvas/tools/building_handles.h"
 #include "widgets/canvas/tools/tool_painting.h"
 
@@ -9,61 +10,67 @@ namespace {
 
 constexpr double kMinDragPx = 3.0;
 
-Rectangle between(const Vec2& from, const ToolEvent& event) {
-  Vec2 way = event.snapped - from;
-  if (event.modifiers & Qt::ShiftModifier) {
-    const double side = way.cwiseAbs().maxCoeff();
-    way = {std::copysign(side, way.x()), std::copysign(side, way.y())};
-  }
-  if (event.modifiers & Qt::AltModifier)
+}  // namespace
+
+QString RectangleTool::hint() const {
+  if (placed().empty())
+    return tr("Drag from corner to corner, or click both · arrow keys and Enter do it too");
+  return tr(
+      "The opposite corner, or type: 40 Tab 15 Enter · Shift: square · Ctrl: from the centre "
+      "· Esc: cancel");
+}
+
+Rectangle RectangleTool::between(const Vec2& from, const Vec2& to) const {
+  const Vec2 way = to - from;
+  if (modifiers() & Qt::ControlModifier)
     return {from, 2.0 * std::abs(way.x()), 2.0 * std::abs(way.y()), 0.0};
   return {from + way / 2.0, std::abs(way.x()), std::abs(way.y()), 0.0};
 }
 
-}  // namespace
-
-QString RectangleTool::hint() const {
-  if (!from_) return tr("Drag from corner to corner to draw a building");
-  return tr("Release to finish · Shift: square · Alt: from the centre · Esc: cancel");
+std::vector<DrawingTool::Number> RectangleTool::numbers() const {
+  if (placed().empty()) return DrawingTool::numbers();
+  const Rectangle box = between(placed().front(), next());
+  return {{tr("Width"), box.width}, {tr("Depth"), box.depth}};
 }
 
-bool RectangleTool::cancel() {
-  const bool was_busy = from_.has_value();
-  from_.reset();
-  drawn_.reset();
-  if (was_busy) Q_EMIT changed();
-  return was_busy;
+Vec2 RectangleTool::constrained(const Vec2& pointer) const {
+  if (placed().empty()) return DrawingTool::constrained(pointer);
+  const Vec2& from = placed().front();
+  Vec2 way = pointer - from;
+  if (modifiers() & Qt::ShiftModifier) {
+    const double side = way.cwiseAbs().maxCoeff();
+    way = {std::copysign(side, way.x()), std::copysign(side, way.y())};
+  }
+  const double share = modifiers() & Qt::ControlModifier ? 0.5 : 1.0;
+  for (const int axis : {0, 1}) {
+    const auto typed_size = typed().value(static_cast<std::size_t>(axis));
+    if (typed_size) way[axis] = std::copysign(share * std::min(*typed_size, kMaxSize), way[axis]);
+  }
+  return from + way;
 }
 
-void RectangleTool::press(const ToolEvent& event) {
-  from_ = event.snapped;
-  drawn_.reset();
-  Q_EMIT changed();
+bool RectangleTool::mayPlace(const Vec2& point) const {
+  if (placed().empty()) return true;
+  const Rectangle box = between(placed().front(), point);
+  const bool exact = !typed().isEmpty() || isByKeys();
+  const double least = exact ? kMinSize : std::max(kMinSize, kMinDragPx * metresPerPixel());
+  return box.width >= least && box.depth >= least;
 }
 
-void RectangleTool::move(const ToolEvent& event) {
-  if (!from_) return;
-  const Rectangle box = between(*from_, event);
-  const double least = std::max(kMinSize, kMinDragPx * event.metres_per_pixel);
-  drawn_.reset();
-  if (box.width >= least && box.depth >= least) drawn_ = box;
-  Q_EMIT changed();
-}
-
-void RectangleTool::release(const ToolEvent& event) {
-  move(event);
-  const std::optional<Rectangle> box = drawn_;
-  cancel();
-  if (!box) return;
+void RectangleTool::complete() {
   Building building;
-  building.shape = *box;
-  document().setSelection({document().addBuilding(std::move(building))});
+  building.shape = between(placed()[0], placed()[1]);
+  cancel();
+  const QString id = document().addBuilding(std::move(building));
+  document().setSelection({id});
+  Q_EMIT created(id);
 }
 
 void RectangleTool::paint(ToolPaint& canvas) const {
-  if (!drawn_) return;
-  paintOutline(canvas, drawn_->corners(), true, Role::Preview);
-  paintSizes(canvas, *drawn_);
+  if (!placed().empty() && next() != placed().front())
+    paintOutline(canvas, between(placed().front(), next()).corners(), true,
+                 isRefused() ? Role::Problem : Role::Preview);
+  DrawingTool::paint(canvas);
 }
 
 }  // namespace handmap

@@ -1,26 +1,28 @@
 // Draw a rectangular building from corner to corner.
 #pragma once
 
-#include "widgets/canvas/tool.h"
+#include "widgets/canvas/tools/drawing_tool.h"
 
 namespace handmap {
 
-class RectangleTool : public Tool {
+class RectangleTool : public DrawingTool {
   Q_OBJECT
  public:
-  using Tool::Tool;
+  using DrawingTool::DrawingTool;
 
   ToolId id() const override { return ToolId::Rectangle; }
   QString hint() const override;
-  bool cancel() override;
-  void press(const ToolEvent& event) override;
-  void move(const ToolEvent& event) override;
-  void release(const ToolEvent& event) override;
   void paint(ToolPaint& canvas) const override;
 
+ protected:
+  std::size_t pointCount() const override { return 2; }
+  std::vector<Number> numbers() const override;
+  Vec2 constrained(const Vec2& pointer) const override;
+  bool mayPlace(const Vec2& point) const override;
+  void complete() override;
+
  private:
-  std::optional<Vec2> from_;
-  std::optional<Rectangle> drawn_;  ///< large enough to be a building
+  Rectangle between(const Vec2& from, const Vec2& to) const;
 };
 
 }  // namespace handmap

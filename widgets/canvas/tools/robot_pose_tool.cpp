@@ -7,20 +7,21 @@
 namespace handmap {
 
 QString RobotPoseTool::hint() const {
-  if (!placed()) return tr("Press where the robot is now, drag to where it looks");
+  if (!placedPose()) return tr("Press where the robot is now, drag to where it looks");
   return StartTool::hint();
 }
 
 void RobotPoseTool::paint(ToolPaint& canvas) const {
-  if (!placed()) return;
+  if (!placedPose()) return;
   constexpr double kLengthPx = 34.0;
   constexpr double kHeadPx = 9.0;
   const double m = canvas.metresPerPixel();
-  const QPointF at = canvas.toDevice(placed()->position());
-  const QPointF tip = canvas.toDevice(placed()->toOuter({kLengthPx * m, 0.0}));
-  const QPointF left = canvas.toDevice(placed()->toOuter({(kLengthPx - kHeadPx) * m, kHeadPx * m}));
+  const QPointF at = canvas.toDevice(placedPose()->position());
+  const QPointF tip = canvas.toDevice(placedPose()->toOuter({kLengthPx * m, 0.0}));
+  const QPointF left =
+      canvas.toDevice(placedPose()->toOuter({(kLengthPx - kHeadPx) * m, kHeadPx * m}));
   const QPointF right =
-      canvas.toDevice(placed()->toOuter({(kLengthPx - kHeadPx) * m, -kHeadPx * m}));
+      canvas.toDevice(placedPose()->toOuter({(kLengthPx - kHeadPx) * m, -kHeadPx * m}));
   canvas.painter.setPen(canvas.colours.pen(Role::Preview));
   canvas.painter.setBrush(Qt::NoBrush);
   canvas.painter.drawEllipse(at, 7.0, 7.0);

@@ -2,26 +2,29 @@
 // that undo and Backspace both take back the last.
 #pragma once
 
-#include "widgets/canvas/tool.h"
+#include "widgets/canvas/tools/drawing_tool.h"
 
 namespace handmap {
 
-class RouteTool : public Tool {
+class RouteTool : public DrawingTool {
   Q_OBJECT
  public:
-  using Tool::Tool;
+  using DrawingTool::DrawingTool;
 
   ToolId id() const override { return ToolId::Route; }
   QString hint() const override;
-  void activate() override { pointer_.reset(); }
-  void press(const ToolEvent& event) override;
-  void move(const ToolEvent& event) override;
-  void doubleClick(const ToolEvent&) override {}
-  bool key(const ToolKey& key) override;
+  bool cancel() override;
+  bool isBusy() const override { return !typed().isEmpty(); }
+  bool canFinish() const override { return !placed().empty(); }
+  void finish() override { Q_EMIT finished(); }
   void paint(ToolPaint& canvas) const override;
 
- private:
-  std::optional<Vec2> pointer_;
+ protected:
+  std::size_t pointCount() const override { return 0; }
+  void complete() override {}
+  const std::vector<Vec2>& placed() const override { return document().map().route; }
+  void append(const Vec2& point) override;
+  void removeLast() override;
 };
 
 }  // namespace handmap

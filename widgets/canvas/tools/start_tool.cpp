@@ -12,49 +12,57 @@ constexpr double kDragPx = 8.0;
 }  // namespace
 
 QString StartTool::hint() const {
-  if (!preview_.start) return tr("Press where the robot starts, drag to where it looks");
-  return tr("Release to finish · Shift: steps of 15° · Esc: cancel");
+  if (placed().empty()) return tr("Press where the robot starts, drag to where it looks");
+  return tr("Release to finish, or type the heading · Shift: steps of 15° · Esc: cancel");
 }
 
-bool StartTool::cancel() {
-  const bool was_busy = preview_.start.has_value();
-  preview_.start.reset();
-  if (was_busy) Q_EMIT changed();
-  return was_busy;
+std::optional<Pose2> StartTool::placedPose() const {
+  if (placed().empty()) return std::nullopt;
+  const Vec2& at = placed().front();
+  double heading = document().map().start.value_or(Pose2{}).heading;
+  if (const auto typed_heading = typed().value(0)) {
+    heading = normalizedAngle(toRadians(*typed_heading));
+  } else if (const Vec2 way = pointer() - at; way.norm() >= kDragPx * metresPerPixel()) {
+    const bool held = modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
+    heading = roundedHeading(std::atan2(way.y(), way.x()), held ? 15.0 : 0.5);
+  }
+  return Pose2{at.x(), at.y(), heading};
 }
 
-void StartTool::press(const ToolEvent& event) {
-  const double heading = document().map().start.value_or(Pose2{}).heading;
-  preview_.start = Pose2{event.snapped.x(), event.snapped.y(), heading};
-  Q_EMIT changed();
+std::vector<DrawingTool::Number> StartTool::numbers() const {
+  if (placed().empty()) return DrawingTool::numbers();
+  return {{tr("Heading"), toDegrees(placedPose()->heading), true}};
 }
 
-void StartTool::move(const ToolEvent& event) {
-  if (!preview_.start) return;
-  const Vec2 ahead = event.position - preview_.start->position();
-  if (ahead.norm() < kDragPx * event.metres_per_pixel) return;
-  const bool held = event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
-  preview_.start->heading = roundedHeading(std::atan2(ahead.y(), ahead.x()), held ? 15.0 : 0.5);
-  Q_EMIT changed();
+Vec2 StartTool::constrained(const Vec2& pointer) const {
+  return placed().empty() ? DrawingTool::constrained(pointer) : pointer;
 }
 
-void StartTool::release(const ToolEvent& event) {
-  if (!preview_.start) return;
-  move(event);
-  const std::optional<Pose2> start = preview_.start;
+void StartTool::complete() {
+  const Pose2 pose = *placedPose();
   cancel();
-  done(*start);
+  done(pose);
 }
 
 void StartTool::done(const Pose2& pose) {
   document().setStart(pose);
   document().setSelection({kStartKey});
+  Q_EMIT changed();
+}
+
+const MapChange* StartTool::preview() const {
+  if (placed().empty()) return nullptr;
+  preview_.start = placedPose();
+  return &preview_;
 }
 
 void StartTool::paint(ToolPaint& canvas) const {
-  if (!preview_.start) return;
-  const QPointF at = canvas.toDevice(preview_.start->position());
-  paintNote(canvas, at + QPointF(0.0, 26.0), degreesText(preview_.start->heading));
+  if (!placed().empty() && typed().isEmpty()) {
+    const QPointF at = canvas.toDevice(placed().front());
+    paintNote(canvas, at + QPointF(0.0, 26.0), degreesText(placedPose()->heading));
+    if (!isByKeys()) return;
+  }
+  DrawingTool::paint(canvas);
 }
 
 }  // namespace handmap

@@ -1,31 +1,34 @@
 // Say where the robot starts and which way it looks.
 #pragma once
 
-#include "widgets/canvas/tool.h"
+#include "widgets/canvas/tools/drawing_tool.h"
 
 namespace handmap {
 
-class StartTool : public Tool {
+class StartTool : public DrawingTool {
   Q_OBJECT
  public:
-  using Tool::Tool;
+  using DrawingTool::DrawingTool;
 
   ToolId id() const override { return ToolId::Start; }
   QString hint() const override;
-  bool cancel() override;
-  void press(const ToolEvent& event) override;
-  void move(const ToolEvent& event) override;
-  void release(const ToolEvent& event) override;
-  const MapChange* preview() const override { return preview_.start ? &preview_ : nullptr; }
+  const MapChange* preview() const override;
+  /// A robot stands free of walls, and looks anywhere.
+  std::optional<SnapContext> snapContext() const override { return std::nullopt; }
   void paint(ToolPaint& canvas) const override;
 
  protected:
+  std::size_t pointCount() const override { return 2; }
+  std::vector<Number> numbers() const override;
+  Vec2 constrained(const Vec2& pointer) const override;
+  bool isCompleteByClick() const override { return true; }
+  void complete() override;
   virtual void done(const Pose2& pose);
   /// What is being placed.
-  const std::optional<Pose2>& placed() const { return preview_.start; }
+  std::optional<Pose2> placedPose() const;
 
  private:
-  MapChange preview_;
+  mutable MapChange preview_;
 };
 
 }  // namespace handmap

@@ -1,0 +1,167 @@
+#include "widgets/editing/arranging.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "core/sketching/squaring.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kNearAxes = toRadians(10.0);
+
+/// A building or a landmark among those that are arranged.
+struct Part {
+  Bounds bounds;
+  bool locked = false;
+  std::function<void(MapChange&, const Vec2&)> move;
+};
+
+std::vector<Part> partsOf(const Map& map, const QStringList& keys) {
+  const MapChange objects = selected(map, keys);
+  std::vector<Part> parts;
+  for (const Building& building : objects.buildings)
+    parts.push_back(
+        {boundsOf(building), building.fixed, [building](MapChange& change, const Vec2& offset) {
+           change.buildings.push_back(moved(building, offset));
+         }});
+  for (const Landmark& landmark : objects.landmarks)
+    parts.push_back({{landmark.position, landmark.position},
+                     false,
+                     [landmark](MapChange& change, const Vec2& offset) {
+                       change.landmarks.push_back(landmark);
+                       change.landmarks.back().position += offset;
+                     }});
+  return parts;
+}
+
+Vec2 middleOf(const Bounds& bounds) { return (bounds.low + bounds.high) / 2.0; }
+
+Bounds aroundAll(const std::vector<Part>& parts) {
+  Bounds all = parts.front().bounds;
+  for (const Part& part : parts) {
+    all.low = all.low.cwiseMin(part.bounds.low);
+    all.high = all.high.cwiseMax(part.bounds.high);
+  }
+  return all;
+}
+
+Vec2 offsetTo(const Bounds& all, const Bounds& one, Alignment alignment) {
+  switch (alignment) {
+    case Alignment::Left:
+      return {all.low.x() - one.low.x(), 0.0};
+    case Alignment::Right:
+      return {all.high.x() - one.high.x(), 0.0};
+    case Alignment::Top:
+      return {0.0, all.high.y() - one.high.y()};
+    case Alignment::Bottom:
+      return {0.0, all.low.y() - one.low.y()};
+    case Alignment::CentreX:
+      return {middleOf(all).x() - middleOf(one).x(), 0.0};
+    case Alignment::CentreY:
+      return {0.0, middleOf(all).y() - middleOf(one).y()};
+  }
+  return Vec2::Zero();
+}
+
+Building turnedBy(Building building, double angle) {
+  Rectangle box = building.box();
+  box.heading = normalizedAngle(box.heading + angle);
+  return building.fitted(box);
+}
+
+double headingOf(const Building& building) {
+  const auto* rectangle = std::get_if<Rectangle>(&building.shape);
+  return rectangle ? rectangle->heading : commonHeading(std::get<Polygon>(building.shape));
+}
+
+const Building* nearestOther(const Map& map, const Building& to, const QStringList& keys) {
+  const Building* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  const Bounds own = boundsOf(to);
+  for (const Building& other : map.buildings) {
+    const Bounds box = boundsOf(other);
+    // Between the boxes, and where they touch between the middles.
+    const Vec2 gap = (box.low - own.high).cwiseMax(own.low - box.high).cwiseMax(0.0);
+    const double distance = gap.norm() + 1e-3 * (middleOf(box) - middleOf(own)).norm();
+    if (distance >= least || keys.contains(QString::fromStdString(other.id))) continue;
+    least = distance;
+    nearest = &other;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+MapChange aligned(const Map& map, const QStringList& keys, Alignment alignment) {
+  MapChange change;
+  const std::vector<Part> parts = partsOf(map, keys);
+  if (parts.size() < 2) return change;
+  const Bounds all = aroundAll(parts);
+  for (const Part& part : parts)
+    if (!part.locked) part.move(change, offsetTo(all, part.bounds, alignment));
+  return change;
+}
+
+MapChange distributed(const Map& map, const QStringList& keys, Along along) {
+  MapChange change;
+  std::vector<Part> parts = partsOf(map, keys);
+  if (parts.size() < 3) return change;
+  const int axis = along == Along::X ? 0 : 1;
+  std::ranges::stable_sort(parts, {},
+                           [&](const Part& part) { return middleOf(part.bounds)[axis]; });
+  double extents = 0.0;
+  for (const Part& part : parts) extents += part.bounds.high[axis] - part.bounds.low[axis];
+  const double room = parts.back().bounds.high[axis] - parts.front().bounds.low[axis];
+  const double gap = (room - extents) / static_cast<double>(parts.size() - 1);
+  double at = parts.front().bounds.low[axis];
+  for (const Part& part : parts) {
+    Vec2 offset = Vec2::Zero();
+    offset[axis] = at - part.bounds.low[axis];
+    const bool outermost = &part == &parts.front() || &part == &parts.back();
+    if (!outermost && !part.locked) part.move(change, offset);
+    at += part.bounds.high[axis] - part.bounds.low[axis] + gap;
+  }
+  return change;
+}
+
+MapChange squaredUp(const Map& map, const QStringList& keys) {
+  MapChange change = movable(map, keys);
+  for (Building& building : change.buildings) {
+    if (auto* outline = std::get_if<Polygon>(&building.shape)) {
+      if (const auto squared = squaredUp(*outline)) *outline = *squared;
+      continue;
+    }
+    auto& box = std::get<Rectangle>(building.shape);
+    const double turn = turnToParallel(box.heading, 0.0);
+    // Whole right angles exactly.
+    if (std::abs(turn) <= kNearAxes)
+      box.heading = std::round((box.heading + turn) / (kPi / 2.0)) * (kPi / 2.0);
+  }
+  return {.buildings = std::move(change.buildings)};
+}
+
+MapChange madeParallel(const Map& map, const QStringList& keys) {
+  MapChange change = movable(map, keys);
+  for (Building& building : change.buildings)
+    if (const Building* other = nearestOther(map, building, keys))
+      building = turnedBy(building, turnToParallel(headingOf(building), headingOf(*other)));
+  return {.buildings = std::move(change.buildings)};
+}
+
+MapChange asPolygons(const Map& map, const QStringList& keys) {
+  MapChange change = movable(map, keys);
+  for (Building& building : change.buildings) building.shape = building.footprint();
+  return {.buildings = std::move(change.buildings)};
+}
+
+MapChange lockToggled(const Map& map, const QStringList& keys) {
+  std::vector<Building> buildings = selected(map, keys).buildings;
+  const bool all_locked = std::ranges::all_of(buildings, &Building::fixed);
+  for (Building& building : buildings) building.fixed = !all_locked;
+  return {.buildings = std::move(buildings)};
+}
+
+}  // namespace handmap

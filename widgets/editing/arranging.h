@@ -1,0 +1,27 @@
+// What becomes of selected objects when they are arranged. Pure: from a map and keys to a change.
+// What is locked stays where it is, and the others are arranged with it.
+#pragma once
+
+#include "widgets/document/map_change.h"
+
+namespace handmap {
+
+enum class Alignment { Left, Right, Top, Bottom, CentreX, CentreY };
+enum class Along { X, Y };
+
+/// The boxes around the objects laid along the outermost one's side, or along the middle of all.
+MapChange aligned(const Map& map, const QStringList& keys, Alignment alignment);
+/// The same gap between neighbours; the outermost two stay.
+MapChange distributed(const Map& map, const QStringList& keys, Along along);
+/// Polygons get right angles where they nearly have them; rectangles that lie within 10° of the
+/// map's axes are laid along them.
+MapChange squaredUp(const Map& map, const QStringList& keys);
+/// Each building turned, by less than 45°, to the direction of the nearest one that is not
+/// selected.
+MapChange madeParallel(const Map& map, const QStringList& keys);
+/// Rectangles as polygons, so that their corners can be moved alone.
+MapChange asPolygons(const Map& map, const QStringList& keys);
+/// Locked, or unlocked when all were locked.
+MapChange lockToggled(const Map& map, const QStringList& keys);
+
+}  // namespace handmap
