@@ -696,8 +696,8 @@
         <translation>配置(&amp;A)</translation>
     </message>
     <message>
-        <source>Follow the Ro&amp;bot</source>
-        <translation>ロボットを追う(&amp;B)</translation>
+        <source>Follo&amp;w the Robot</source>
+        <translation>ロボットを追う(&amp;W)</translation>
     </message>
     <message>
         <source>Keep the robot in the middle; again: and turn the map as it looks; again: off.</source>

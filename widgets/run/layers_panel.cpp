@@ -83,6 +83,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
     check->setToolTip(tr(spec.hint));
     check->setObjectName(QStringLiteral("layer.%1").arg(static_cast<int>(spec.layer)));
     check->setIconSize(kSample);
+    check->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
     check->setChecked(true);
     boxes_[at] = check;
     connect(check, &QCheckBox::toggled, this,
