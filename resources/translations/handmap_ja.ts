@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>&amp;Snap to Half Metres</source>
-        <translation>半メートルに吸着(&amp;S)</translation>
+        <translation>半メートルにスナップ(&amp;S)</translation>
     </message>
     <message>
         <source>Keep points on a grid of half a metre while drawing.</source>
@@ -296,7 +296,7 @@
         <translation>記録を開く(&amp;C)…</translation>
     </message>
     <message>
-        <source>Take the robot&apos;s observations from a recording.</source>
+        <source>Take the robot's observations from a recording.</source>
         <translation>ロボットの観測を記録から取ります。</translation>
     </message>
     <message>
@@ -312,7 +312,7 @@
         <translation>シミュレーター(&amp;M)</translation>
     </message>
     <message>
-        <source>Take the robot&apos;s observations from the built-in simulator.</source>
+        <source>Take the robot's observations from the built-in simulator.</source>
         <translation>ロボットの観測を内蔵シミュレーターから取ります。</translation>
     </message>
     <message>
@@ -645,7 +645,7 @@
     </message>
     <message>
         <source>&amp;Next Way to Snap</source>
-        <translation>吸着方法を切り替え(&amp;N)</translation>
+        <translation>スナップ方法を切り替え(&amp;N)</translation>
     </message>
     <message>
         <source>Objects, grid, both or neither in turn.</source>
@@ -696,10 +696,6 @@
         <translation>配置(&amp;A)</translation>
     </message>
     <message>
-        <source>Follow the Ro&amp;bot</source>
-        <translation>ロボットを追う(&amp;B)</translation>
-    </message>
-    <message>
         <source>Keep the robot in the middle; again: and turn the map as it looks; again: off.</source>
         <translation>ロボットを中央に保ちます。もう一度: ロボットの向きに地図を回します。もう一度: 切ります。</translation>
     </message>
@@ -710,6 +706,10 @@
     <message>
         <source>Ask what placed a corrected wall: which observations, and how far each pulled.</source>
         <translation>補正した壁の位置を何が決めたか、どの観測がどれだけ引いたかを調べます。</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the Robot</source>
+        <translation>ロボットを追う(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -796,9 +796,7 @@
     </message>
     <message numerus="yes">
         <source>mean error of %n building(s)</source>
-        <translation>
-            <numerusform>建物 %n 棟の平均誤差</numerusform>
-        </translation>
+        <translation><numerusform>建物 %n 棟の平均誤差</numerusform></translation>
     </message>
     <message>
         <source>drawn</source>
@@ -918,19 +916,19 @@
     </message>
     <message>
         <source>Snap: objects, grid</source>
-        <translation>吸着: オブジェクト、格子</translation>
+        <translation>スナップ: オブジェクト、格子</translation>
     </message>
     <message>
         <source>Snap: grid</source>
-        <translation>吸着: 格子</translation>
+        <translation>スナップ: 格子</translation>
     </message>
     <message>
         <source>Snap: objects</source>
-        <translation>吸着: オブジェクト</translation>
+        <translation>スナップ: オブジェクト</translation>
     </message>
     <message>
         <source>Snap: off</source>
-        <translation>吸着: なし</translation>
+        <translation>スナップ: なし</translation>
     </message>
     <message>
         <source>Add Corner</source>
@@ -968,15 +966,11 @@
     <name>TimeLeft</name>
     <message numerus="yes">
         <source>, about %n second(s) left</source>
-        <translation>
-            <numerusform>、残り約 %n 秒</numerusform>
-        </translation>
+        <translation><numerusform>、残り約 %n 秒</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>, about %n minute(s) left</source>
-        <translation>
-            <numerusform>、残り約 %n 分</numerusform>
-        </translation>
+        <translation><numerusform>、残り約 %n 分</numerusform></translation>
     </message>
 </context>
 <context>
@@ -1913,9 +1907,7 @@ Observations: %4</source>
     </message>
     <message numerus="yes">
         <source>%n issue(s); a click shows where.</source>
-        <translation>
-            <numerusform>問題 %n 件。クリックすると場所が表示されます。</numerusform>
-        </translation>
+        <translation><numerusform>問題 %n 件。クリックすると場所が表示されます。</numerusform></translation>
     </message>
     <message>
         <source>There is no building yet.</source>
@@ -2149,7 +2141,7 @@ Observations: %4</source>
         <translation>描いた場所から補正した場所への矢印と距離</translation>
     </message>
     <message>
-        <source>Robot&apos;s 1-σ ellipse</source>
+        <source>Robot's 1-σ ellipse</source>
         <translation>ロボットの 1-σ 楕円</translation>
     </message>
     <message>
@@ -2466,7 +2458,7 @@ Observations: %4</source>
         <translation>この図面のモデルは使えません: %1</translation>
     </message>
     <message>
-        <source>Runs take the program&apos;s own until you load or teach another.</source>
+        <source>Runs take the program's own until you load or teach another.</source>
         <translation>別のモデルを読み込むか教えるまで、実行にはプログラム付属のものを使います。</translation>
     </message>
     <message>
@@ -3085,9 +3077,7 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>%n building(s) move by up to %1 m; %2.</source>
-        <translation>
-            <numerusform>建物 %n 棟が最大 %1 m 動きます。%2。</numerusform>
-        </translation>
+        <translation><numerusform>建物 %n 棟が最大 %1 m 動きます。%2。</numerusform></translation>
     </message>
     <message>
         <source>Recomputing with the drawing as it is</source>
@@ -3528,7 +3518,7 @@ Corrected by a run.</source>
 <context>
     <name>handmap::RouteTool</name>
     <message>
-        <source>Click the points of the robot&apos;s way</source>
+        <source>Click the points of the robot's way</source>
         <translation>ロボットの通る点をクリックします</translation>
     </message>
     <message>
@@ -3540,9 +3530,7 @@ Corrected by a run.</source>
     <name>handmap::RunActions</name>
     <message numerus="yes">
         <source>“%1” is open: %n row(s).</source>
-        <translation>
-            <numerusform>「%1」を開きました: %n 行</numerusform>
-        </translation>
+        <translation><numerusform>「%1」を開きました: %n 行</numerusform></translation>
     </message>
     <message>
         <source>Press Run to localize on the drawing.</source>
@@ -3622,9 +3610,7 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>%n building(s) were edited since the run began: %1</source>
-        <translation>
-            <numerusform>実行開始後に建物 %n 棟が編集されました: %1</numerusform>
-        </translation>
+        <translation><numerusform>実行開始後に建物 %n 棟が編集されました: %1</numerusform></translation>
     </message>
     <message>
         <source>Their corrected shapes are of the drawing before.</source>
@@ -3719,9 +3705,7 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>The run begins: %1, %n building(s) drawn</source>
-        <translation>
-            <numerusform>実行開始: %1、描いた建物 %n 棟</numerusform>
-        </translation>
+        <translation><numerusform>実行開始: %1、描いた建物 %n 棟</numerusform></translation>
     </message>
     <message>
         <source>Nothing tells the motion: the one before is taken to go on</source>
@@ -3775,7 +3759,7 @@ Corrected by a run.</source>
         <translation>向きが不明</translation>
     </message>
     <message>
-        <source>The drawing may be turned by up to 40° about the robot&apos;s start</source>
+        <source>The drawing may be turned by up to 40° about the robot's start</source>
         <translation>図面はロボットの出発点を中心に最大 40° 回っているかもしれない</translation>
     </message>
     <message>
@@ -3835,7 +3819,7 @@ Corrected by a run.</source>
         <translation>なし: すべての壁を使う</translation>
     </message>
     <message>
-        <source>What tells buildings from trees and hedges in images; one&apos;s own comes from Teach buildings</source>
+        <source>What tells buildings from trees and hedges in images; one's own comes from Teach buildings</source>
         <translation>画像で建物を木や生け垣と見分けるもの。「建物を教える」で自分のものを作れます</translation>
     </message>
     <message>
@@ -3969,11 +3953,11 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Release to resize · Ctrl: about the centre · Alt: no snapping · Esc: cancel</source>
-        <translation>離すと大きさを決定 · Ctrl: 中心を保つ · Alt: 吸着なし · Esc: 中止</translation>
+        <translation>離すと大きさを決定 · Ctrl: 中心を保つ · Alt: スナップなし · Esc: 中止</translation>
     </message>
     <message>
         <source>Release to place it · Alt: no snapping · Esc: cancel</source>
-        <translation>離すと置きます · Alt: 吸着なし · Esc: 中止</translation>
+        <translation>離すと置きます · Alt: スナップなし · Esc: 中止</translation>
     </message>
     <message>
         <source>Arrow keys move the corner · Ins adds one · Del removes it · Tab: the next</source>
@@ -4483,9 +4467,7 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>Seen: %1 ±%2 m, weight %3 %, by %n observation(s)</source>
-        <translation>
-            <numerusform>観測: %1 ±%2 m、重み %3 %、観測 %n 件</numerusform>
-        </translation>
+        <translation><numerusform>観測: %1 ±%2 m、重み %3 %、観測 %n 件</numerusform></translation>
     </message>
     <message>
         <source> with %1 rays that ended within %2 m.</source>
@@ -4560,21 +4542,15 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>%n building(s) moved by %1</source>
-        <translation>
-            <numerusform>建物 %n 棟が %1 移動</numerusform>
-        </translation>
+        <translation><numerusform>建物 %n 棟が %1 移動</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n stand(s) as drawn</source>
-        <translation>
-            <numerusform>%n 棟は描いたまま</numerusform>
-        </translation>
+        <translation><numerusform>%n 棟は描いたまま</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n was (were) not seen</source>
-        <translation>
-            <numerusform>%n 棟は見えませんでした</numerusform>
-        </translation>
+        <translation><numerusform>%n 棟は見えませんでした</numerusform></translation>
     </message>
     <message>
         <source>, </source>
@@ -4586,9 +4562,7 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>%n is (are) doubtful: look at %1.</source>
-        <translation>
-            <numerusform>%n 棟が疑わしい: %1 を見てください。</numerusform>
-        </translation>
+        <translation><numerusform>%n 棟が疑わしい: %1 を見てください。</numerusform></translation>
     </message>
     <message>
         <source>Moved by %1 m from where it was drawn</source>
@@ -4604,9 +4578,7 @@ Corrected by a run.</source>
     </message>
     <message numerus="yes">
         <source>For: seen in %n observation(s)</source>
-        <translation>
-            <numerusform>支持: %n 件の観測で見えた</numerusform>
-        </translation>
+        <translation><numerusform>支持: %n 件の観測で見えた</numerusform></translation>
     </message>
     <message>
         <source>%1 ±%2 m</source>
