@@ -22,7 +22,9 @@
 #include "widgets/run/camera_panel.h"
 #include "widgets/run/charts_panel.h"
 #include "widgets/run/layers_panel.h"
+#include "widgets/run/log_panel.h"
 #include "widgets/run/run_setup_panel.h"
+#include "widgets/run/why_panel.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {
@@ -90,6 +92,8 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       charts_(new ChartsPanel),
       camera_(new CameraPanel),
       buildings_(new BuildingsPanel),
+      log_(new LogPanel),
+      why_(new WhyPanel),
       teach_(new TeachPanel),
       live_(new LivePanel),
       objects_dock_(add("objects", tr("Objects"), objects_)),
@@ -102,6 +106,8 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
       charts_dock_(add("charts", tr("Charts"), charts_)),
       camera_dock_(add("camera", tr("Camera"), camera_)),
       buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
+      log_dock_(add("log", tr("Log"), log_)),
+      why_dock_(add("why", tr("Why"), why_)),
       teach_dock_(add("teach", tr("Teach buildings"), scrolled(teach_))),
       live_dock_(add("live", tr("Robot"), live_)),
       keys_dock_(add("keys", tr("Keyboard shortcuts"), nullptr)) {
@@ -113,7 +119,9 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
   window_.tabifyDockWidget(history_dock_, setup_dock_);
   window_.tabifyDockWidget(charts_dock_, camera_dock_);
   window_.tabifyDockWidget(camera_dock_, buildings_dock_);
-  window_.tabifyDockWidget(buildings_dock_, live_dock_);
+  window_.tabifyDockWidget(buildings_dock_, log_dock_);
+  window_.tabifyDockWidget(log_dock_, why_dock_);
+  window_.tabifyDockWidget(why_dock_, live_dock_);
   layers_dock_->raise();
   properties_dock_->raise();
   setup_dock_->hide();
@@ -125,7 +133,10 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
     dock->resize(size);
     dock->move(kFloatingAt);
   }
-  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_, live_dock_}) {
+  closed_by_user_.insert(why_dock_);  // until it is asked for
+  connect(why_dock_, &QDockWidget::visibilityChanged, this, &Docks::whyShown);
+  for (QDockWidget* dock :
+       {charts_dock_, camera_dock_, buildings_dock_, log_dock_, why_dock_, live_dock_}) {
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
       if (shown) {
         closed_by_user_.remove(dock);
@@ -160,6 +171,8 @@ void Docks::showRunDocks(bool run_exists, bool has_camera) {
   };
   show(charts_dock_, run_exists);
   show(buildings_dock_, run_exists);
+  show(log_dock_, run_exists);
+  show(why_dock_, run_exists);
   show(camera_dock_, run_exists && has_camera);
   if (!run_exists) return;
   const bool is_live = live_dock_->isVisible();
@@ -192,6 +205,16 @@ void Docks::showTeach() {
   teach_dock_->raise();
 }
 
+void Docks::showWhy() {
+  if (!why_dock_->toggleViewAction()->isEnabled()) return;
+  closed_by_user_.remove(why_dock_);
+  why_dock_->show();
+  why_dock_->raise();
+  QTimer::singleShot(0, this, &Docks::resize);
+}
+
+bool Docks::isWhyShown() const { return why_->isVisible(); }
+
 void Docks::setKeys(KeysPanel* keys) { keys_dock_->setWidget(keys); }
 
 void Docks::showKeys() {
@@ -200,9 +223,9 @@ void Docks::showKeys() {
 }
 
 void Docks::addSwitches(QMenu& menu) const {
-  for (const QDockWidget* dock :
-       {objects_dock_, layers_dock_, properties_dock_, issues_dock_, history_dock_, setup_dock_,
-        charts_dock_, camera_dock_, buildings_dock_, live_dock_, teach_dock_}) {
+  for (const QDockWidget* dock : {objects_dock_, layers_dock_, properties_dock_, issues_dock_,
+                                  history_dock_, setup_dock_, charts_dock_, camera_dock_,
+                                  buildings_dock_, log_dock_, why_dock_, live_dock_, teach_dock_}) {
     menu.addAction(dock->toggleViewAction());
   }
 }
@@ -231,7 +254,8 @@ void Docks::resize() {
   for (QDockWidget* dock : {objects_dock_, layers_dock_}) add(dock, compact_ ? 200 : 250);
   for (QDockWidget* dock : {properties_dock_, issues_dock_, setup_dock_})
     add(dock, compact_ ? 200 : 150);
-  for (QDockWidget* dock : {charts_dock_, camera_dock_, buildings_dock_, live_dock_}) {
+  for (QDockWidget* dock :
+       {charts_dock_, camera_dock_, buildings_dock_, log_dock_, why_dock_, live_dock_}) {
     add(dock, compact_ ? 240 : 290);
   }
   window_.resizeDocks(docks, QList<int>(docks.size(), width), Qt::Horizontal);

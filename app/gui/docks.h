@@ -18,11 +18,13 @@ class IssuesPanel;
 class KeysPanel;
 class LayersPanel;
 class LivePanel;
+class LogPanel;
 class MapDocument;
 class ObjectsPanel;
 class PropertyPanel;
 class RunSetupPanel;
 class TeachPanel;
+class WhyPanel;
 
 class Docks : public QObject {
   Q_OBJECT
@@ -37,6 +39,8 @@ class Docks : public QObject {
   ChartsPanel& charts() { return *charts_; }
   CameraPanel& camera() { return *camera_; }
   BuildingsPanel& buildings() { return *buildings_; }
+  LogPanel& log() { return *log_; }
+  WhyPanel& why() { return *why_; }
   TeachPanel& teach() { return *teach_; }
   LivePanel& live() { return *live_; }
 
@@ -47,6 +51,8 @@ class Docks : public QObject {
   void showProperties();
   void showSetup();
   void showTeach();
+  void showWhy();
+  bool isWhyShown() const;
   /// The sheet of all keys.
   void setKeys(KeysPanel* keys);
   void showKeys();
@@ -54,6 +60,9 @@ class Docks : public QObject {
   /// As they are at the first start in a window of that size: side by side, or one over another
   /// where there is little room.
   void arrange(QSize window);
+
+ Q_SIGNALS:
+  void whyShown(bool shown);
 
  private:
   void resize();
@@ -68,6 +77,8 @@ class Docks : public QObject {
   ChartsPanel* charts_;
   CameraPanel* camera_;
   BuildingsPanel* buildings_;
+  LogPanel* log_;
+  WhyPanel* why_;
   TeachPanel* teach_;
   LivePanel* live_;
   QDockWidget* objects_dock_;
@@ -79,6 +90,8 @@ class Docks : public QObject {
   QDockWidget* charts_dock_;
   QDockWidget* camera_dock_;
   QDockWidget* buildings_dock_;
+  QDockWidget* log_dock_;
+  QDockWidget* why_dock_;
   QDockWidget* teach_dock_;
   QDockWidget* live_dock_;
   QDockWidget* keys_dock_;

@@ -24,6 +24,7 @@
 #include "app/gui/revision_actions.h"
 #include "app/gui/rig_actions.h"
 #include "app/gui/run_actions.h"
+#include "app/gui/run_views.h"
 #include "app/gui/template_menu.h"
 #include "app/gui/welcome_strip.h"
 #include "widgets/canvas/map_canvas.h"
@@ -31,7 +32,6 @@
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
 #include "widgets/pictures/picture_file.h"
-#include "widgets/run/buildings_panel.h"
 #include "widgets/run/layers_panel.h"
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/run_setup_panel.h"
@@ -45,7 +45,7 @@ namespace {
 
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
-constexpr int kStateVersion = 5;  // of the set of docks and bars
+constexpr int kStateVersion = 6;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 900);
 
 /// The file or folder that is dragged; empty for anything else.
@@ -81,6 +81,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,
                           *dialogs_, *overlays_, *transport_, docks_->layers(), docks_->setup(),
                           docks_->charts(), docks_->camera(), docks_->buildings()});
+  views_ = new RunViews({*canvas_, document_, run_, *overlays_, *docks_, actions_}, this);
   rigs_ = new RigActions({*this, run_, *runs_, *docks_, actions_, *messages_, settings_, *dialogs_},
                          this);
   revisions_ = std::make_unique<RevisionActions>(
@@ -225,6 +226,10 @@ void MainWindow::connectView() {
   actions_["view.uncertainty"].setChecked(true);
   actions_.on("view.uncertainty", canvas_, [this](bool on) { canvas_->setDoubtVisible(on); });
   connect(&docks_->layers(), &LayersPanel::toggled, this, &MainWindow::setLayer);
+  connect(&docks_->layers(), &LayersPanel::opacityChanged, this, [this](Layer layer, double share) {
+    if (layer == Layer::Drawing) return canvas_->setDrawingOpacity(share);
+    overlays_->setLayerOpacity(layer, share);
+  });
   docks_->layers().setAvailable(Layer::Truth, false);
 
   static constexpr std::pair<const char*, ToolId> kTools[] = {
@@ -252,17 +257,17 @@ void MainWindow::connectView() {
 
   connect(&docks_->objects(), &ObjectsPanel::showRequested, canvas_, &MapCanvas::zoomToObject);
   connect(&docks_->issues(), &IssuesPanel::showRequested, this, &MainWindow::showIssue);
-  connect(&docks_->buildings(), &BuildingsPanel::showRequested, this, [this](const QString& id) {
-    document_.setSelection({id});
-    canvas_->zoomToObject(id);
-  });
   connect(files_, &FileActions::drawingReplaced, canvas_, &MapCanvas::zoomToFit);
   connect(files_, &FileActions::georeferenceWanted, this, [this] {
     document_.setSelection({});  // the page of the map itself
     docks_->showProperties();
   });
-  connect(runs_, &RunActions::runBegan, this,
-          [this](bool has_camera) { docks_->showRunDocks(true, has_camera); });
+  connect(runs_, &RunActions::runBegan, this, [this](bool has_camera) {
+    docks_->showRunDocks(true, has_camera);
+    views_->begin();
+  });
+  connect(views_, &RunViews::timeChosen, this,
+          [this](double time_s) { runs_->past().seekTime(time_s); });
   connect(runs_, &RunActions::runForgotten, this, [this] { docks_->showRunDocks(false, false); });
 }
 

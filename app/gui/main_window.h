@@ -32,6 +32,7 @@ class RevisionActions;
 class RigActions;
 class RunActions;
 class RunOverlays;
+class RunViews;
 class TemplateMenu;
 class TransportBar;
 class WelcomeStrip;
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   RunActions& runs() { return *runs_; }
   RigActions& rigs() { return *rigs_; }
   Docks& docks() { return *docks_; }
+  RunViews& views() { return *views_; }
   TransportBar& transport() { return *transport_; }
   MessageBar& messages() { return *messages_; }
 
@@ -98,6 +100,7 @@ class MainWindow : public QMainWindow {
   EditActions* edits_;
   FileActions* files_;
   RunActions* runs_;
+  RunViews* views_;
   RigActions* rigs_;
   PictureActions* pictures_;
   TemplateMenu* templates_;

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QSettings>
 #include <cmath>
+#include <ranges>
 
 #include "app/gui/dialogs.h"
 #include "app/gui/file_actions.h"
@@ -16,6 +17,7 @@
 #include "widgets/run/layers_panel.h"
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/transport_bar.h"
+#include "widgets/run/words.h"
 
 namespace handmap {
 
@@ -23,6 +25,7 @@ namespace {
 constexpr auto kRecordingFolderKey = "files/recording_folder";
 constexpr auto kAcceptTopic = "accept";
 constexpr qsizetype kMostNamed = 8;
+constexpr std::size_t kMostDoubtfulOffered = 3;
 
 /// How probably the shown pose is right.
 QString trustInWords(const FrameReport& report) {
@@ -190,6 +193,7 @@ void RunActions::start(RunController::Begin begin) {
   parts_.messages.clear();
   parts_.charts.clear();
   parts_.camera.setSnapshot(nullptr);
+  parts_.charts.showSampleSize(parts_.setup.setup().settings.method == Method::Paper);
   parts_.buildings.model().setDrawing(parts_.document.map());
   parts_.run.start(parts_.document.map(), *robot_, parts_.setup.setup(), begin);
   past_.begin();
@@ -246,8 +250,15 @@ void RunActions::onFinished(bool cancelled) {
   if (cancelled || warnOfResult() || skipped_ > 0) return;
   const auto result = score();
   if (!result) return;
+  const Map& drawing = parts_.run.drawing();
+  const MapChanges changes = changesOf(drawing, parts_.run.result()->map());
   parts_.messages.show(MessageBar::Kind::Info,
-                       tr("The run is done. %1").arg(scoreInWords(*result)));
+                       tr("The run is done. %1").arg(Words::changes(changes, drawing)),
+                       scoreInWords(*result));
+  for (const BuildingChange& change : changes.doubtful | std::views::take(kMostDoubtfulOffered)) {
+    const QString id = QString::fromStdString(drawing.buildings[change.building].id);
+    parts_.messages.addAction(id, [this, id] { Q_EMIT parts_.buildings.showRequested(id); });
+  }
   parts_.messages.addAction(tr("Accept refinement"), [this, run = parts_.run.number()] {
     if (run == parts_.run.number()) acceptRefinement();
   });

@@ -1,10 +1,31 @@
 #include "core/estimation/map_correction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include <fmt/format.h>
+#include "core/map/certainty.h"
 
 namespace handmap {
+
+namespace {
+
+/// Of the box() of a corrected building: one that has turned may count its sides from another one
+/// than what it was corrected with.
+Sides sidesOf(const RefinedBuilding& refined, const FoundBox* found, double heading_rad) {
+  const Box& walls = refined.walls;
+  const auto seen =
+      found ? std::optional<SeenWalls>(found->nearestTo(walls.heading)) : std::nullopt;
+  const std::size_t quarters = walls.quartersTo(heading_rad);
+  Sides sides;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const auto wall = static_cast<Eigen::Index>((k + quarters) % sides.size());
+    sides[k] = {std::sqrt(refined.covariance(wall, wall)), seen && seen->has(wall)};
+  }
+  return sides;
+}
+
+}  // namespace
 
 void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
                             const HasReached& has_reached) {
@@ -16,10 +37,11 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
       refinedBuilding(drawn, drawing_.uncertaintyOf(drawn), labels_.motion(), label.found);
   Building building = drawn.fitted(refined.box());
   building.estimate = refined.estimate;
-  building.unknown.erase("doubtful");  // of an earlier run
+  forgetCertainty(building);
+  setSides(building, sidesOf(refined, label.found, building.box().heading));
   // Of what the robot has not come to yet nothing can be said.
   if (label.doubt > kSlightDoubt && (label.found || has_reached(refined.box()))) {
-    building.unknown["doubtful"] = fmt::format("{:.2f}", label.doubt);
+    setDoubt(building, label.doubt);
   }
   corrected_.set(b, std::move(building));
 }

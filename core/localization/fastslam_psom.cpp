@@ -10,6 +10,7 @@
 #include "core/localization/motion_model.h"
 #include "core/localization/resampling.h"
 #include "core/localization/wall_likelihood.h"
+#include "core/map/certainty.h"
 
 namespace handmap {
 
@@ -277,6 +278,7 @@ Map FastSlamPsom::refinedMap() const {
     if (swarm == nullptr || swarm->observations == 0) continue;
     map.buildings[b] = map.buildings[b].fitted(models_[b].box(stateOf(b, swarm->best)));
     map.buildings[b].estimate = estimateOf(b, *swarm);
+    forgetCertainty(map.buildings[b]);  // of an earlier run
   }
   return map;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
+#include "core/map/certainty.h"
 
 namespace handmap {
 
@@ -67,8 +68,32 @@ double overlapWith(const Polygon& outline, const std::vector<Polygon>& others) {
   return shared / std::max(1.0, std::abs(signedArea(outline)));
 }
 
+double priorShift(const OutlineTask& task) {
+  return std::hypot(task.drawn_shift_m, 0.5 * task.size_m);
+}
+
+/// As the box() of a building of this outline has them.
+Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer) {
+  const Vec2 first = outline[1] - outline[0];
+  const double heading =
+      task.rectangle ? std::atan2(first.y(), first.x()) : principalHeading(outline);
+  Sides sides;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const Vec2 normal = unitVector(heading + static_cast<double>(k) * kPi / 2.0);
+    sides[k].sigma = spreadOfSide(outline, normal, priorShift(task), scorer);
+  }
+  const std::vector<double> returns = scorer.returnsOf(outline, kSlack_m);
+  std::array<double, 4> of_side{};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 along = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
+    of_side[sideFacing(heading, -perpendicular(along))] += returns[i];
+  }
+  for (std::size_t k = 0; k < sides.size(); ++k) sides[k].seen = of_side[k] >= kSeenReturns;
+  return sides;
+}
+
 Estimate estimateOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer) {
-  const double prior = std::hypot(task.drawn_shift_m, 0.5 * task.size_m);
+  const double prior = priorShift(task);
   const auto across = [&](const Vec2& direction) {
     return std::hypot(spreadOfSide(outline, direction, prior, scorer),
                       spreadOfSide(outline, -direction, prior, scorer));
@@ -115,6 +140,7 @@ class Fitting {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
       result.estimate = estimateOf(result.outline, task, scorer);
+      result.sides = sidesOf(result.outline, task, scorer);
     } else {
       result.outline = start >= drawn ? task.start : task.drawn;
     }

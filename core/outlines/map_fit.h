@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/map/map.h"
+#include "core/map/certainty.h"
 #include "core/outlines/outline_search.h"
 
 namespace handmap {
@@ -31,6 +31,7 @@ struct OutlineResult {
   double evidence = 0.0;             ///< log ratio of the fitted one against nothing there
   double gain = 0.0;                 ///< the same against the drawn one
   std::optional<Estimate> estimate;  ///< of the fitted one
+  Sides sides;                       ///< of the fitted one
 };
 
 /// One result a task. A building is moved where the rays speak for a building there and against the

@@ -30,6 +30,9 @@ class ReturnTable {
 using RayOwners = std::vector<int>;
 inline constexpr int kNobody = -1;
 
+/// Returns, as returnsOf() counts them, of a side that was seen.
+inline constexpr double kSeenReturns = 1.0;
+
 /// The rays that can tell of an outline near a place.
 class OutlineScorer {
  public:

@@ -8,13 +8,11 @@ namespace handmap {
 
 namespace {
 
-constexpr double kSeenReturns = 1.0;  // tempered, of a side that was seen
 /// Of the far half of a wall that was seen to its end: 2.4 to 5 where gables stand free, up to 1.7
 /// in gaps between houses of a real street, which look through.
 constexpr double kSeenToEndReturns = 2.0;
 constexpr double kSlack_m = 0.3;
 constexpr double kStartTurn = toRadians(1.0);  // of the start as it is drawn, one σ
-constexpr auto kDoubtful = "doubtful";
 
 Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
   Polygon outline;
@@ -159,18 +157,22 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
     building.shape = withOutline(drawn, outline).shape;
     if (!results.empty() && results[b].estimate) {
       building.estimate = results[b].estimate;
+      Sides sides = results[b].sides;
       if (!found) {
         // Nothing but the start tells how the way lies on the drawing.
         const double turned = drawing.whole.turn.value_or(kStartTurn) *
                               (centroid(outline) - way.front().position()).norm();
         building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, turned);
         building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, turned);
+        for (SideEstimate& side : sides) side.sigma = std::hypot(side.sigma, turned);
       }
-      building.unknown.erase(kDoubtful);
+      forgetCertainty(building);
+      setSides(building, sides);
     } else if (!found || (outline == tasks[b].drawn && building.estimate &&
                           building.estimate->observations > 0)) {
       // It stays as drawn; what may be said of it is what the drawing says.
       const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
+      found ? forgetSides(building) : forgetCertainty(building);
       building.estimate = {uncertainty.position, uncertainty.position, uncertainty.size, 0};
     }
   }

@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/base/text.h"
+#include "core/map/certainty.h"
 
 namespace handmap {
 
@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kLeastSigma_m = 0.01;
 constexpr double kMostSigmas = 6.0;
-constexpr int kSteps = 60;  // of the integral: exact to 1e-3
+constexpr int kSteps = 60;     // of the integral: exact to 1e-3
+constexpr int kHalvings = 12;  // of an interval as long as its end
 constexpr double kInsideOneSigma = 0.6827;
 
 double cumulative(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
@@ -40,6 +41,25 @@ double probabilityWithin(const Eigen::Matrix2d& covariance, double distance_m) {
   return std::min(1.0, 2.0 * sum * end / kSteps / (wide * std::sqrt(2.0 * kPi)));
 }
 
+double radiusHolding(const Eigen::Matrix2d& covariance, double probability) {
+  double low = 0.0;
+  double high = kLeastSigma_m;
+  constexpr double kFarthest_m = 1e6;
+  while (high < kFarthest_m && probabilityWithin(covariance, high) < probability) high *= 2.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (probabilityWithin(covariance, middle) < probability ? low : high) = middle;
+  }
+  return high;
+}
+
+Eigen::Matrix2d positionCovariance(const FrameReport& report) {
+  const auto& [x, y, heading] = report.pose_sigma;
+  Eigen::Matrix2d covariance;
+  covariance << x * x, report.pose_xy, report.pose_xy, y * y;
+  return covariance;
+}
+
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
   const Eigen::Array3d sigma = covariance.diagonal().array().max(0.0).sqrt();
   report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
@@ -54,16 +74,10 @@ std::vector<BuildingTrust> trustOf(const Map& refined) {
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
     const Building& building = refined.buildings[b];
     if (!building.estimate || building.estimate->observations == 0) continue;
-    const Estimate& estimate = *building.estimate;
-    const Vec2 along = unitVector(building.box().heading);
-    const Vec2 sigma(estimate.sigma_x, estimate.sigma_y);
-    const double ahead = std::hypot(sigma.cwiseProduct(along).norm(), 0.5 * estimate.sigma_width);
-    // Of two opposite sides that are off each for itself.
-    const double aside = std::numbers::sqrt2 * sigma.cwiseProduct(perpendicular(along)).norm();
-    const auto doubtful = building.unknown.find("doubtful");
-    const double doubt =
-        doubtful == building.unknown.end() ? 0.0 : parseFinite(doubtful->second).value_or(0.0);
-    trusts.push_back({b, {ahead, aside, ahead, aside}, kInsideOneSigma * (1.0 - doubt)});
+    BuildingTrust trust{b, {}, kInsideOneSigma * (1.0 - doubtOf(building))};
+    const Sides sides = sidesOf(building);
+    for (std::size_t k = 0; k < sides.size(); ++k) trust.sigma_m[k] = sides[k].sigma;
+    trusts.push_back(trust);
   }
   return trusts;
 }

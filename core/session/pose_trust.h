@@ -11,6 +11,12 @@ namespace handmap {
 /// than a distance.
 double probabilityWithin(const Eigen::Matrix2d& covariance, double distance_m);
 
+/// How far what has this covariance is off at most with this probability, metres.
+double radiusHolding(const Eigen::Matrix2d& covariance, double probability);
+
+/// Of the stated position, square metres.
+Eigen::Matrix2d positionCovariance(const FrameReport& report);
+
 /// Writes pose_sigma and within.
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report);
 

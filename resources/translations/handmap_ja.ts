@@ -492,6 +492,22 @@
         <translation>テンプレートとして保存(&amp;K)…</translation>
     </message>
     <message>
+        <source>Follow the Ro&amp;bot</source>
+        <translation>ロボットを追う(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Keep the robot in the middle; again: and turn the map as it looks; again: off.</source>
+        <translation>ロボットを中央に保ちます。もう一度: 向きに合わせて地図も回します。もう一度: やめます。</translation>
+    </message>
+    <message>
+        <source>Wh&amp;y Is This Wall Here</source>
+        <translation>この壁はなぜここに(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Ask what placed a corrected wall: which observations, and how far each pulled.</source>
+        <translation>修正された壁が何によって置かれたか、どの観測がどれだけ引いたかを尋ねます。</translation>
+    </message>
+    <message>
         <source>Cu&amp;t</source>
         <translation>切り取り(&amp;T)</translation>
     </message>
@@ -938,6 +954,17 @@
     </message>
 </context>
 <context>
+    <name>RunActions</name>
+    <message>
+        <source>%1 m: %2 %</source>
+        <translation>%1 m: %2 %</translation>
+    </message>
+    <message>
+        <source>pose within %1</source>
+        <translation>位置の誤差 %1 以内</translation>
+    </message>
+</context>
+<context>
     <name>TimeLeft</name>
     <message numerus="yes">
         <source>, about %n second(s) left</source>
@@ -969,6 +996,69 @@
     <message>
         <source>Something unexpected went wrong.</source>
         <translation>予期しない問題が起きました。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::BudgetTable</name>
+    <message>
+        <source>Stage</source>
+        <translation>段階</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中央値</translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation>95 % 以下</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全体</translation>
+    </message>
+    <message>
+        <source>Where the time of an observation goes</source>
+        <translation>1 回の観測の時間の内訳</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>A frame comes each %1 ms: %2 % of that is used, 95 times of 100 no more.</source>
+        <translation>フレームは %1 ms ごとに来ます。100 回中 95 回はその %2 % 以下で済みます。</translation>
+    </message>
+    <message>
+        <source>A frame comes each %1 ms: too slow to keep up (%2 %, 95 times of 100 no more).</source>
+        <translation>フレームは %1 ms ごとに来ます。追いつけません(100 回中 95 回で %2 % 以下)。</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>読み込み</translation>
+    </message>
+    <message>
+        <source>stereo</source>
+        <translation>ステレオ</translation>
+    </message>
+    <message>
+        <source>classify</source>
+        <translation>識別</translation>
+    </message>
+    <message>
+        <source>local map</source>
+        <translation>局所地図</translation>
+    </message>
+    <message>
+        <source>slam</source>
+        <translation>SLAM</translation>
     </message>
 </context>
 <context>
@@ -1103,39 +1193,155 @@ Observations: %4</source>
 <context>
     <name>handmap::BuildingsModel</name>
     <message>
-        <source>Of the building in the drawing</source>
-        <translation>図面の建物の ID</translation>
+        <source>Building</source>
+        <translation>建物</translation>
     </message>
     <message>
-        <source>Corrected centre, metres</source>
-        <translation>補正した中心 (m)</translation>
+        <source>Id and name in the drawing</source>
+        <translation>図面での ID と名前</translation>
     </message>
     <message>
-        <source>Standard deviation of x, metres</source>
-        <translation>x の標準偏差 (m)</translation>
+        <source>Moved
+(m)</source>
+        <translation>移動
+(m)</translation>
     </message>
     <message>
-        <source>Corrected width along its heading, metres</source>
-        <translation>向きに沿った補正後の幅 (m)</translation>
+        <source>From the drawn to the corrected middle</source>
+        <translation>描かれた中心から修正された中心まで</translation>
     </message>
     <message>
-        <source>Standard deviation of the width, metres</source>
-        <translation>幅の標準偏差 (m)</translation>
+        <source>Doubt
+(%)</source>
+        <translation>疑い
+(%)</translation>
     </message>
     <message>
-        <source>Corrected minus drawn centre, metres</source>
-        <translation>補正した中心と描いた中心の差 (m)</translation>
+        <source>How probably it is another building or is not there</source>
+        <translation>別の建物である、または存在しない確率</translation>
     </message>
     <message>
-        <source>Corrected minus drawn width, metres</source>
-        <translation>補正した幅と描いた幅の差 (m)</translation>
+        <source>σ right
+(m)</source>
+        <translation>σ 右
+(m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the wall that faces right on the map; in brackets where nobody saw it</source>
+        <translation>地図で右を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+    </message>
+    <message>
+        <source>σ up
+(m)</source>
+        <translation>σ 上
+(m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the wall that faces up on the map; in brackets where nobody saw it</source>
+        <translation>地図で上を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+    </message>
+    <message>
+        <source>σ left
+(m)</source>
+        <translation>σ 左
+(m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the wall that faces left on the map; in brackets where nobody saw it</source>
+        <translation>地図で左を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+    </message>
+    <message>
+        <source>σ down
+(m)</source>
+        <translation>σ 下
+(m)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the wall that faces down on the map; in brackets where nobody saw it</source>
+        <translation>地図で下を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+    </message>
+    <message>
+        <source>Seen
+(times)</source>
+        <translation>観測
+(回)</translation>
+    </message>
+    <message>
+        <source>Observations that stand for it</source>
+        <translation>その建物を示す観測の数</translation>
+    </message>
+    <message>
+        <source>Off
+(m)</source>
+        <translation>誤差
+(m)</translation>
+    </message>
+    <message>
+        <source>From the corrected to the true middle</source>
+        <translation>修正された中心から真の中心まで</translation>
+    </message>
+    <message>
+        <source>Drawn x
+(m)</source>
+        <translation>描画 x
+(m)</translation>
+    </message>
+    <message>
+        <source>Middle of the drawn building</source>
+        <translation>描かれた建物の中心</translation>
+    </message>
+    <message>
+        <source>Drawn y
+(m)</source>
+        <translation>描画 y
+(m)</translation>
+    </message>
+    <message>
+        <source>Now x
+(m)</source>
+        <translation>現在 x
+(m)</translation>
+    </message>
+    <message>
+        <source>Middle of the corrected building</source>
+        <translation>修正された建物の中心</translation>
+    </message>
+    <message>
+        <source>Now y
+(m)</source>
+        <translation>現在 y
+(m)</translation>
+    </message>
+    <message>
+        <source>Wider
+(m)</source>
+        <translation>幅の差
+(m)</translation>
+    </message>
+    <message>
+        <source>Corrected minus drawn width, along its heading</source>
+        <translation>修正後の幅から描かれた幅を引いたもの(向きに沿って)</translation>
+    </message>
+    <message>
+        <source>Deeper
+(m)</source>
+        <translation>奥行の差
+(m)</translation>
+    </message>
+    <message>
+        <source>Corrected minus drawn depth</source>
+        <translation>修正後の奥行から描かれた奥行を引いたもの</translation>
     </message>
 </context>
 <context>
     <name>handmap::BuildingsPanel</name>
     <message>
-        <source>Buildings of the run</source>
-        <translation>実行中の建物</translation>
+        <source>Corrected buildings</source>
+        <translation>修正された建物</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as CSV</source>
+        <translation>CSV としてコピー(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -1143,6 +1349,26 @@ Observations: %4</source>
     <message>
         <source>No camera image yet</source>
         <translation>カメラ画像はまだありません</translation>
+    </message>
+    <message>
+        <source>Camera: %1</source>
+        <translation>カメラ: %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Frame %1 · %2 s</source>
+        <translation>フレーム %1 · %2 秒</translation>
+    </message>
+    <message>
+        <source>Frame %1, the last that is kept before frame %2</source>
+        <translation>フレーム %1(フレーム %2 の前に保存された最後の画像)</translation>
+    </message>
+    <message>
+        <source> · %1 % building</source>
+        <translation> · 建物 %1 %</translation>
     </message>
 </context>
 <context>
@@ -1177,6 +1403,17 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::ChangesItem</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m, %2 m off</source>
+        <translation>%1 m、誤差 %2 m</translation>
+    </message>
+</context>
+<context>
     <name>handmap::ChartsPanel</name>
     <message>
         <source>Effective sample size (particles)</source>
@@ -1187,24 +1424,24 @@ Observations: %4</source>
         <translation>観測ごとの時間 (ms)</translation>
     </message>
     <message>
-        <source>read</source>
-        <translation>読み込み</translation>
+        <source>Pose: how sure, and how far off (m)</source>
+        <translation>位置: 確かさと誤差 (m)</translation>
     </message>
     <message>
-        <source>stereo</source>
-        <translation>ステレオ</translation>
+        <source>Buildings: how far from the drawn place (m)</source>
+        <translation>建物: 描かれた場所からの距離 (m)</translation>
     </message>
     <message>
-        <source>classify</source>
-        <translation>判別</translation>
+        <source>Buildings: how far from the true place, mean (m)</source>
+        <translation>建物: 真の場所からの平均距離 (m)</translation>
     </message>
     <message>
-        <source>local map</source>
-        <translation>局所地図</translation>
+        <source>━ 1 σ as stated</source>
+        <translation>━ 示された 1 σ</translation>
     </message>
     <message>
-        <source>slam</source>
-        <translation>SLAM</translation>
+        <source>╍ true error</source>
+        <translation>╍ 真の誤差</translation>
     </message>
 </context>
 <context>
@@ -1365,6 +1602,14 @@ Observations: %4</source>
     <message>
         <source>Issues (%1)</source>
         <translation>問題 (%1)</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>記録</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>なぜ</translation>
     </message>
 </context>
 <context>
@@ -1820,10 +2065,6 @@ Observations: %4</source>
         <translation>補正した地図</translation>
     </message>
     <message>
-        <source>The best map of the run</source>
-        <translation>実行で最良の地図</translation>
-    </message>
-    <message>
         <source>1-σ bands</source>
         <translation>1-σ の帯</translation>
     </message>
@@ -1894,6 +2135,50 @@ Observations: %4</source>
     <message>
         <source>The metric grid</source>
         <translation>メートル格子</translation>
+    </message>
+    <message>
+        <source>The best map of the run. Dashed: a wall that nobody saw. Hatched: a doubtful building</source>
+        <translation>実行の最良の地図。破線: 誰も見ていない壁。斜線: 疑わしい建物</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>From the drawn to the corrected place, and how far that is</source>
+        <translation>描かれた場所から修正された場所へ、その距離</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s 1-σ ellipse</source>
+        <translation>ロボットの 1-σ 楕円</translation>
+    </message>
+    <message>
+        <source>Where the robot may be and look, one standard deviation</source>
+        <translation>ロボットの位置と向きの範囲(1 標準偏差)</translation>
+    </message>
+    <message>
+        <source>Rays of a wall</source>
+        <translation>壁に当たった光線</translation>
+    </message>
+    <message>
+        <source>What placed the wall that is asked about</source>
+        <translation>尋ねた壁を置いたもの</translation>
+    </message>
+    <message>
+        <source>A wall that nobody saw</source>
+        <translation>誰も見ていない壁</translation>
+    </message>
+    <message>
+        <source>A doubtful building: point at it to read why</source>
+        <translation>疑わしい建物: 指すと理由が読めます</translation>
+    </message>
+    <message>
+        <source>%1: how strongly it is drawn</source>
+        <translation>%1: 描く濃さ</translation>
+    </message>
+    <message>
+        <source>How strongly it is drawn</source>
+        <translation>描く濃さ</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2274,68 @@ Observations: %4</source>
     <message>
         <source>Devices</source>
         <translation>機器</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LogModel</name>
+    <message>
+        <source>Note</source>
+        <translation>情報</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>時刻 (秒)</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>出来事</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LogPanel</name>
+    <message>
+        <source>Filter</source>
+        <translation>絞り込み</translation>
+    </message>
+    <message>
+        <source>Words that the log is filtered by</source>
+        <translation>記録を絞り込む語</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Warnings and problems</source>
+        <translation>警告と問題</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>What the log shows</source>
+        <translation>記録に表示するもの</translation>
+    </message>
+    <message>
+        <source>Log of the run</source>
+        <translation>実行の記録</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>コピー(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -2609,6 +2956,13 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::Plot</name>
+    <message>
+        <source>Click, or press the left and right keys, to look at another moment</source>
+        <translation>クリックまたは左右のキーで別の時点を見ます</translation>
+    </message>
+</context>
+<context>
     <name>handmap::PolygonTool</name>
     <message>
         <source>The outline must not cross itself · Backspace takes the last corner back</source>
@@ -3072,14 +3426,6 @@ Corrected by a run.</source>
 </context>
 <context>
     <name>handmap::RunActions</name>
-    <message>
-        <source>%1 m: %2 %</source>
-        <translation>%1 m: %2 %</translation>
-    </message>
-    <message>
-        <source>pose within %1</source>
-        <translation>位置の確率 %1</translation>
-    </message>
     <message numerus="yes">
         <source>“%1” is open: %n row(s).</source>
         <translation>
@@ -3246,6 +3592,47 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::RunLog</name>
+    <message>
+        <source>Frame %1 was skipped: %2</source>
+        <translation>フレーム %1 を飛ばしました: %2</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>The run begins: %1, %n building(s) drawn</source>
+        <translation>
+            <numerusform>実行を開始: %1、描かれた建物 %n 棟</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing tells the motion: the one before is taken to go on</source>
+        <translation>動きが分かりません: 直前の動きが続くとします</translation>
+    </message>
+    <message>
+        <source>The motion is told again</source>
+        <translation>動きが再び分かりました</translation>
+    </message>
+    <message>
+        <source>The run was stopped</source>
+        <translation>実行を停止しました</translation>
+    </message>
+    <message>
+        <source>The run is done</source>
+        <translation>実行が終わりました</translation>
+    </message>
+    <message>
+        <source>%1 is doubtful: %2 % that it is another building, or is not there</source>
+        <translation>%1 は疑わしい: 別の建物か、存在しない確率 %2 %</translation>
+    </message>
+</context>
+<context>
     <name>handmap::RunSetupPanel</name>
     <message>
         <source>Handmap</source>
@@ -3394,6 +3781,33 @@ Corrected by a run.</source>
     <message>
         <source>What was taught</source>
         <translation>教えたもの</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RunStrip</name>
+    <message>
+        <source>How far the shown pose is off at most, nine times of ten</source>
+        <translation>表示された位置の誤差の上限(十回中九回)</translation>
+    </message>
+    <message>
+        <source>Where the robot is</source>
+        <translation>ロボットの場所</translation>
+    </message>
+    <message>
+        <source>Whether the view follows the robot: off, follow, follow and turn</source>
+        <translation>表示がロボットを追うか: 追わない、追う、追って回す</translation>
+    </message>
+    <message>
+        <source>Follow: off</source>
+        <translation>追跡: なし</translation>
+    </message>
+    <message>
+        <source>Follow: on</source>
+        <translation>追跡: あり</translation>
+    </message>
+    <message>
+        <source>Follow: and turn</source>
+        <translation>追跡: 回転も</translation>
     </message>
 </context>
 <context>
@@ -3871,6 +4285,236 @@ Corrected by a run.</source>
     <message>
         <source>Do not show this again</source>
         <translation>今後表示しない</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::WhyPanel</name>
+    <message>
+        <source>Building that is asked about</source>
+        <translation>尋ねる建物</translation>
+    </message>
+    <message>
+        <source>Wall that is asked about</source>
+        <translation>尋ねる壁</translation>
+    </message>
+    <message>
+        <source>Time
+(s)</source>
+        <translation>時刻
+(秒)</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>光線</translation>
+    </message>
+    <message>
+        <source>Saw at
+(m)</source>
+        <translation>見た位置
+(m)</translation>
+    </message>
+    <message>
+        <source>Weight
+(%)</source>
+        <translation>重み
+(%)</translation>
+    </message>
+    <message>
+        <source>Pulled
+(m)</source>
+        <translation>引いた量
+(m)</translation>
+    </message>
+    <message>
+        <source>Observations that placed the wall</source>
+        <translation>壁を置いた観測</translation>
+    </message>
+    <message>
+        <source>Metres outwards from where the wall stands now. Click: look at that moment.</source>
+        <translation>現在の壁から外側への距離(メートル)。クリック: その時点を見ます。</translation>
+    </message>
+    <message>
+        <source>Click a corrected wall on the map, or choose one here: what placed it?</source>
+        <translation>地図で修正された壁をクリックするか、ここで選んでください: 何がそこに置いたか。</translation>
+    </message>
+    <message>
+        <source>%1 wall, %2 m</source>
+        <translation>%1の壁、%2 m</translation>
+    </message>
+    <message>
+        <source>It stands %1 m %2 of the drawn one; known to ±%3 m.</source>
+        <translation>描かれた壁より %1 m %2にあります。精度 ±%3 m。</translation>
+    </message>
+    <message>
+        <source>inwards</source>
+        <translation>内側</translation>
+    </message>
+    <message>
+        <source>outwards</source>
+        <translation>外側</translation>
+    </message>
+    <message>
+        <source>Nobody saw it: its other walls put it there.</source>
+        <translation>誰も見ていません: 他の壁から置かれました。</translation>
+    </message>
+    <message>
+        <source>Drawing: %1 ±%2 m, weight %3 %.</source>
+        <translation>図面: %1 ±%2 m、重み %3 %。</translation>
+    </message>
+    <message>
+        <source>What the robot saw is not kept: nothing more can be told.</source>
+        <translation>ロボットが見たものは保存されていません: これ以上は分かりません。</translation>
+    </message>
+    <message>
+        <source>No ray ended within %1 m of it.</source>
+        <translation>%1 m 以内で終わった光線はありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Seen: %1 ±%2 m, weight %3 %, by %n observation(s)</source>
+        <translation>
+            <numerusform>観測: %1 ±%2 m、重み %3 %、観測 %n 回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> with %1 rays that ended within %2 m.</source>
+        <translation>、%2 m 以内で終わった光線 %1 本。</translation>
+    </message>
+    <message>
+        <source>Together: %1 m. The rest is of its other walls and of the drawing as a whole.</source>
+        <translation>合わせて %1 m。残りは他の壁と図面全体によります。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::Words</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m</source>
+        <translation>%1~%2 m</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>Sure to %1 m; heading to %2°</source>
+        <translation>誤差 %1 m 以内で確か、向き %2° 以内</translation>
+    </message>
+    <message>
+        <source>Roughly here: within %1 m; heading to %2°</source>
+        <translation>おおよそここ: %1 m 以内、向き %2° 以内</translation>
+    </message>
+    <message>
+        <source>Lost: may be anywhere within %1 m</source>
+        <translation>見失いました: %1 m 以内のどこか</translation>
+    </message>
+    <message>
+        <source>at %1, %2 m</source>
+        <translation>%1, %2 m の地点</translation>
+    </message>
+    <message>
+        <source>%1 m from %2</source>
+        <translation>%2 から %1 m</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) moved by %1</source>
+        <translation>
+            <numerusform>%n 棟が %1 移動</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stand(s) as drawn</source>
+        <translation>
+            <numerusform>%n 棟は描かれたまま</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n was (were) not seen</source>
+        <translation>
+            <numerusform>%n 棟は見えませんでした</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n is (are) doubtful: look at %1.</source>
+        <translation>
+            <numerusform>%n 棟が疑わしい: %1 を見てください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moved by %1 m from where it was drawn</source>
+        <translation>描かれた場所から %1 m 移動</translation>
+    </message>
+    <message>
+        <source>%1 m from where it truly is</source>
+        <translation>真の場所から %1 m</translation>
+    </message>
+    <message>
+        <source>Nothing that was seen is taken for it: it is shown where the drawing has it</source>
+        <translation>見えたものはどれもこの建物とされません: 図面の場所に表示しています</translation>
+    </message>
+    <message numerus="yes">
+        <source>For: seen in %n observation(s)</source>
+        <translation>
+            <numerusform>根拠: %n 回の観測で見えた</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 ±%2 m</source>
+        <translation>%1 ±%2 m</translation>
+    </message>
+    <message>
+        <source>For: walls seen: %1</source>
+        <translation>根拠: 見えた壁: %1</translation>
+    </message>
+    <message>
+        <source>Against: walls that nobody saw: %1</source>
+        <translation>反証: 誰も見ていない壁: %1</translation>
+    </message>
+    <message>
+        <source>Against: it moved %1 times as far as the drawing says that it may be off (%2 m)</source>
+        <translation>反証: 図面が許す誤差(%2 m)の %1 倍動いた</translation>
+    </message>
+    <message>
+        <source>Doubtful: %1 % that it is another building, or is not there</source>
+        <translation>疑わしい: 別の建物か、存在しない確率 %1 %</translation>
     </message>
 </context>
 </TS>

@@ -131,6 +131,11 @@ constexpr std::array kActions = {
     ActionSpec{"view.snap_next", QT_TRANSLATE_NOOP("Actions", "&Next Way to Snap"), "", "N",
                QT_TRANSLATE_NOOP("Actions", "Objects, grid, both or neither in turn."), Menu::View},
 
+    ActionSpec{"view.follow", QT_TRANSLATE_NOOP("Actions", "Follow the Ro&bot"), "", "Shift+F",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Keep the robot in the middle; again: and turn the map as it "
+                                 "looks; again: off."),
+               Menu::View, ToolBar::None, Push, true},
     ActionSpec{"view.uncertainty", QT_TRANSLATE_NOOP("Actions", "&Uncertainty"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Show by soft edges how wrong the drawing may be."),
                Menu::View, ToolBar::None, Check},
@@ -268,6 +273,11 @@ constexpr std::array kActions = {
             "Actions",
             "Take the selected buildings out of the drawing, and do the run again without them."),
         Menu::Run},
+    ActionSpec{"run.why", QT_TRANSLATE_NOOP("Actions", "Wh&y Is This Wall Here"), "", "Shift+W",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Ask what placed a corrected wall: which observations, and how "
+                                 "far each pulled."),
+               Menu::Run, ToolBar::None, Push, true},
     ActionSpec{
         "run.teach", QT_TRANSLATE_NOOP("Actions", "Teach Bu&ildings…"), "", "",
         QT_TRANSLATE_NOOP("Actions", "Show in your own images what is a building and what is not."),

@@ -79,10 +79,12 @@ void MapCanvas::mousePressEvent(QMouseEvent* event) {
 
 void MapCanvas::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->position();
-  if (pan_from_)
+  if (pan_from_) {
+    Q_EMIT movedByHand();
     panBy(event->position() - *std::exchange(pan_from_, event->position()));
-  else
+  } else {
     tool_->move(toolEvent(*event));
+  }
   Q_EMIT cursorMoved(viewportTransform().inverted().map(event->position()));
 }
 
@@ -105,8 +107,13 @@ void MapCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 void MapCanvas::wheelEvent(QWheelEvent* event) {
   event->accept();
   const bool two_fingers = event->phase() != Qt::NoScrollPhase && !event->pixelDelta().isNull();
-  if (event->modifiers() & Qt::ShiftModifier) return panBy(event->angleDelta());
-  if (two_fingers && !(event->modifiers() & Qt::ControlModifier)) return panBy(event->pixelDelta());
+  const bool pans = (event->modifiers() & Qt::ShiftModifier) ||
+                    (two_fingers && !(event->modifiers() & Qt::ControlModifier));
+  if (pans) {
+    Q_EMIT movedByHand();
+    return panBy(event->modifiers() & Qt::ShiftModifier ? event->angleDelta()
+                                                        : event->pixelDelta());
+  }
   zoomAt(event->position(), std::pow(kZoomPerNotch, event->angleDelta().y() / kWheelNotch));
 }
 

@@ -110,6 +110,7 @@ void MapCanvas::moveByTwo(const QTouchEvent& event) {
   const QLineF now(event.points()[0].position(), event.points()[1].position());
   const auto before = std::exchange(two_at_, now);
   if (!before) return;
+  Q_EMIT movedByHand();
   panBy(now.center() - before->center());
   if (before->length() > 1.0 && now.length() > 1.0)
     zoomAt(now.center(), now.length() / before->length());

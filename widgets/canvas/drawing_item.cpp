@@ -21,6 +21,12 @@ constexpr qsizetype kManySelected = 100;
 
 QPointF toScene(const Vec2& point) { return {point.x(), point.y()}; }
 
+QPointF middleOf(const QPolygonF& outline) {
+  Polygon corners;
+  for (const QPointF& corner : outline) corners.emplace_back(corner.x(), corner.y());
+  return toScene(centroid(corners));
+}
+
 /// Lines of one pixel are sharp when they run through the middle of pixels.
 QPointF crisp(const QPointF& point) {
   return {std::floor(point.x()) + 0.5, std::floor(point.y()) + 0.5};
@@ -208,11 +214,18 @@ void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
 void DrawingItem::paintLabel(QPainter& painter, const Shape& shape,
                              const QTransform& to_device) const {
   const double line = painter.fontMetrics().height();
-  const bool on_ground = !document_.map().underlays.empty();
-  const QPolygonF outline = to_device.map(shape.outline);
-  const QRectF bounds = outline.boundingRect();
-  const QPointF centre = to_device.map(shape.middle);
   const QString id = QString::fromStdString(shape.id);
+  bool on_ground = !document_.map().underlays.empty();
+  QPolygonF outline = to_device.map(shape.outline);
+  QPointF centre = to_device.map(shape.middle);
+  // What the tool moves is where its preview is.
+  const auto other = label_outlines_.constFind(id);
+  if (other != label_outlines_.cend() && previewed_.empty()) {
+    outline = to_device.map(*other);
+    centre = middleOf(outline);
+    on_ground = true;  // an arrow may end there
+  }
+  const QRectF bounds = outline.boundingRect();
   const QString name = QString::fromStdString(shape.name);
   const auto fits = [&](const QString& text, int lines) {
     if (text.isEmpty() || bounds.width() < kNarrowestLetterPx * static_cast<double>(text.size()) ||

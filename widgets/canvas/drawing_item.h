@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QHash>
 #include <QSet>
 #include <string>
 #include <unordered_map>
@@ -23,6 +24,8 @@ class DrawingItem : public QGraphicsItem {
   /// Shown in place of the objects of the same ids; nullptr: nothing.
   void setPreview(const MapChange* preview);
   void setColours(const Colours& colours);
+  /// By id: where labels stand in place of the drawn outlines.
+  void setLabelOutlines(const QHash<QString, QPolygonF>& outlines) { label_outlines_ = outlines; }
 
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -63,6 +66,7 @@ class DrawingItem : public QGraphicsItem {
   std::vector<Shape> shapes_;
   std::vector<Shape> previewed_;
   std::unordered_map<std::string, std::size_t> places_;
+  QHash<QString, QPolygonF> label_outlines_;
   MapChange preview_;
   LayerStates layers_;
   QSet<QString> selected_;

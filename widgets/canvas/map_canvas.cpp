@@ -250,15 +250,30 @@ void MapCanvas::onToolChanged() {
 
 // --- View
 
-double MapCanvas::pixelsPerMetre() const { return transform().m11(); }
+double MapCanvas::pixelsPerMetre() const {
+  return std::hypot(transform().m11(), transform().m12());
+}
 
 void MapCanvas::setView(double pixels_per_metre, QPointF metres, QPointF viewport_position) {
   const double scale = std::clamp(pixels_per_metre, kMinScale, kMaxScale);
-  setTransform(QTransform::fromScale(scale, -scale));
+  setTransform(QTransform().rotateRadians(turn_) * QTransform::fromScale(scale, -scale));
   const QPointF off = viewportTransform().map(metres) - viewport_position;
   panBy(-off);
   layOut();
   Q_EMIT scaleChanged(scale);
+}
+
+void MapCanvas::setTurn(double turn_rad) {
+  if (turn_ == turn_rad) return;
+  const QPointF middle = viewport()->rect().toRectF().center();
+  const QPointF metres = viewportTransform().inverted().map(middle);
+  turn_ = turn_rad;
+  setView(pixelsPerMetre(), metres, middle);
+  Q_EMIT turned(turn_);
+}
+
+void MapCanvas::centreAt(QPointF metres) {
+  panBy(viewport()->rect().toRectF().center() - viewportTransform().map(metres));
 }
 
 void MapCanvas::panBy(QPointF pixels) {
@@ -291,6 +306,7 @@ void MapCanvas::zoomIn() { zoomAt(viewport()->rect().toRectF().center(), kZoomSt
 void MapCanvas::zoomOut() { zoomAt(viewport()->rect().toRectF().center(), 1.0 / kZoomStep); }
 
 void MapCanvas::zoomToFit() {
+  setTurn(0.0);
   QRectF all = underlays_->boundingRect();
   if (const auto drawn = boundsOf(document_.map())) all |= toRect(*drawn).adjusted(-2, -2, 2, 2);
   zoomToRect(all.isEmpty() ? kNothingDrawn : all);
@@ -310,6 +326,8 @@ void MapCanvas::zoomToObject(const QString& key) {
     return zoomToRect(underlays_->boundsOf(*picture));
   const auto bounds = boundsOf(document_.map(), key);
   if (!bounds) return;
+  Q_EMIT movedByHand();
+  setTurn(0.0);
   const QRectF box = toRect(*bounds);
   const double around = std::max(5.0, 0.5 * std::max(box.width(), box.height()));
   zoomToRect(box.adjusted(-around, -around, around, around));
@@ -328,15 +346,29 @@ void MapCanvas::setGridVisible(bool visible) {
 
 void MapCanvas::setDrawingVisible(bool visible) { drawing_->setVisible(visible); }
 
+void MapCanvas::setDrawingOpacity(double share) { drawing_->setOpacity(share); }
+
+void MapCanvas::setLabelOutlines(const QHash<QString, QPolygonF>& outlines) {
+  drawing_->setLabelOutlines(outlines);
+  viewport()->update();
+}
+
 void MapCanvas::setDoubtVisible(bool visible) { doubt_->setVisible(visible); }
 
 void MapCanvas::setUnderlaysVisible(bool visible) { underlays_->setVisible(visible); }
+
+/// What is visible, where a painter paints it: here, or in a picture.
+QRectF MapCanvas::deviceArea(const QTransform& to_device) const {
+  const QPolygonF shown =
+      viewportTransform().inverted().map(QPolygonF(viewport()->rect().toRectF()));
+  return to_device.map(shown).boundingRect();
+}
 
 void MapCanvas::drawBackground(QPainter* painter, const QRectF&) {
   painter->save();
   const QTransform to_device = painter->worldTransform();
   painter->setWorldTransform({});
-  const QRectF area = to_device.mapRect(visibleMetres());
+  const QRectF area = deviceArea(to_device);
   painter->fillRect(area, (*colours_)[Role::Background]);
   painter->setRenderHint(QPainter::Antialiasing, false);
   if (grid_visible_) paintGrid(*painter, to_device, area, *colours_);
@@ -353,7 +385,8 @@ void MapCanvas::drawForeground(QPainter* painter, const QRectF&) {
   ToolPaint canvas{*painter, to_device, *colours_};
   tool_->paint(canvas);
   if (tool_->snapContext() && (tool_->isBusy() || tool_ == select_)) paintSnap(canvas, snap_);
-  paintScaleBar(*painter, to_device.m11(), to_device.mapRect(visibleMetres()), *colours_);
+  paintScaleBar(*painter, std::hypot(to_device.m11(), to_device.m12()), deviceArea(to_device),
+                *colours_);
   painter->restore();
 }
 

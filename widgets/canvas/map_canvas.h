@@ -70,11 +70,18 @@ class MapCanvas : public QGraphicsView {
   void zoomToRect(const QRectF& metres);  ///< with a margin
   void zoomToObject(const QString& key);  ///< of the document; nothing when it is not there
   QRectF visibleMetres() const;
+  /// How the map is turned on the screen, radians, counter-clockwise; where the middle is it stays.
+  double turn() const { return turn_; }
+  void setTurn(double turn_rad);
+  void centreAt(QPointF metres);
 
   // --- Layers
   bool isGridVisible() const { return grid_visible_; }
   void setGridVisible(bool visible);
   void setDrawingVisible(bool visible);
+  void setDrawingOpacity(double share);
+  /// By id: outlines of buildings to write their labels into, in place of the drawn ones.
+  void setLabelOutlines(const QHash<QString, QPolygonF>& outlines);
   void setUnderlaysVisible(bool visible);
   void setDoubtVisible(bool visible);
 
@@ -83,6 +90,9 @@ class MapCanvas : public QGraphicsView {
   void scaleChanged(double pixels_per_metre);
   void toolChanged(handmap::ToolId id);
   void hintChanged(const QString& hint);
+  void turned(double turn_rad);
+  /// Somebody wants to see another place: by hand, or one object or all of the map.
+  void movedByHand();
   /// Somebody says that the robot is there, at the moment that is shown.
   void robotPoseGiven(const handmap::Pose2& pose);
   void snapModesChanged();
@@ -133,6 +143,7 @@ class MapCanvas : public QGraphicsView {
   void onToolChanged();
   void updateCursor();
   void panBy(QPointF pixels);
+  QRectF deviceArea(const QTransform& to_device) const;
   void setView(double pixels_per_metre, QPointF metres, QPointF viewport_position);
 
   MapDocument& document_;
@@ -152,6 +163,7 @@ class MapCanvas : public QGraphicsView {
   CanvasSnapping snapping_;
   Snap snap_;  ///< of the last event
   const Colours* colours_;
+  double turn_ = 0.0;  ///< of the view, radians
   bool grid_visible_ = true;
   bool space_held_ = false;
   bool fitted_ = true;  ///< as zoomToFit() left it: stays so when the canvas gets another size

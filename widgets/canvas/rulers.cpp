@@ -21,11 +21,20 @@ QPointF deviceAt(const QTransform& to_device, const Axis& axis, double metres) {
   return to_device.map(axis.vertical_lines ? QPointF(metres, 0.0) : QPointF(0.0, metres));
 }
 
+/// A map that is turned has no sharp lines.
+bool isTurned(const QTransform& to_device) { return std::abs(to_device.m12()) > 1e-9; }
+
 void paintLines(QPainter& painter, const QTransform& to_device, const QRectF& area,
-                const Axis& axis, double step) {
+                const Axis& axis, const Axis& other, double step) {
   QList<QLineF> lines;
   for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i) {
-    const QPointF at = deviceAt(to_device, axis, i * step);
+    const double metres = i * step;
+    if (isTurned(to_device)) {
+      lines << to_device.map(axis.vertical_lines ? QLineF(metres, other.low, metres, other.high)
+                                                 : QLineF(other.low, metres, other.high, metres));
+      continue;
+    }
+    const QPointF at = deviceAt(to_device, axis, metres);
     if (axis.vertical_lines) {
       const double x = std::floor(at.x()) + 0.5;
       lines << QLineF(x, area.top(), x, area.bottom());
@@ -68,14 +77,15 @@ double roundedStep(double metres) {
 void paintGrid(QPainter& painter, const QTransform& to_device, const QRectF& area,
                const Colours& colours) {
   const QRectF metres = to_device.inverted().mapRect(area);
-  const double step = roundedStep(kMinLinePx / std::abs(to_device.m11()));
+  const double step = roundedStep(kMinLinePx / std::hypot(to_device.m11(), to_device.m12()));
   const double major = 10.0 * step;
   const Axis axes[] = {{true, metres.left(), metres.right()},
                        {false, metres.top(), metres.bottom()}};
   for (const auto& [role, spacing] :
        {std::pair{Role::GridLine, step}, std::pair{Role::GridLineMajor, major}}) {
     painter.setPen(colours.pen(role));
-    for (const Axis& axis : axes) paintLines(painter, to_device, area, axis, spacing);
+    paintLines(painter, to_device, area, axes[0], axes[1], spacing);
+    paintLines(painter, to_device, area, axes[1], axes[0], spacing);
   }
   painter.setPen(colours.pen(Role::Axis));
   const QPointF origin = to_device.map(QPointF());
@@ -84,6 +94,7 @@ void paintGrid(QPainter& painter, const QTransform& to_device, const QRectF& are
     painter.drawLine(centre - QPointF(8.0, 0.0), centre + QPointF(8.0, 0.0));
     painter.drawLine(centre - QPointF(0.0, 8.0), centre + QPointF(0.0, 8.0));
   }
+  if (isTurned(to_device)) return;
   for (const Axis& axis : axes) paintNumbers(painter, to_device, area, axis, major);
 }
 

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/map/certainty.h"
 #include "core/map/map_io.h"
 #include "core/map/map_model.h"
 #include "core/map/references.h"
@@ -76,12 +77,10 @@ QString mergeMark(char kind, const Placed<Item>& items) {
   return mark;
 }
 
-constexpr auto kDoubtful = "doubtful";
-
 /// What a run found out about a shape says nothing of another one.
 void forgetFindings(Building& building) {
   building.estimate.reset();
-  building.unknown.erase(kDoubtful);
+  forgetCertainty(building);
 }
 
 /// The building as a run has corrected it.
@@ -89,8 +88,7 @@ Building corrected(Building drawn, const Building& refined) {
   forgetFindings(drawn);
   drawn.shape = refined.shape;
   drawn.estimate = refined.estimate;
-  if (const auto doubt = refined.unknown.find(kDoubtful); doubt != refined.unknown.end())
-    drawn.unknown.insert(*doubt);
+  copyCertainty(refined, drawn);
   return drawn;
 }
 

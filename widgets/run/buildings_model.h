@@ -1,7 +1,9 @@
-// The refined buildings of a run against the drawing it was given.
+// The buildings of a run: as drawn, as corrected, and how sure each is. For a sorting proxy: the
+// sort role gives numbers.
 #pragma once
 
 #include <QAbstractTableModel>
+#include <optional>
 #include <vector>
 
 #include "core/map/map.h"
@@ -11,15 +13,40 @@ namespace handmap {
 class BuildingsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  /// Metres; the last three are refined minus drawn.
-  enum Column { Id, X, SigmaX, Width, SigmaWidth, MovedX, MovedY, Widened, ColumnCount };
+  /// Metres and per cent. The sigmas are of the walls that face right, up, left and down on the
+  /// map.
+  enum Column {
+    Name,
+    Moved,
+    Doubt,
+    SigmaRight,
+    SigmaUp,
+    SigmaLeft,
+    SigmaDown,
+    Observations,
+    Error,
+    DrawnX,
+    DrawnY,
+    NowX,
+    NowY,
+    Wider,
+    Deeper,
+    ColumnCount
+  };
+  static constexpr int kSortRole = Qt::UserRole;
+  /// Text for other programs: nothing where nothing is known, or nobody saw the wall.
+  static constexpr int kCsvRole = Qt::UserRole + 1;
 
   using QAbstractTableModel::QAbstractTableModel;
 
   /// Begins anew.
   void setDrawing(Map drawing);
+  /// For the column of the errors. nullopt: not known.
+  void setTruth(std::optional<Map> truth);
+  bool hasTruth() const { return truth_.has_value(); }
   void setRefined(const Map& refined);
   QString idAt(int row) const;
+  int rowOf(const QString& id) const;  ///< -1: none
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -29,11 +56,20 @@ class BuildingsModel : public QAbstractTableModel {
  private:
   struct Row {
     QString id;
-    std::array<double, ColumnCount> metres{};  ///< by column; none of Id
-    bool operator==(const Row&) const = default;
+    QString name;
+    std::size_t building = 0;  ///< of the drawing
+    /// By column; none of Name. NaN: not known.
+    std::array<double, ColumnCount> numbers{};
+    std::array<bool, 4> seen{};  ///< by the columns of the sigmas
   };
+  Row rowOf(std::size_t building, const Building& now) const;
+  QString words(const Row& row) const;
+  QString text(const Row& row, int column) const;
+  static QString csvText(const Row& row, int column);
 
   Map drawing_;
+  std::optional<Map> truth_;
+  Map refined_;
   std::vector<Row> rows_;
 };
 

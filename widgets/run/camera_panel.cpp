@@ -8,6 +8,12 @@
 
 namespace handmap {
 
+namespace {
+
+constexpr double kJudgedBuilding = 0.5;  // probability of a window that has a cross
+
+}  // namespace
+
 QImage cameraImage(const cv::Mat& image) {
   if (image.empty() || image.depth() != CV_8U) return {};
   const auto wrapped = [&image](QImage::Format format) {
@@ -41,7 +47,23 @@ CameraPanel::CameraPanel(QWidget* parent) : QWidget(parent) { setMinimumSize(160
 
 void CameraPanel::setSnapshot(std::shared_ptr<const Snapshot> snapshot) {
   snapshot_ = std::move(snapshot);
+  setAccessibleName(snapshot_ ? tr("Camera: %1").arg(caption()) : tr("Camera"));
   update();
+}
+
+QString CameraPanel::caption() const {
+  if (!snapshot_) return {};
+  QString text =
+      tr("Frame %1 · %2 s").arg(snapshot_->pictured).arg(snapshot_->report.time_s, 0, 'f', 1);
+  if (snapshot_->pictured != snapshot_->report.frame) {
+    text = tr("Frame %1, the last that is kept before frame %2")
+               .arg(snapshot_->pictured)
+               .arg(snapshot_->report.frame);
+  }
+  const cv::Mat1f& windows = snapshot_->buildings;
+  if (windows.empty()) return text;
+  const int buildings = cv::countNonZero(windows > kJudgedBuilding);
+  return text + tr(" · %1 % building").arg(100 * buildings / static_cast<int>(windows.total()));
 }
 
 void CameraPanel::paintEvent(QPaintEvent*) {
@@ -57,8 +79,11 @@ void CameraPanel::paintEvent(QPaintEvent*) {
     return;
   }
   constexpr int kGap = 4;
-  const QSize half(width(), (height() - kGap) / 2);
-  int top = 0;
+  const int line = fontMetrics().height() + kGap;
+  painter.drawText(QRect(kGap, 0, width() - 2 * kGap, line), Qt::AlignLeft | Qt::AlignVCenter,
+                   fontMetrics().elidedText(caption(), Qt::ElideRight, width() - 2 * kGap));
+  const QSize half(width(), (height() - line - kGap) / 2);
+  int top = line;
   for (const QImage& image : {image_, disparity_}) {
     if (image.isNull()) continue;
     const QSize size = image.size().scaled(half, Qt::KeepAspectRatio);

@@ -22,6 +22,8 @@ class CameraPanel : public QWidget {
 
   /// nullptr shows that there is nothing yet.
   void setSnapshot(std::shared_ptr<const Snapshot> snapshot);
+  /// Which frame it is, when, and how much of the image is judged to be buildings.
+  QString caption() const;
 
   QSize sizeHint() const override { return {320, 220}; }
 

@@ -2,30 +2,14 @@
 
 #include <QPainter>
 
+#include "core/map/certainty.h"
 #include "widgets/run/scene_points.h"
-#include "widgets/run/wall_bands.h"
 
 namespace handmap {
 
 namespace {
 
-QPainterPath closedPath(const Polygon& polygon) {
-  QPainterPath path;
-  path.addPolygon(toScene(polygon));
-  path.closeSubpath();
-  return path;
-}
-
-/// The ring between the footprint grown and shrunk by one sigma.
-QPainterPath bandOf(const Building& building) {
-  std::vector<double> offsets = wallSigmas(building);
-  QPainterPath band = closedPath(offsetWalls(building.footprint(), offsets));
-  for (double& offset : offsets) offset = -offset;
-  const Polygon inner = offsetWalls(building.footprint(), offsets);
-  if (!inner.empty()) band.addPath(closedPath(inner));
-  band.setFillRule(Qt::OddEvenFill);
-  return band;
-}
+const QList<qreal> kDashes = {5.0, 4.0};  // pen widths
 
 }  // namespace
 
@@ -34,42 +18,46 @@ void CorrectedMapItem::setColours(const Colours& colours) {
   update();
 }
 
+QPen CorrectedMapItem::unseenPen(const Colours& colours) {
+  QPen pen = colours.pen(Role::Corrected);
+  pen.setWidthF(0.75 * pen.widthF());
+  pen.setDashPattern(kDashes);
+  return pen;
+}
+
 void CorrectedMapItem::setMap(const Map& map) {
   prepareGeometryChange();
-  outlines_.clear();
-  bands_.clear();
-  bounds_ = {};
+  seen_.clear();
+  unseen_.clear();
+  doubtful_.clear();
   for (const Building& building : map.buildings) {
     if (!building.estimate) continue;
-    outlines_.addPath(closedPath(building.footprint()));
-    bands_.push_back(bandOf(building));
-    bounds_ |= bands_.back().boundingRect();
+    const QPolygonF outline = toScene(building.footprint());
+    const std::vector<SideEstimate> walls = wallsOf(building);
+    for (qsizetype i = 0; i < outline.size(); ++i) {
+      QPainterPath& path = walls[static_cast<std::size_t>(i)].seen ? seen_ : unseen_;
+      if (path.currentPosition() != outline[i] || path.isEmpty()) path.moveTo(outline[i]);
+      path.lineTo(outline[(i + 1) % outline.size()]);
+    }
+    if (doubtOf(building) <= 0.0) continue;
+    doubtful_.addPolygon(outline);
+    doubtful_.closeSubpath();
   }
-  bounds_ = (bounds_ | outlines_.boundingRect()).adjusted(-2.0, -2.0, 2.0, 2.0);
-}
-
-void CorrectedMapItem::setOutlinesVisible(bool visible) {
-  outlines_visible_ = visible;
-  update();
-}
-
-void CorrectedMapItem::setBandsVisible(bool visible) {
-  bands_visible_ = visible;
-  update();
+  bounds_ = (seen_.boundingRect() | unseen_.boundingRect()).adjusted(-2.0, -2.0, 2.0, 2.0);
 }
 
 void CorrectedMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->save();
+  const QTransform to_device = painter->worldTransform();
+  painter->setWorldTransform({});  // a hatching is of pixels
   painter->setRenderHint(QPainter::Antialiasing);
-  if (bands_visible_) {
-    for (const QPainterPath& band : bands_) {
-      painter->fillPath(band, colours_->brush(Role::CorrectedBand));
-    }
-  }
-  if (outlines_visible_) {
-    painter->setPen(colours_->pen(Role::Corrected));
-    painter->setBrush(Qt::NoBrush);
-    painter->drawPath(outlines_);
-  }
+  painter->fillPath(to_device.map(doubtful_), colours_->brush(Role::Doubtful));
+  painter->setBrush(Qt::NoBrush);
+  painter->setPen(colours_->pen(Role::Corrected));
+  painter->drawPath(to_device.map(seen_));
+  painter->setPen(unseenPen(*colours_));
+  painter->drawPath(to_device.map(unseen_));
+  painter->restore();
 }
 
 }  // namespace handmap

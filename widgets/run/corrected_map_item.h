@@ -1,5 +1,5 @@
-// The buildings that a run has refined: solid outlines with translucent bands of one standard
-// deviation around each wall.
+// The buildings that a run has refined: outlines, solid where a wall was seen and dashed where it
+// stands as the drawing has it; what is doubtful is hatched.
 #pragma once
 
 #include <QGraphicsItem>
@@ -13,20 +13,18 @@ namespace handmap {
 class CorrectedMapItem : public QGraphicsItem {
  public:
   void setColours(const Colours& colours);
-  void setMap(const Map& map);  ///< buildings without an estimate are left out
-  void setOutlinesVisible(bool visible);
-  void setBandsVisible(bool visible);
+  static QPen unseenPen(const Colours& colours);  ///< of a wall that nobody saw
+  void setMap(const Map& map);                    ///< buildings without an estimate are left out
 
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   const Colours* colours_ = &Colours::light();
-  QPainterPath outlines_;
-  std::vector<QPainterPath> bands_;
+  QPainterPath seen_;      ///< walls
+  QPainterPath unseen_;    ///< walls
+  QPainterPath doubtful_;  ///< footprints
   QRectF bounds_;
-  bool outlines_visible_ = true;
-  bool bands_visible_ = true;
 };
 
 }  // namespace handmap

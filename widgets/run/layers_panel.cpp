@@ -2,25 +2,59 @@
 
 #include <QCheckBox>
 #include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
-#include <QVBoxLayout>
+#include <QSlider>
+
+#include "widgets/run/corrected_map_item.h"
 
 namespace handmap {
 
 namespace {
 
 constexpr QSize kSample(34, 16);
+constexpr int kSliderWidth = 48;
+constexpr int kBesideBox = 20;     // where the samples of the layers begin
+constexpr int kLeastPercent = 10;  // fainter is what the switch is for
 
-void paintSample(QPainter& painter, Role role, const Colours& colours) {
+/// The ground is not drawn fainter, and pictures have their own opacity each.
+bool hasOpacity(Layer layer) { return layer != Layer::Grid && layer != Layer::Underlays; }
+
+void paintArrow(QPainter& painter, const QRectF& area) {
+  const QPointF tip(area.right(), area.center().y());
+  painter.drawLine(QPointF(area.left(), tip.y()), tip);
+  painter.drawLine(tip, tip + QPointF(-6.0, -3.5));
+  painter.drawLine(tip, tip + QPointF(-6.0, 3.5));
+}
+
+void paintSample(QPainter& painter, const LayerSpec& spec, const Colours& colours) {
   const QRectF area = QRectF(QPointF(), kSample).adjusted(2.0, 3.0, -2.0, -3.0);
-  switch (role) {
-    case Role::CorrectedBand:
+  const Role role = spec.role;
+  switch (spec.layer) {
+    case Layer::Band:
       painter.fillRect(area, colours.brush(role));
       return;
-    case Role::LocalMap:
+    case Layer::LocalMap:
       painter.fillRect(area, colours[role]);
       return;
-    case Role::Particle:
+    case Layer::Changes:
+      painter.setPen(QPen(colours[role], 1.6));
+      paintArrow(painter, area);
+      return;
+    case Layer::PoseSpread:
+      painter.setPen(QPen(colours[role], 1.2));
+      painter.drawEllipse(area.adjusted(5.0, 0.0, -5.0, 0.0));
+      return;
+    case Layer::Rays:
+      painter.setPen(QPen(colours[role], 1.0));
+      for (const double y : {0.0, 0.5, 1.0}) {
+        painter.drawLine(QPointF(area.left(), area.center().y()),
+                         QPointF(area.right(), area.top() + y * area.height()));
+      }
+      return;
+    case Layer::Particles:
       painter.setPen(QPen(colours.particle(1.0), 4.0, Qt::SolidLine, Qt::RoundCap));
       painter.drawPoint(area.center());
       painter.setPen(QPen(colours.particle(0.4), 3.0, Qt::SolidLine, Qt::RoundCap));
@@ -38,40 +72,83 @@ void paintSample(QPainter& painter, Role role, const Colours& colours) {
 }  // namespace
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setSpacing(0);
-  layout->setContentsMargins(8, 4, 4, 4);
+  auto* layout = new QGridLayout(this);
+  layout->setVerticalSpacing(0);
+  layout->setContentsMargins(8, 4, 8, 4);
+  layout->setColumnStretch(0, 1);
+  int row = 0;
   for (const LayerSpec& spec : kLayers) {
+    const auto at = static_cast<std::size_t>(spec.layer);
     auto* check = new QCheckBox(tr(spec.text));
     check->setToolTip(tr(spec.hint));
     check->setObjectName(QStringLiteral("layer.%1").arg(static_cast<int>(spec.layer)));
     check->setIconSize(kSample);
     check->setChecked(true);
-    boxes_[static_cast<std::size_t>(spec.layer)] = check;
+    boxes_[at] = check;
     connect(check, &QCheckBox::toggled, this,
             [this, layer = spec.layer](bool on) { Q_EMIT toggled(layer, on); });
-    layout->addWidget(check);
+    layout->addWidget(check, row, 0);
+    if (hasOpacity(spec.layer)) layout->addWidget(sliders_[at] = makeSlider(spec), row, 1);
+    ++row;
   }
-  layout->addStretch();
+  for (const auto& [sample, text] :
+       {std::pair(&unseen_sample_, tr("A wall that nobody saw")),
+        std::pair(&doubtful_sample_, tr("A doubtful building: point at it to read why"))}) {
+    auto* line = new QHBoxLayout;
+    line->setContentsMargins(kBesideBox, 2, 0, 0);
+    line->addWidget(*sample = new QLabel);
+    auto* words = new QLabel(text);
+    words->setWordWrap(true);
+    line->addWidget(words, 1);
+    layout->addLayout(line, row++, 0, 1, 2);
+  }
+  layout->setRowStretch(row, 1);
   paintSamples();
+}
+
+QSlider* LayersPanel::makeSlider(const LayerSpec& spec) {
+  auto* slider = new QSlider(Qt::Horizontal);
+  slider->setRange(kLeastPercent, 100);
+  slider->setValue(100);
+  slider->setFixedWidth(kSliderWidth);
+  slider->setAccessibleName(tr("%1: how strongly it is drawn").arg(tr(spec.text)));
+  slider->setToolTip(tr("How strongly it is drawn"));
+  connect(slider, &QSlider::valueChanged, this, [this, layer = spec.layer](int percent) {
+    Q_EMIT opacityChanged(layer, percent / 100.0);
+  });
+  return slider;
 }
 
 bool LayersPanel::isOn(Layer layer) const { return box(layer)->isChecked(); }
 void LayersPanel::setOn(Layer layer, bool on) { box(layer)->setChecked(on); }
-void LayersPanel::setAvailable(Layer layer, bool available) { box(layer)->setEnabled(available); }
+void LayersPanel::setAvailable(Layer layer, bool available) {
+  box(layer)->setEnabled(available);
+  if (QSlider* slider = sliders_[static_cast<std::size_t>(layer)]) slider->setEnabled(available);
+}
 
 void LayersPanel::paintSamples() {
   const Colours& colours = Colours::of(palette());
-  for (const LayerSpec& spec : kLayers) {
+  const auto painted = [this](auto paint) {
     QPixmap sample(kSample * devicePixelRatioF());
     sample.setDevicePixelRatio(devicePixelRatioF());
     sample.fill(Qt::transparent);
     QPainter painter(&sample);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintSample(painter, spec.role, colours);
-    painter.end();
-    box(spec.layer)->setIcon(sample);
+    paint(painter);
+    return sample;
+  };
+  for (const LayerSpec& spec : kLayers) {
+    box(spec.layer)->setIcon(painted([&](QPainter& painter) {
+      paintSample(painter, spec, colours);
+    }));
   }
+  unseen_sample_->setPixmap(painted([&](QPainter& painter) {
+    painter.setPen(CorrectedMapItem::unseenPen(colours));
+    painter.drawLine(2, kSample.height() / 2, kSample.width() - 2, kSample.height() / 2);
+  }));
+  doubtful_sample_->setPixmap(painted([&](QPainter& painter) {
+    painter.fillRect(QRect({2, 2}, kSample - QSize(4, 4)), colours.brush(Role::Doubtful));
+  }));
 }
 
 void LayersPanel::changeEvent(QEvent* event) {

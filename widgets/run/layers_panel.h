@@ -1,4 +1,5 @@
-// The switches of the layers, each with the sample of how it is drawn: the legend too.
+// The switches of the layers, each with the sample of how it is drawn, the legend too, and with how
+// strongly it is drawn.
 #pragma once
 
 #include <QWidget>
@@ -7,6 +8,8 @@
 #include "widgets/run/layers.h"
 
 class QCheckBox;
+class QLabel;
+class QSlider;
 
 namespace handmap {
 
@@ -22,15 +25,20 @@ class LayersPanel : public QWidget {
 
  Q_SIGNALS:
   void toggled(handmap::Layer layer, bool on);
+  void opacityChanged(handmap::Layer layer, double share);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
+  QSlider* makeSlider(const LayerSpec& spec);
   void paintSamples();
   QCheckBox* box(Layer layer) const { return boxes_[static_cast<std::size_t>(layer)]; }
 
   std::array<QCheckBox*, static_cast<std::size_t>(Layer::Count)> boxes_{};
+  QLabel* unseen_sample_;    ///< of a wall that nobody saw
+  QLabel* doubtful_sample_;  ///< of a doubtful building
+  std::array<QSlider*, static_cast<std::size_t>(Layer::Count)> sliders_{};
 };
 
 }  // namespace handmap

@@ -1,6 +1,8 @@
 #include "widgets/run/report_series.h"
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace handmap {
 
@@ -8,28 +10,36 @@ namespace {
 
 using Point = ReportSeries::Point;
 
-constexpr std::array kStages = {&StageTimes::read,      &StageTimes::stereo, &StageTimes::classify,
-                                &StageTimes::local_map, &StageTimes::slam,   &StageTimes::total};
+constexpr std::array kValues = {&Point::frame, &Point::time_s, &Point::effective_sample_size,
+                                &Point::spread_m, &Point::error_m};
+constexpr std::array kTimes = {&StageTimes::read,      &StageTimes::stereo, &StageTimes::classify,
+                               &StageTimes::local_map, &StageTimes::slam,   &StageTimes::total};
 
 Point sum(Point a, const Point& b) {
-  a.frame += b.frame;
-  a.effective_sample_size += b.effective_sample_size;
-  for (const auto stage : kStages) a.ms.*stage += b.ms.*stage;
+  for (const auto value : kValues) a.*value += b.*value;
+  for (const auto stage : kTimes) a.ms.*stage += b.ms.*stage;
   return a;
 }
 
 Point scaled(Point point, double factor) {
-  point.frame *= factor;
-  point.effective_sample_size *= factor;
-  for (const auto stage : kStages) point.ms.*stage *= factor;
+  for (const auto value : kValues) point.*value *= factor;
+  for (const auto stage : kTimes) point.ms.*stage *= factor;
   return point;
+}
+
+Point pointOf(const FrameReport& report, std::optional<double> error_m) {
+  return {static_cast<double>(report.frame),
+          report.time_s,
+          report.effective_sample_size,
+          std::hypot(report.pose_sigma[0], report.pose_sigma[1]),
+          error_m.value_or(std::numeric_limits<double>::quiet_NaN()),
+          report.ms};
 }
 
 }  // namespace
 
-void ReportSeries::add(const FrameReport& report) {
-  gathering_ =
-      sum(gathering_, {static_cast<double>(report.frame), report.effective_sample_size, report.ms});
+void ReportSeries::add(const FrameReport& report, std::optional<double> error_m) {
+  gathering_ = sum(gathering_, pointOf(report, error_m));
   if (++gathered_ < reports_a_point_) return;
   points_.push_back(scaled(gathering_, 1.0 / gathered_));
   gathering_ = {};

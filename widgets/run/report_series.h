@@ -2,6 +2,7 @@
 // is.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/session/snapshot.h"
@@ -14,13 +15,17 @@ class ReportSeries {
  public:
   static constexpr std::size_t kMostPoints = 512;
 
-  void add(const FrameReport& report);
+  /// `error_m`: of the position, where the truth is known.
+  void add(const FrameReport& report, std::optional<double> error_m = {});
   void clear();
 
-  /// Frames, times and sizes are means over the reports of a point.
+  /// All are means over the reports of a point.
   struct Point {
     double frame = 0.0;
+    double time_s = 0.0;
     double effective_sample_size = 0.0;
+    double spread_m = 0.0;  ///< σ of the position, of both axes together
+    double error_m = 0.0;   ///< NaN where the truth is not known
     StageTimes ms;
   };
   const std::vector<Point>& points() const { return points_; }

@@ -17,10 +17,15 @@ void RobotItem::setPose(const Pose2& pose) {
   update();
 }
 
+void RobotItem::setViewTurn(double turn_rad) {
+  view_turn_ = turn_rad;
+  update();
+}
+
 void RobotItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   static const QPolygonF kArrow({{11.0, 0.0}, {-7.0, 7.5}, {-3.5, 0.0}, {-7.0, -7.5}});
   painter->setRenderHint(QPainter::Antialiasing);
-  painter->rotate(-toDegrees(heading_));  // pixels: y points down
+  painter->rotate(-toDegrees(heading_ + view_turn_));  // pixels: y points down
   if (role_ == Role::Truth) {
     painter->setPen(colours_->pen(role_));
     painter->setBrush(Qt::NoBrush);

@@ -15,6 +15,8 @@ class RobotItem : public QGraphicsItem {
 
   void setColours(const Colours& colours);
   void setPose(const Pose2& pose);
+  /// How the map is turned where it is shown, radians, counter-clockwise.
+  void setViewTurn(double turn_rad);
 
   QRectF boundingRect() const override { return {-14.0, -14.0, 28.0, 28.0}; }  // pixels
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -23,6 +25,7 @@ class RobotItem : public QGraphicsItem {
   Role role_;
   const Colours* colours_ = &Colours::light();
   double heading_ = 0.0;
+  double view_turn_ = 0.0;
 };
 
 }  // namespace handmap

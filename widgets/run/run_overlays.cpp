@@ -2,11 +2,16 @@
 
 #include <QGraphicsScene>
 
+#include "widgets/run/bands_item.h"
+#include "widgets/run/changes_item.h"
 #include "widgets/run/corrected_map_item.h"
 #include "widgets/run/local_map_item.h"
 #include "widgets/run/particles_item.h"
 #include "widgets/run/path_item.h"
+#include "widgets/run/pose_spread_item.h"
+#include "widgets/run/rays_item.h"
 #include "widgets/run/robot_item.h"
+#include "widgets/run/scene_points.h"
 #include "widgets/run/swarms_item.h"
 
 namespace handmap {
@@ -15,17 +20,22 @@ RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
     : QObject(parent),
       local_map_(std::make_unique<LocalMapItem>()),
       swarms_(std::make_unique<SwarmsItem>()),
+      bands_(std::make_unique<BandsItem>()),
       corrected_(std::make_unique<CorrectedMapItem>()),
       truth_(std::make_unique<PathItem>(Role::Truth)),
       odometry_(std::make_unique<PathItem>(Role::Odometry)),
       trajectory_(std::make_unique<PathItem>(Role::Trajectory)),
+      rays_(std::make_unique<RaysItem>()),
       particles_(std::make_unique<ParticlesItem>()),
+      pose_spread_(std::make_unique<PoseSpreadItem>()),
       true_robot_(std::make_unique<RobotItem>(Role::Truth)),
-      robot_(std::make_unique<RobotItem>(Role::Trajectory)) {
+      robot_(std::make_unique<RobotItem>(Role::Trajectory)),
+      changes_(std::make_unique<ChangesItem>()) {
   visible_.fill(true);
   for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{
-           local_map_.get(), swarms_.get(), corrected_.get(), truth_.get(), odometry_.get(),
-           trajectory_.get(), particles_.get(), true_robot_.get(), robot_.get()}) {
+           local_map_.get(), swarms_.get(), bands_.get(), corrected_.get(), truth_.get(),
+           odometry_.get(), trajectory_.get(), rays_.get(), particles_.get(), pose_spread_.get(),
+           true_robot_.get(), robot_.get(), changes_.get()}) {
     item->setZValue(z);
     item->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(item);
@@ -39,59 +49,141 @@ RunOverlays::~RunOverlays() = default;
 void RunOverlays::setColours(const Colours& colours) {
   local_map_->setColours(colours);
   swarms_->setColours(colours);
+  bands_->setColours(colours);
   corrected_->setColours(colours);
   truth_->setColours(colours);
   odometry_->setColours(colours);
   trajectory_->setColours(colours);
+  rays_->setColours(colours);
   particles_->setColours(colours);
+  pose_spread_->setColours(colours);
   true_robot_->setColours(colours);
   robot_->setColours(colours);
+  changes_->setColours(colours);
+}
+
+std::vector<QGraphicsItem*> RunOverlays::itemsOf(Layer layer) const {
+  switch (layer) {
+    case Layer::LocalMap:
+      return {local_map_.get()};
+    case Layer::Swarms:
+      return {swarms_.get()};
+    case Layer::Band:
+      return {bands_.get()};
+    case Layer::Corrected:
+      return {corrected_.get()};
+    case Layer::Changes:
+      return {changes_.get()};
+    case Layer::PoseSpread:
+      return {pose_spread_.get()};
+    case Layer::Rays:
+      return {rays_.get()};
+    case Layer::Particles:
+      return {particles_.get()};
+    case Layer::Trajectory:
+      return {trajectory_.get(), robot_.get()};
+    case Layer::Odometry:
+      return {odometry_.get()};
+    case Layer::Truth:
+      return {truth_.get(), true_robot_.get()};
+    default:
+      return {};
+  }
 }
 
 void RunOverlays::setLayerVisible(Layer layer, bool visible) {
   visible_[static_cast<std::size_t>(layer)] = visible;
   updateVisibility();
+  if (layer == Layer::Corrected) tellOutlines();
+}
+
+void RunOverlays::setLayerOpacity(Layer layer, double share) {
+  for (QGraphicsItem* item : itemsOf(layer)) item->setOpacity(share);
+}
+
+void RunOverlays::setViewTurn(double turn_rad) {
+  robot_->setViewTurn(turn_rad);
+  true_robot_->setViewTurn(turn_rad);
 }
 
 void RunOverlays::updateVisibility() {
-  local_map_->setVisible(has_snapshot_ && isOn(Layer::LocalMap));
-  swarms_->setVisible(has_snapshot_ && isOn(Layer::Swarms));
-  corrected_->setVisible(has_snapshot_ && (isOn(Layer::Corrected) || isOn(Layer::Band)));
-  corrected_->setOutlinesVisible(isOn(Layer::Corrected));
-  corrected_->setBandsVisible(isOn(Layer::Band));
+  for (const LayerSpec& spec : kLayers) {
+    for (QGraphicsItem* item : itemsOf(spec.layer)) {
+      item->setVisible(has_snapshot_ && isOn(spec.layer));
+    }
+  }
   truth_->setVisible(isOn(Layer::Truth));
-  odometry_->setVisible(has_snapshot_ && isOn(Layer::Odometry));
-  trajectory_->setVisible(has_snapshot_ && isOn(Layer::Trajectory));
-  robot_->setVisible(has_snapshot_ && isOn(Layer::Trajectory));
-  particles_->setVisible(has_snapshot_ && isOn(Layer::Particles));
   true_robot_->setVisible(has_true_pose_ && isOn(Layer::Truth));
+  rays_->setVisible(has_story_ && isOn(Layer::Rays));
 }
 
-void RunOverlays::setTruth(const std::vector<StampedPose>& way) { truth_->setPoses(way); }
+void RunOverlays::setDrawing(const Map& drawing) { drawing_ = drawing; }
 
-void RunOverlays::setTruthMap(const Map& truth) { truth_->setBuildings(truth.buildings); }
+void RunOverlays::setTruth(const std::vector<StampedPose>& way) {
+  truth_->setPoses(way);
+  Q_EMIT truthChanged(way);
+}
+
+void RunOverlays::setTruthMap(const Map& truth) {
+  truth_->setBuildings(truth.buildings);
+  truth_map_ = truth;
+}
 
 void RunOverlays::show(const Snapshot& snapshot) {
   has_snapshot_ = true;
   has_true_pose_ = snapshot.truth.has_value();
   local_map_->setLocalMap(snapshot.local_map, snapshot.report.pose);
   swarms_->setSwarms(snapshot.swarms);
-  if (snapshot.map) corrected_->setMap(*snapshot.map);
+  if (snapshot.map) showMap(*snapshot.map);
   odometry_->setPoses(snapshot.odometry.all());
-  trajectory_->setPoses(snapshot.trajectory.all());
+  shown_way_ = snapshot.trajectory.all();
+  trajectory_->setPoses(shown_way_);
   particles_->setParticles(snapshot.particles);
+  pose_spread_->setReport(snapshot.report);
   robot_->setPose(snapshot.report.pose);
   if (snapshot.truth) true_robot_->setPose(*snapshot.truth);
+  updateVisibility();
+  Q_EMIT shown(snapshot);
+}
+
+void RunOverlays::showMap(const Map& map) {
+  shown_map_ = map;
+  corrected_->setMap(map);
+  bands_->setMap(map);
+  changes_->setChanges(drawing_, map, truth_map_ ? &*truth_map_ : nullptr);
+  tellOutlines();
+}
+
+void RunOverlays::tellOutlines() {
+  QHash<QString, QPolygonF> outlines;
+  if (shown_map_ && isOn(Layer::Corrected)) {
+    for (const Building& building : shown_map_->buildings) {
+      if (!building.estimate || building.estimate->observations == 0) continue;
+      outlines.insert(QString::fromStdString(building.id), toScene(building.footprint()));
+    }
+  }
+  Q_EMIT outlinesChanged(outlines);
+}
+
+void RunOverlays::showStory(const WallStory* story, std::optional<std::size_t> chosen_witness) {
+  has_story_ = story != nullptr;
+  rays_->setStory(story, chosen_witness);
   updateVisibility();
 }
 
 void RunOverlays::clear() {
   has_snapshot_ = false;
   has_true_pose_ = false;
+  truth_map_.reset();
+  shown_map_.reset();
+  shown_way_.clear();
   truth_->setPoses({});
   truth_->setBuildings({});
   local_map_->setLocalMap({}, {});
-  updateVisibility();
+  changes_->clear();
+  showStory(nullptr, {});
+  tellOutlines();
+  Q_EMIT cleared();
 }
 
 }  // namespace handmap

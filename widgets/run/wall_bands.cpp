@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/map/certainty.h"
+
 namespace handmap {
 
 namespace {
@@ -10,18 +12,30 @@ Vec2 outwardNormal(const Vec2& a, const Vec2& b) { return -perpendicular((b - a)
 
 }  // namespace
 
-std::vector<double> wallSigmas(const Building& building) {
+std::vector<Polygon> wallBands(const Building& building) {
   const Polygon footprint = building.footprint();
-  std::vector<double> sigmas(footprint.size(), 0.0);
-  if (!building.estimate) return sigmas;
-  const Estimate& estimate = *building.estimate;
-  const Vec2 along = unitVector(building.box().heading);
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    const Vec2 normal = outwardNormal(footprint[i], footprint[(i + 1) % footprint.size()]);
-    sigmas[i] = std::hypot(normal.x() * estimate.sigma_x, normal.y() * estimate.sigma_y,
-                           0.5 * normal.dot(along) * estimate.sigma_width);
+  const std::vector<SideEstimate> walls = wallsOf(building);
+  std::vector<double> outwards;
+  std::vector<double> inwards;
+  for (const auto& [sigma, seen] : walls) {
+    outwards.push_back(seen ? sigma : 0.0);
+    inwards.push_back(-outwards.back());
   }
-  return sigmas;
+  const Polygon outer = offsetWalls(footprint, outwards);
+  const Polygon inner = offsetWalls(footprint, inwards);
+  std::vector<Polygon> bands;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (!walls[i].seen || walls[i].sigma <= 0.0) continue;
+    const std::size_t next = (i + 1) % walls.size();
+    const Vec2& a = footprint[i];
+    const Vec2& b = footprint[next];
+    const Vec2 aside = walls[i].sigma * outwardNormal(a, b);
+    // Surer of nothing than the building is wide: the corners of the walls say no more.
+    const bool mitred = !outer.empty() && !inner.empty();
+    bands.push_back(mitred ? Polygon{inner[i], inner[next], outer[next], outer[i]}
+                           : Polygon{a - aside, b - aside, b + aside, a + aside});
+  }
+  return bands;
 }
 
 Polygon offsetWalls(const Polygon& footprint, const std::vector<double>& offsets_m) {

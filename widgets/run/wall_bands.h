@@ -7,9 +7,8 @@
 
 namespace handmap {
 
-/// One standard deviation of each wall of the footprint (from corner i to i + 1) along its normal,
-/// metres: of the centre, and of half the width for walls that end it.
-std::vector<double> wallSigmas(const Building& building);
+/// One standard deviation to both sides of each wall that was seen; of other walls nothing.
+std::vector<Polygon> wallBands(const Building& building);
 
 /// The footprint with each wall moved outwards by its offset (inwards when negative); corners stay
 /// corners. Empty when the walls would pass through each other.

@@ -1,11 +1,15 @@
 #include <QCheckBox>
+#include <QItemSelectionModel>
 #include <QSettings>
+#include <QSlider>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
-#include "widgets/run/buildings_model.h"
+#include "core/map/certainty.h"
+#include "widgets/run/buildings_panel.h"
 #include "widgets/run/camera_panel.h"
 #include "widgets/run/charts_panel.h"
 #include "widgets/run/layers_panel.h"
@@ -30,6 +34,20 @@ TEST(LayersPanel, EverySwitchTellsOfItsLayer) {
   EXPECT_EQ(heard.size(), kLayers.size());
 }
 
+TEST(LayersPanel, EachLayerHasAnOpacityButPicturesAndTheGrid) {
+  LayersPanel panel;
+  std::map<Layer, double> heard;
+  QObject::connect(&panel, &LayersPanel::opacityChanged, &panel,
+                   [&heard](Layer layer, double share) { heard[layer] = share; });
+  for (auto* slider : panel.findChildren<QSlider*>()) {
+    EXPECT_FALSE(slider->accessibleName().isEmpty());
+    slider->setValue(40);
+  }
+  EXPECT_EQ(heard.size(), kLayers.size() - 2);
+  EXPECT_FALSE(heard.contains(Layer::Grid));
+  EXPECT_DOUBLE_EQ(heard[Layer::Band], 0.4);
+}
+
 TEST(LayersPanel, ALayerWithNothingToShowIsGrey) {
   LayersPanel panel;
   panel.setAvailable(Layer::Truth, false);
@@ -52,21 +70,110 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   BuildingsModel model;
   model.setDrawing(mapWith(10.0, 40.0, {}));
   EXPECT_EQ(model.rowCount(), 0);
-  model.setRefined(mapWith(12.5, 38.0, Estimate{0.25, 0.1, 0.5, 4}));
+  Map refined = mapWith(12.5, 38.0, Estimate{0.25, 0.1, 0.5, 4});
+  setSides(refined.buildings[0], {{{0.2, true}, {0.3, true}, {2.0, false}, {0.4, true}}});
+  setDoubt(refined.buildings[0], 0.3);
+  model.setRefined(refined);
   ASSERT_EQ(model.rowCount(), 1);
   const auto text = [&model](int column) {
     return model.data(model.index(0, column), Qt::DisplayRole).toString();
   };
-  EXPECT_EQ(text(BuildingsModel::Id), "N1");
-  EXPECT_EQ(text(BuildingsModel::X), "12.50");
-  EXPECT_EQ(text(BuildingsModel::SigmaX), "0.25");
-  EXPECT_EQ(text(BuildingsModel::Width), "38.00");
-  EXPECT_EQ(text(BuildingsModel::SigmaWidth), "0.50");
-  EXPECT_EQ(text(BuildingsModel::MovedX), "+2.50");
-  EXPECT_EQ(text(BuildingsModel::MovedY), "0.00");
-  EXPECT_EQ(text(BuildingsModel::Widened), "-2.00");
+  EXPECT_EQ(text(BuildingsModel::Name), "N1");
+  EXPECT_EQ(text(BuildingsModel::Moved), "2.50");
+  EXPECT_EQ(text(BuildingsModel::Doubt), "30");
+  EXPECT_EQ(text(BuildingsModel::SigmaRight), "0.20");
+  EXPECT_EQ(text(BuildingsModel::SigmaUp), "0.30");
+  EXPECT_EQ(text(BuildingsModel::SigmaLeft), "(2.00)") << "nobody saw it";
+  EXPECT_EQ(text(BuildingsModel::SigmaDown), "0.40");
+  EXPECT_EQ(text(BuildingsModel::Observations), "4");
+  EXPECT_EQ(text(BuildingsModel::DrawnX), "10.00");
+  EXPECT_EQ(text(BuildingsModel::NowX), "12.50");
+  EXPECT_EQ(text(BuildingsModel::Wider), "-2.00");
+  EXPECT_EQ(text(BuildingsModel::Deeper), "0.00");
+  EXPECT_EQ(text(BuildingsModel::Error), "–");
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(BuildingsModel, TheSigmasAreThoseOfTheDirectionsOfTheMap) {
+  BuildingsModel model;
+  Map drawing = mapWith(10.0, 40.0, {});
+  std::get<Rectangle>(drawing.buildings[0].shape).heading = kPi / 2.0;  // ahead is up
+  model.setDrawing(drawing);
+  Map refined = drawing;
+  refined.buildings[0].estimate = Estimate{0.1, 0.1, 0.1, 3};
+  setSides(refined.buildings[0], {{{1.0, true}, {2.0, true}, {3.0, true}, {4.0, true}}});
+  model.setRefined(refined);
+  const auto number = [&model](int column) {
+    return model.data(model.index(0, column), BuildingsModel::kSortRole).toDouble();
+  };
+  EXPECT_EQ(number(BuildingsModel::SigmaUp), 1.0);
+  EXPECT_EQ(number(BuildingsModel::SigmaLeft), 2.0);
+  EXPECT_EQ(number(BuildingsModel::SigmaDown), 3.0);
+  EXPECT_EQ(number(BuildingsModel::SigmaRight), 4.0);
+}
+
+/// Three buildings, moved by 2, 10 and 1 m; the last has a name with a comma.
+struct Row {
+  Row() {
+    for (int i = 0; i < 3; ++i) {
+      Building building;
+      building.id = "N" + std::to_string(i);
+      building.shape = Rectangle{{20.0 * i, 0.0}, 10.0, 10.0, 0.0};
+      drawing.buildings.push_back(building);
+    }
+    drawing.buildings[2].name = "Bar, \"Inn\"";
+    refined = drawing;
+    const double moved[] = {2.0, 10.0, 1.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      Building& building = refined.buildings[i];
+      std::get<Rectangle>(building.shape).centre.y() = moved[i];
+      building.estimate = Estimate{0.1, 0.1, 0.1, 3};
+    }
+    setSides(refined.buildings[0], {{{0.2, true}, {0.3, false}, {0.2, true}, {0.3, true}}});
+  }
+  Map drawing;
+  Map refined;
+};
+
+TEST(BuildingsPanel, SortsByNumbersAndIsInStepWithTheSelection) {
+  const Row row;
+  BuildingsPanel panel;
+  panel.model().setDrawing(row.drawing);
+  panel.model().setRefined(row.refined);
+  const auto first = [&panel] { return panel.table().model()->index(0, 0).data().toString(); };
+  EXPECT_EQ(first(), "N1") << "ten comes before two";
+  panel.table().sortByColumn(BuildingsModel::Moved, Qt::AscendingOrder);
+  EXPECT_EQ(first(), "N2 · Bar, \"Inn\"");
+  QStringList heard = {"nothing"};
+  QObject::connect(&panel, &BuildingsPanel::selectionChanged, &panel,
+                   [&heard](const QStringList& ids) { heard = ids; });
+  panel.select({"N0", "unknown"});
+  EXPECT_EQ(heard, QStringList{"nothing"}) << "who was told does not tell";
+  ASSERT_EQ(panel.table().selectionModel()->selectedRows().size(), 1);
+  EXPECT_EQ(panel.table().selectionModel()->selectedRows()[0].data().toString(), "N0");
+  panel.table().selectRow(0);
+  EXPECT_EQ(heard, QStringList{"N2"});
+  Map other = row.refined;
+  other.buildings.pop_back();  // another set of rows
+  panel.select({"N1"});
+  panel.model().setRefined(other);
+  EXPECT_EQ(panel.table().selectionModel()->selectedRows()[0].data().toString(), "N1");
+}
+
+TEST(BuildingsPanel, CopiesAsCsv) {
+  const Row row;
+  BuildingsPanel panel;
+  panel.model().setDrawing(row.drawing);
+  panel.model().setRefined(row.refined);
+  const QStringList lines = panel.csv().split('\n');
+  ASSERT_EQ(lines.size(), 5);  // titles, three, and the end of the last line
+  EXPECT_TRUE(lines[0].startsWith("Building,Moved (m),")) << lines[0].toStdString();
+  EXPECT_FALSE(lines[0].contains("Off")) << "the truth is not known";
+  EXPECT_TRUE(lines[1].startsWith("N1,10.000,")) << lines[1].toStdString();
+  EXPECT_TRUE(lines[2].startsWith("N0,2.000,0.000,0.200,,0.200,0.300,3,"))
+      << "a wall that nobody saw has no figure: " << lines[2].toStdString();
+  EXPECT_TRUE(lines[3].startsWith("\"N2 · Bar, \"\"Inn\"\"\",")) << lines[3].toStdString();
 }
 
 TEST(BuildingsModel, LeavesOutWhatTheRunHasNotSeen) {
@@ -188,23 +295,6 @@ TEST(CameraPanel, UnknownDisparitiesAreBlack) {
   EXPECT_EQ(image.pixelColor(0, 0), QColor(Qt::black));
   EXPECT_NE(image.pixelColor(1, 1), QColor(Qt::black));
   EXPECT_TRUE(disparityImage({}).isNull());
-}
-
-TEST(ChartsPanel, TakesAnyNumberOfReports) {
-  ChartsPanel panel;
-  panel.resize(300, 300);
-  std::vector<FrameReport> reports(5000);
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    reports[i].frame = static_cast<int>(i);
-    reports[i].effective_sample_size = 50.0;
-    reports[i].ms.slam = 20.0;
-  }
-  const QImage before = panel.grab().toImage();
-  panel.add(reports);
-  const QImage after = panel.grab().toImage();
-  EXPECT_NE(before, after);
-  panel.clear();
-  EXPECT_NE(panel.grab().toImage(), after);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/map/certainty.h"
 #include "widgets/run/particles_item.h"
 
 namespace handmap {
@@ -24,6 +25,7 @@ std::shared_ptr<Snapshot> fullSnapshot() {
   map.buildings = {building};
   snapshot->map = Lazy<Map>([map] { return map; });
   snapshot->report.pose = {20.0, 30.0, kPi / 2};
+  snapshot->report.pose_sigma = {4.0, 1.0, 0.1};
   snapshot->particles = {{{10.0, 5.0, 0.0}, 1.0}};
   snapshot->swarms = {{0, {Rectangle{{30.0, 22.0}, 6.0, 4.0, 0.0}.corners()}}};
   snapshot->trajectory =
@@ -39,6 +41,14 @@ std::shared_ptr<Snapshot> fullSnapshot() {
   snapshot->local_map = LazyLocalMap(20.0, [local_map] { return local_map; });
   snapshot->truth = Pose2{50.0, 20.0, 0.0};
   return snapshot;
+}
+
+/// The building of fullSnapshot(), drawn 12 m farther down.
+Map drawnElsewhere() {
+  Map drawing = *fullSnapshot()->map;
+  std::get<Rectangle>(drawing.buildings[0].shape).centre.y() -= 12.0;
+  drawing.buildings[0].estimate.reset();
+  return drawing;
 }
 
 class RunOverlaysTest : public testing::Test {
@@ -99,11 +109,13 @@ TEST_F(RunOverlaysTest, EverythingLiesWhereItIsInTheMap) {
 }
 
 TEST_F(RunOverlaysTest, EachLayerHasItsSwitch) {
+  overlays_.setDrawing(drawnElsewhere());
   overlays_.show(*fullSnapshot());
   const std::vector<std::pair<Layer, QPointF>> places = {
       {Layer::Particles, {10.0, 5.0}}, {Layer::Trajectory, {7.0, 15.0}},
       {Layer::Odometry, {7.0, 20.0}},  {Layer::LocalMap, {15.0, 40.0}},
       {Layer::Truth, {50.0, 20.0}},    {Layer::Swarms, {33.0, 22.0}},
+      {Layer::Changes, {40.0, 37.0}},  {Layer::PoseSpread, {23.8, 30.0}},
   };
   for (const auto& [layer, at] : places) {
     EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y())));
@@ -138,6 +150,97 @@ TEST_F(RunOverlaysTest, TheBandReachesOneSigmaToBothSides) {
   EXPECT_FALSE(isBlank(at(30.8)));
   EXPECT_TRUE(isBlank(at(28.5)));
   EXPECT_TRUE(isBlank(at(31.5)));
+}
+
+/// fullSnapshot() with another certainty of its building.
+std::shared_ptr<Snapshot> snapshotWith(const std::function<void(Building&)>& change) {
+  auto snapshot = fullSnapshot();
+  Map map = *snapshot->map;
+  change(map.buildings[0]);
+  snapshot->map = Lazy<Map>([map] { return map; });
+  return snapshot;
+}
+
+TEST_F(RunOverlaysTest, AWallThatNobodySawIsDashedAndHasNoBand) {
+  overlays_.show(*snapshotWith([](Building& building) {
+    setSides(building, {{{1.0, true}, {1.0, true}, {1.0, false}, {1.0, true}}});
+  }));
+  const QImage image = picture();
+  const auto painted = [&image](double x) {  // rows of the left or the right wall
+    int rows = 0;
+    for (double y = 42.0; y < 48.0; y += 0.125) {
+      const QPoint at(static_cast<int>(x * kScale),
+                      image.height() - 1 - static_cast<int>(y * kScale));
+      rows += isBlank(image.pixelColor(at)) ? 0 : 1;
+    }
+    return rows;
+  };
+  EXPECT_EQ(painted(50.0), 48);
+  EXPECT_EQ(painted(50.7), 48) << "its band";
+  EXPECT_GT(painted(30.0), 10);
+  EXPECT_LT(painted(30.0), 40) << "dashes";
+  EXPECT_EQ(painted(30.7), 0) << "no band";
+}
+
+TEST_F(RunOverlaysTest, ADoubtfulBuildingIsHatched) {
+  overlays_.show(*fullSnapshot());
+  EXPECT_TRUE(isBlank(darkestNear(picture(), 40.0, 45.0)));
+  overlays_.show(*snapshotWith([](Building& building) { setDoubt(building, 0.4); }));
+  EXPECT_FALSE(isBlank(darkestNear(picture(), 40.0, 45.0)));
+}
+
+TEST_F(RunOverlaysTest, LabelsAreToldWhereTheCorrectedBuildingsStand) {
+  QHash<QString, QPolygonF> told;
+  QObject::connect(&overlays_, &RunOverlays::outlinesChanged, &overlays_,
+                   [&told](const QHash<QString, QPolygonF>& outlines) { told = outlines; });
+  overlays_.show(*fullSnapshot());
+  ASSERT_TRUE(told.contains("N1"));
+  EXPECT_EQ(told["N1"].boundingRect(), QRectF(30.0, 40.0, 20.0, 10.0));
+  overlays_.setLayerVisible(Layer::Corrected, false);
+  EXPECT_TRUE(told.isEmpty()) << "a label does not stand on what is not shown";
+  overlays_.setLayerVisible(Layer::Corrected, true);
+  EXPECT_FALSE(told.isEmpty());
+  overlays_.clear();
+  EXPECT_TRUE(told.isEmpty());
+}
+
+TEST_F(RunOverlaysTest, SnapshotsMayComeInAnyOrder) {
+  auto later = fullSnapshot();
+  later->report.pose = {50.0, 10.0, 0.0};
+  later->truth.reset();
+  overlays_.show(*fullSnapshot());
+  const QImage first = picture();
+  overlays_.show(*later);
+  EXPECT_NE(picture(), first);
+  overlays_.show(*fullSnapshot());
+  EXPECT_EQ(picture(), first);
+}
+
+TEST_F(RunOverlaysTest, ALayerCanBeFaint) {
+  overlays_.show(*fullSnapshot());
+  const int strong = darkestNear(picture(), 7.0, 15.0).lightness();
+  overlays_.setLayerOpacity(Layer::Trajectory, 0.2);
+  const int faint = darkestNear(picture(), 7.0, 15.0).lightness();
+  EXPECT_GT(faint, strong + 30);
+  EXPECT_LT(faint, 255);
+}
+
+TEST_F(RunOverlaysTest, TheRaysOfAWallAreShownUntilTheyAreTakenAway) {
+  WallStory story;
+  story.wall = {{5.0, 55.0}, {15.0, 55.0}};
+  WallWitness witness;
+  witness.pose = {10.0, 40.0, 0.0};
+  witness.returns = {{10.0, 55.0}};
+  story.witnesses = {witness};
+  story.rays = 1;
+  overlays_.showStory(&story, 0);
+  EXPECT_FALSE(isBlank(darkestNear(picture(), 10.0, 47.0))) << "the ray";
+  EXPECT_FALSE(isBlank(darkestNear(picture(), 6.0, 55.0))) << "the wall";
+  overlays_.setLayerVisible(Layer::Rays, false);
+  EXPECT_TRUE(isBlank(darkestNear(picture(), 10.0, 47.0)));
+  overlays_.setLayerVisible(Layer::Rays, true);
+  overlays_.showStory(nullptr, {});
+  EXPECT_TRUE(isBlank(darkestNear(picture(), 10.0, 47.0)));
 }
 
 TEST_F(RunOverlaysTest, TheNumberOfItemsDoesNotDependOnTheNumberOfParticles) {

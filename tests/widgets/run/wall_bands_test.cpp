@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/map/certainty.h"
+
 namespace handmap {
 namespace {
 
@@ -9,25 +11,38 @@ Building building(double heading) {
   Building building;
   building.shape = Rectangle{{10.0, 20.0}, 8.0, 4.0, heading};
   building.estimate = Estimate{3.0, 0.5, 8.0, 7};
+  setSides(building, {{{0.5, true}, {0.25, true}, {3.0, false}, {1.0, true}}});
   return building;
 }
 
-TEST(WallBands, EndsOfTheWidthAreAsUnsureAsCentreAndHalfTheWidth) {
-  const Building drawn = building(0.0);
-  const Polygon footprint = drawn.footprint();
-  const std::vector<double> sigmas = wallSigmas(drawn);
-  ASSERT_EQ(sigmas.size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 along = footprint[(i + 1) % 4] - footprint[i];
-    const bool ends_the_width = std::abs(along.x()) < 1e-9;
-    EXPECT_NEAR(sigmas[i], ends_the_width ? 5.0 : 0.5, 1e-12);  // 5² = 3² + (8 / 2)²
+TEST(WallBands, EachWallThatWasSeenHasTheBandOfItsOwnSigma) {
+  const std::vector<Polygon> bands = wallBands(building(0.0));
+  ASSERT_EQ(bands.size(), 3U) << "nobody saw the left wall";
+  double widest = 0.0;
+  double narrowest = 1e9;
+  for (const Polygon& band : bands) {
+    const Bounds bounds = boundsOf(band);
+    const double width = (bounds.high - bounds.low).minCoeff();
+    widest = std::max(widest, width);
+    narrowest = std::min(narrowest, width);
+    EXPECT_GT(bounds.low.x(), 5.0) << "around a wall that nobody saw there is none";
   }
+  EXPECT_NEAR(widest, 2.0, 1e-9);
+  EXPECT_NEAR(narrowest, 0.5, 1e-9);
+}
+
+TEST(WallBands, ASigmaLargerThanTheBuildingStillHasABand) {
+  Building unsure = building(0.0);
+  setSides(unsure, {{{9.0, true}, {9.0, true}, {9.0, true}, {9.0, true}}});
+  const std::vector<Polygon> bands = wallBands(unsure);
+  ASSERT_EQ(bands.size(), 4U);
+  for (const Polygon& band : bands) EXPECT_GT(std::abs(signedArea(band)), 1.0);
 }
 
 TEST(WallBands, NoEstimateNoBand) {
   Building drawn = building(0.0);
   drawn.estimate.reset();
-  EXPECT_EQ(wallSigmas(drawn), std::vector<double>(4, 0.0));
+  EXPECT_TRUE(wallBands(drawn).empty());
 }
 
 TEST(WallBands, WallsMoveAlongTheirNormals) {

@@ -1,0 +1,35 @@
+// Tells of the corrected building under the mouse: what was found, and what speaks for and against
+// it. And of the wall that is clicked.
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+
+namespace handmap {
+
+class MapCanvas;
+class RunOverlays;
+
+class BuildingHints : public QObject {
+  Q_OBJECT
+ public:
+  BuildingHints(MapCanvas& canvas, const RunOverlays& overlays, QObject* parent = nullptr);
+
+ Q_SIGNALS:
+  /// With the tool that selects; the tool hears of the click too. Indices of the building and of a
+  /// wall of its footprint.
+  void wallClicked(std::size_t building, std::size_t wall);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void click(QPointF viewport_position);
+  /// Empty: no building there.
+  QString wordsAt(QPointF viewport_position) const;
+
+  MapCanvas& canvas_;
+  const RunOverlays& overlays_;
+};
+
+}  // namespace handmap

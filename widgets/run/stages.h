@@ -1,0 +1,28 @@
+// The stages of an observation, as charts and tables name and draw them.
+#pragma once
+
+#include <Qt>
+#include <QtGlobal>
+#include <array>
+
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+struct Stage {
+  const char* name;
+  double StageTimes::*ms;
+  Qt::BrushStyle pattern;  ///< never colour alone
+};
+
+inline constexpr std::array<Stage, 5> kStages = {{
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "read"), &StageTimes::read, Qt::Dense6Pattern},
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "stereo"), &StageTimes::stereo, Qt::BDiagPattern},
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "classify"), &StageTimes::classify,
+     Qt::Dense4Pattern},
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "local map"), &StageTimes::local_map,
+     Qt::FDiagPattern},
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "slam"), &StageTimes::slam, Qt::SolidPattern},
+}};
+
+}  // namespace handmap

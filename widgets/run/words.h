@@ -1,0 +1,44 @@
+// What a run has found, in plain words. Metres and degrees.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <optional>
+
+#include "core/map/map_changes.h"
+#include "core/session/snapshot.h"
+
+namespace handmap {
+
+/// How surely the robot is where it is shown.
+enum class Certainty { Sure, Rough, Lost };
+
+/// Nine times of ten the pose is off by no more than `within_m` and `heading_rad`.
+struct PoseCertainty {
+  Certainty kind;
+  double within_m;
+  double heading_rad;
+};
+
+PoseCertainty certaintyOf(const FrameReport& report);
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(handmap::Words)
+ public:
+  /// "L3", or "L3 · Library" where it has a name.
+  static QString nameOf(const Building& building);
+  /// "upper right": a direction on the map, for people who look at it with y up.
+  static QString direction(double heading_rad);
+  /// "Sure to 0.3 m; heading to 1°", or "Lost: may be anywhere within 8 m".
+  static QString certainty(const FrameReport& report);
+  /// "4 m from L3", of the nearest building within 50 m; else coordinates.
+  static QString place(const Pose2& pose, const Map& map);
+  /// "12 buildings moved by 0.3 to 4.1 m, 2 stand as drawn, 5 were not seen. 3 are doubtful: look
+  /// at L3, L4, N1."
+  static QString changes(const MapChanges& changes, const Map& drawing);
+  /// What speaks for a corrected building and what against; lines.
+  static QString building(const Building& drawn, const Uncertainty& uncertainty,
+                          const Building& now, const Map* truth);
+};
+
+}  // namespace handmap
