@@ -101,7 +101,12 @@ LiveDrive::LiveDrive(const LiveArguments& arguments, const Map& drawing, std::ui
 
 LiveDrive::~LiveDrive() = default;
 
+void LiveDrive::tell(const std::shared_ptr<const Snapshot>& snapshot) const {
+  if (onlookers_) onlookers_->tell(snapshot);
+}
+
 std::unique_ptr<ObservationSource> LiveDrive::open(const Interrupt& interrupt, Progress& progress) {
+  onlookers_ = Onlookers::of(job_.rig, job_.monitor);
   watcher_ = std::jthread([this, &progress, end = interrupt.token()](const std::stop_token& stop) {
     const std::stop_callback on_interrupt(end, [this] { job_.monitor->end(); });
     watch(stop, progress);

@@ -12,6 +12,7 @@
 #include "app/cli/progress.h"
 #include "core/map/map.h"
 #include "drivers/live/live_source.h"
+#include "drivers/onlookers/onlookers.h"
 
 class QCoreApplication;
 
@@ -42,6 +43,9 @@ class LiveDrive {
   /// have to say is told through `progress` until this object goes; `interrupt` ends the drive.
   std::unique_ptr<ObservationSource> open(const Interrupt& interrupt, Progress& progress);
 
+  /// What was found last, for whoever looks on.
+  void tell(const std::shared_ptr<const Snapshot>& snapshot) const;
+
   /// What was passed over and refused, and where it was recorded: a few lines for stderr.
   std::string summary() const;
 
@@ -51,6 +55,7 @@ class LiveDrive {
   LiveJob job_;
   std::optional<double> for_s_;
   std::unique_ptr<QCoreApplication> application_;  ///< threads with an event loop need one
+  std::unique_ptr<Onlookers> onlookers_;
   std::jthread watcher_;
 };
 

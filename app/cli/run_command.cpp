@@ -1,3 +1,5 @@
+#include <functional>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -76,8 +78,9 @@ cv::Mat picture(const LocalMap& map) {
 }
 
 /// What it found last; nullptr when it was stopped.
-std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const std::stop_token& stop,
-                                         Progress& progress) {
+std::shared_ptr<const Snapshot> runToEnd(
+    RunSession& session, const std::stop_token& stop, Progress& progress,
+    const std::function<void(const std::shared_ptr<const Snapshot>&)>& tell = {}) {
   std::shared_ptr<const Snapshot> last;
   std::size_t skipped = 0;
   const auto done = [&] {
@@ -88,6 +91,7 @@ std::shared_ptr<const Snapshot> runToEnd(RunSession& session, const std::stop_to
     auto snapshot = session.step(stop, [&](double share) { progress.update(before, share); });
     more = snapshot != nullptr;
     if (more) last = std::move(snapshot);
+    if (more && tell) tell(last);
     if (more && session.frames().back().odometry_guessed && done() > before) {
       progress.message(fmt::format("frame {}: motion guessed", session.frames().back().frame));
     }
@@ -181,7 +185,9 @@ int runLive(const RunArguments& arguments, Map drawing) {
     return interrupt.requested() ? Interrupt::kExitStatus : static_cast<int>(ErrorCode::RunFailed);
   }
   RunSession session(std::move(drawing), std::move(source), arguments.settings);
-  const auto last = runToEnd(session, {}, progress);
+  const auto last =
+      runToEnd(session, {}, progress,
+               [&drive](const std::shared_ptr<const Snapshot>& snapshot) { drive.tell(snapshot); });
   fmt::print(stderr, "{}", drive.summary());
   return finish(arguments, session, last);
 }

@@ -25,6 +25,10 @@ QString roleInWords(DeviceRole role) {
       return LivePanel::tr("Camera");
     case DeviceRole::Head:
       return LivePanel::tr("Head");
+    case DeviceRole::ToRos:
+      return LivePanel::tr("To ROS");
+    case DeviceRole::ToFoxglove:
+      return LivePanel::tr("To Foxglove");
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "drivers/virtual/virtual_rig.h"
+#include "widgets/background/background.h"
 
 namespace handmap {
 
@@ -17,9 +18,22 @@ std::filesystem::path newFolder(const std::filesystem::path& inside) {
 
 }  // namespace
 
+LiveLink::~LiveLink() { endTelling(); }
+
 void LiveLink::begin() {
+  endTelling();
   const std::scoped_lock lock(mutex_);
   monitor_ = std::make_shared<RigMonitor>();
+  onlookers_ = Onlookers::of(rig_, monitor_);
+}
+
+/// It waits for the last messages to leave, which the window may not.
+void LiveLink::endTelling() {
+  if (onlookers_) startInBackground([onlookers = std::exchange(onlookers_, nullptr)] {});
+}
+
+void LiveLink::tell(const std::shared_ptr<const Snapshot>& snapshot) {
+  if (onlookers_) onlookers_->tell(snapshot);
 }
 
 std::shared_ptr<RigMonitor> LiveLink::monitor() const {
@@ -31,7 +45,7 @@ Robot liveRobot(const Rig& rig, MakeDevices make) {
   Robot robot;
   robot.name = QString::fromStdString(rig.name);
   robot.opening = QObject::tr("Waiting for the robot");
-  robot.live = std::make_shared<LiveLink>();
+  robot.live = std::make_shared<LiveLink>(rig);
   robot.connect = [rig, make = std::move(make), link = robot.live](
                       const ReplayOptions&, const std::stop_token& stop,
                       const std::function<void(double)>&) {

@@ -13,13 +13,13 @@
 #include <QToolButton>
 
 #include "app/gui/dialogs.h"
-#include "core/geometry/pose2.h"
 
 namespace handmap {
 
 namespace {
 
 constexpr int kMostPixels = 16384;
+constexpr int kMostPort = 65535;
 
 QString cameraHint() {
   return RigForm::tr("A device (/dev/video0), a video file, or the URL of a network camera");
@@ -37,9 +37,6 @@ void offer(QComboBox& box, const QStringList& choices) {
   box.setEditText(now);
 }
 
-std::string textOf(const QComboBox& box) { return box.currentText().trimmed().toStdString(); }
-std::string textOf(const QLineEdit& edit) { return edit.text().trimmed().toStdString(); }
-
 }  // namespace
 
 RigForm::RigForm(Dialogs& dialogs, QWidget* parent)
@@ -50,12 +47,10 @@ RigForm::RigForm(Dialogs& dialogs, QWidget* parent)
   form_->addRow(tr("Name"), name_);
   makeSensorRows(*form_);
   makeMotionRows(*form_);
-  record_ = new QLineEdit;
-  record_->setPlaceholderText(tr("not recorded"));
-  record_->setToolTip(tr("Each run gets a new folder in it"));
-  form_->addRow(tr("Record into"), withBrowse(record_, true));
+  makeOutputRows(*form_);
   connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
   connect(odometry_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
+  connect(foxglove_, &QSpinBox::valueChanged, this, &RigForm::showRows);
   connect(has_head_, &QCheckBox::toggled, this, &RigForm::showRows);
   listPorts();
   Rig rig;
@@ -70,6 +65,7 @@ void RigForm::makeSensorRows(QFormLayout& form) {
   sees_->setObjectName("rig_sees");
   sees_->addItem(tr("Stereo camera, both images in one"), static_cast<int>(Sees::SideBySide));
   sees_->addItem(tr("Two cameras"), static_cast<int>(Sees::TwoCameras));
+  sees_->addItem(tr("Two cameras over ROS"), static_cast<int>(Sees::RosCameras));
   sees_->addItem(tr("Laser scanner: Hokuyo"), static_cast<int>(Sees::Hokuyo));
   sees_->addItem(tr("Laser scanner: RPLIDAR"), static_cast<int>(Sees::Rplidar));
   sees_->addItem(tr("Laser scanner over ROS"), static_cast<int>(Sees::Ros));
@@ -78,6 +74,12 @@ void RigForm::makeSensorRows(QFormLayout& form) {
   left_ = addPort(form, tr("Camera"), cameraHint());
   left_->setObjectName("rig_camera");
   right_ = addPort(form, tr("Right camera"), cameraHint());
+  camera_ros_ = addRosbridge(form, tr("Rosbridge"));
+  camera_ros_->setObjectName("rig_camera_ros");
+  left_topic_ = new QLineEdit(QStringLiteral("/left/image_raw/compressed"));
+  right_topic_ = new QLineEdit(QStringLiteral("/right/image_raw/compressed"));
+  form.addRow(tr("Topic of the left"), left_topic_);
+  form.addRow(tr("Topic of the right"), right_topic_);
   calibration_ = new QLineEdit;
   calibration_->setObjectName("rig_calibration");
   calibration_->setToolTip(tr("calib.yml as “handmap-cli calibrate” writes it"));
@@ -120,6 +122,32 @@ void RigForm::makeMotionRows(QFormLayout& form) {
   odometry_port_->setObjectName("rig_wheels");
   odometry_topic_ = new QLineEdit(QStringLiteral("/odom"));
   form.addRow(tr("Topic"), odometry_topic_);
+}
+
+void RigForm::makeOutputRows(QFormLayout& form) {
+  record_ = new QLineEdit;
+  record_->setPlaceholderText(tr("not recorded"));
+  record_->setToolTip(tr("Each run gets a new folder in it"));
+  form.addRow(tr("Record into"), withBrowse(record_, true));
+  publish_ros_ = addRosbridge(form, tr("Tell ROS"));
+  publish_ros_->setObjectName("rig_publish_ros");
+  publish_ros_->setPlaceholderText(tr("not told; a rosbridge is ws://host:9090"));
+  publish_ros_->setToolTip(tr("Pose, occupancy grid and buildings are published there"));
+  foxglove_ = new QSpinBox;
+  foxglove_->setObjectName("rig_foxglove");
+  foxglove_->setRange(0, kMostPort);
+  foxglove_->setSpecialValueText(tr("nobody may look on"));
+  foxglove_->setToolTip(tr("Foxglove connects to this port; its own choice is 8765"));
+  form.addRow(tr("Foxglove port"), foxglove_);
+  beyond_ = new QCheckBox(tr("From other machines too"));
+  form.addRow(beyond_);
+}
+
+QLineEdit* RigForm::addRosbridge(QFormLayout& form, const QString& label) {
+  auto* edit = new QLineEdit;
+  edit->setPlaceholderText(QStringLiteral("ws://host:9090"));
+  form.addRow(label, edit);
+  return edit;
 }
 
 QComboBox* RigForm::addPort(QFormLayout& form, const QString& label, const QString& hint) {
@@ -183,11 +211,15 @@ void RigForm::showRows() {
   const bool camera = hasCamera();
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
   const bool ros = odometry == OdometryRigKind::Ros;
-  form_->setRowVisible(left_, camera);
+  const bool over_ros = sees() == Sees::RosCameras;
+  form_->setRowVisible(left_, camera && !over_ros);
   form_->setRowVisible(right_, sees() == Sees::TwoCameras);
   form_->setRowVisible(calibration_row_, camera);
-  form_->setRowVisible(width_, camera);
-  form_->setRowVisible(height_, camera);
+  for (QWidget* row : {camera_ros_, left_topic_, right_topic_}) {
+    form_->setRowVisible(row, over_ros);
+  }
+  form_->setRowVisible(width_, camera && !over_ros);
+  form_->setRowVisible(height_, camera && !over_ros);
   form_->setRowVisible(pitch_, camera);
   form_->setRowVisible(scanner_port_, !camera);
   form_->setRowVisible(scanner_topic_, sees() == Sees::Ros || sees() == Sees::RosCloud);
@@ -195,6 +227,7 @@ void RigForm::showRows() {
   form_->setRowVisible(head_port_, camera && has_head_->isChecked());
   form_->setRowVisible(odometry_port_, ros || odometry == OdometryRigKind::Lines);
   form_->setRowVisible(odometry_topic_, ros);
+  form_->setRowVisible(beyond_, foxglove_->value() > 0);
 }
 
 void RigForm::listPorts() {
@@ -208,85 +241,6 @@ void RigForm::listPorts() {
     cameras << QStringLiteral("/dev/") + name;
   }
   for (QComboBox* box : {left_, right_}) offer(*box, cameras);
-}
-
-Rig RigForm::rig() const {
-  Rig rig = kept_;
-  rig.name = textOf(*name_);
-  if (rig.name.empty()) rig.name = tr("My robot").toStdString();
-  rig.range_limit_m = range_->value();
-  if (hasCamera()) {
-    CameraRig camera = kept_.camera.value_or(CameraRig{});
-    camera.left = textOf(*left_);
-    camera.right = sees() == Sees::TwoCameras ? textOf(*right_) : std::string();
-    camera.calibration = textOf(*calibration_);
-    camera.width = width_->value();
-    camera.height = height_->value();
-    camera.mount = {x_->value(), y_->value(), z_->value(), toRadians(pitch_->value()),
-                    toRadians(yaw_->value())};
-    rig.camera = camera;
-    rig.scanner.reset();
-    rig.head.reset();
-    if (has_head_->isChecked()) rig.head = HeadRig{textOf(*head_port_)};
-  } else {
-    ScannerRig scanner;
-    scanner.kind = scannerOf(sees());
-    scanner.port = textOf(*scanner_port_);
-    scanner.topic = textOf(*scanner_topic_);
-    scanner.mount = {x_->value(), y_->value(), z_->value(), toRadians(yaw_->value())};
-    rig.scanner = scanner;
-    rig.camera.reset();
-    rig.head.reset();
-  }
-  if (!rig.head) rig.stops.reset();
-  rig.odometry = {static_cast<OdometryRigKind>(odometry_->currentData().toInt()),
-                  textOf(*odometry_port_), textOf(*odometry_topic_)};
-  rig.record = textOf(*record_);
-  // One set of checks for what a person enters and what a file says.
-  return parseRig(formatRig(rig, {}), tr("The rig").toStdString(), {});
-}
-
-void RigForm::setRig(const Rig& rig) {
-  kept_ = rig;
-  name_->setText(QString::fromStdString(rig.name));
-  range_->setValue(rig.range_limit_m);
-  if (rig.camera) {
-    const CameraRig& camera = *rig.camera;
-    const Sees sees = camera.right.empty() ? Sees::SideBySide : Sees::TwoCameras;
-    sees_->setCurrentIndex(sees_->findData(static_cast<int>(sees)));
-    left_->setEditText(QString::fromStdString(camera.left));
-    right_->setEditText(QString::fromStdString(camera.right));
-    calibration_->setText(QString::fromStdString(camera.calibration.string()));
-    width_->setValue(camera.width);
-    height_->setValue(camera.height);
-    x_->setValue(camera.mount.x);
-    y_->setValue(camera.mount.y);
-    z_->setValue(camera.mount.z);
-    yaw_->setValue(toDegrees(camera.mount.yaw));
-    pitch_->setValue(toDegrees(camera.mount.pitch));
-  }
-  if (rig.scanner) {
-    const ScannerRig& scanner = *rig.scanner;
-    for (const Sees sees : {Sees::Hokuyo, Sees::Rplidar, Sees::Ros, Sees::RosCloud}) {
-      if (scannerOf(sees) != scanner.kind) continue;
-      sees_->setCurrentIndex(sees_->findData(static_cast<int>(sees)));
-    }
-    scanner_port_->setEditText(QString::fromStdString(scanner.port));
-    if (!scanner.topic.empty()) scanner_topic_->setText(QString::fromStdString(scanner.topic));
-    x_->setValue(scanner.mount.x);
-    y_->setValue(scanner.mount.y);
-    z_->setValue(scanner.mount.z);
-    yaw_->setValue(toDegrees(scanner.mount.yaw));
-  }
-  has_head_->setChecked(rig.head.has_value());
-  if (rig.head) head_port_->setEditText(QString::fromStdString(rig.head->port));
-  odometry_->setCurrentIndex(odometry_->findData(static_cast<int>(rig.odometry.kind)));
-  odometry_port_->setEditText(QString::fromStdString(rig.odometry.port));
-  if (!rig.odometry.topic.empty()) {
-    odometry_topic_->setText(QString::fromStdString(rig.odometry.topic));
-  }
-  record_->setText(QString::fromStdString(rig.record.string()));
-  showRows();
 }
 
 }  // namespace handmap

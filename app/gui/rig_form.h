@@ -22,16 +22,23 @@ class RigForm : public QWidget {
   /// `dialogs` must outlive it.
   explicit RigForm(Dialogs& dialogs, QWidget* parent = nullptr);
 
-  /// Throws BadInput for what is missing or does not go together.
+  /// Throws BadInput, in plain words, for what is missing or does not go together; the field to be
+  /// mended then has the focus.
   Rig rig() const;
   void setRig(const Rig& rig);
   /// Looks anew which ports and cameras there are.
   void listPorts();
 
  private:
-  enum class Sees { SideBySide, TwoCameras, Hokuyo, Rplidar, Ros, RosCloud };
+  enum class Sees { SideBySide, TwoCameras, RosCameras, Hokuyo, Rplidar, Ros, RosCloud };
   void makeSensorRows(QFormLayout& form);
   void makeMotionRows(QFormLayout& form);
+  void makeOutputRows(QFormLayout& form);
+  void checkEntered() const;
+  void need(QLineEdit* field, const QString& words) const;
+  void need(QComboBox* field, const QString& words) const;
+  void needRosbridge(QLineEdit* field) const;
+  QLineEdit* addRosbridge(QFormLayout& form, const QString& label);
   QComboBox* addPort(QFormLayout& form, const QString& label, const QString& hint);
   QDoubleSpinBox* addNumber(QFormLayout& form, const QString& label, double low, double high,
                             const QString& suffix);
@@ -39,7 +46,7 @@ class RigForm : public QWidget {
   void showRows();
   Sees sees() const;
   static ScannerKind scannerOf(Sees sees);
-  bool hasCamera() const { return sees() == Sees::SideBySide || sees() == Sees::TwoCameras; }
+  bool hasCamera() const { return sees() <= Sees::RosCameras; }
 
   Dialogs& dialogs_;
   QFormLayout* form_;
@@ -47,6 +54,9 @@ class RigForm : public QWidget {
   QComboBox* sees_;
   QComboBox* left_;
   QComboBox* right_;
+  QLineEdit* camera_ros_;
+  QLineEdit* left_topic_;
+  QLineEdit* right_topic_;
   QLineEdit* calibration_;
   QWidget* calibration_row_;
   QSpinBox* width_;
@@ -65,6 +75,9 @@ class RigForm : public QWidget {
   QComboBox* odometry_port_;
   QLineEdit* odometry_topic_;
   QLineEdit* record_;
+  QLineEdit* publish_ros_;
+  QSpinBox* foxglove_;
+  QCheckBox* beyond_;
   Rig kept_;  ///< what has no field stays as it was read
 };
 

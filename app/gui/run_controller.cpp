@@ -48,8 +48,14 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   setState(RunState::Running);
 }
 
+/// To the window, and to whoever looks on.
+void RunController::pass(const RunNews& news) {
+  if (live_) live_->tell(news.newest);
+  Q_EMIT newsArrived(news);
+}
+
 void RunController::listenTo(RunWorker& worker) {
-  connect(&worker.mailbox(), &RunMailbox::arrived, this, &RunController::newsArrived);
+  connect(&worker.mailbox(), &RunMailbox::arrived, this, &RunController::pass);
   connect(&worker, &RunWorker::started, this, &RunController::sourceOpened);
   connect(&worker, &RunWorker::progressed, this, &RunController::progressed);
   connect(&worker, &RunWorker::frameSkipped, this, &RunController::frameSkipped);
@@ -207,7 +213,7 @@ void RunController::takeRevision() {
   revision->news.newest = history_->at(history_->newest());
   at_end_ = revision->at_end;
   Q_EMIT revised();
-  Q_EMIT newsArrived(revision->news);
+  pass(revision->news);
   if (at_end_) {
     end();
     Q_EMIT finished(false);

@@ -94,6 +94,7 @@ class RunController : public QObject {
     bool goes_on = false;  ///< the run was running when it was asked for
   };
   void listenToRevision();
+  void pass(const RunNews& news);
   void setState(RunState state);
   void end();
   /// It is silent from here on; it may be the sender, so it goes later.

@@ -102,23 +102,31 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.addFrame(time_s, odometry, state.pose, scan);
   state.addObservation(time_s, Pose2{});
   state.smoothWindow();
-  state.odometry_estimate.add(state.frames);
-  state.smoother.setHeadingVariance(state.odometry_estimate.headingVariance());
-  if (progress) progress(0.4);
-  state.evidence.add(state.frames.back(), state.sensor);
-  state.updateDirections();
-  state.findBuildings();
-  state.followBuildings();
-  state.updateNoise();
-  if (progress) progress(0.9);
-  state.labelBuildings(state.nearM());
-  if (state.closeLoop(stop) || state.smoothNowAndThen(stop)) {
-    state.labelBuildings(state.nearM());
-  }
-  if (state.fitOutlines()) state.labelBuildings(state.nearM());
-  state.correction.correctSome(state.found, state.hasReached());
+  state.workIn(stop, progress);
   state.pose = state.frames.back().pose;
   state.updateTrajectory();
+}
+
+/// What the newest frame tells. Once a stop is requested all that can wait is left out: no frame is
+/// needed for the next one to be worked in.
+void HandmapEstimator::State::workIn(const std::stop_token& stop,
+                                     const std::function<void(double)>& progress) {
+  odometry_estimate.add(frames);
+  smoother.setHeadingVariance(odometry_estimate.headingVariance());
+  if (progress) progress(0.4);
+  if (stop.stop_requested()) return;
+  evidence.add(frames.back(), sensor);
+  updateDirections();
+  if (stop.stop_requested()) return;
+  findBuildings();
+  followBuildings();
+  if (!stop.stop_requested()) updateNoise();
+  if (progress) progress(0.9);
+  labelBuildings(nearM());  // they are labelled by their places among those that were found
+  if (closeLoop(stop) || smoothNowAndThen(stop)) labelBuildings(nearM());
+  if (stop.stop_requested()) return;
+  if (fitOutlines()) labelBuildings(nearM());
+  correction.correctSome(found, hasReached());
 }
 
 void HandmapEstimator::State::addObservation(double time_s, const Pose2& offset) {
@@ -304,6 +312,7 @@ void HandmapEstimator::State::followBuildings() {
 /// Where the way has come back to what is asleep: finds out how far it has drifted. Returns whether
 /// it did; the labels are then to be found anew.
 bool HandmapEstimator::State::closeLoop(const std::stop_token& stop) {
+  if (stop.stop_requested()) return false;
   constexpr double kShift = 0.01;  // of the way since; one σ
   constexpr double kLeastShift = 1.0;
   constexpr double kTurn = 0.0001;  // radians a metre
@@ -340,7 +349,7 @@ bool HandmapEstimator::State::closeLoop(const std::stop_token& stop) {
   if (!pairs) return false;
   smoothAll(kWide, kMostIterations, *pairs, stop);
   found = merged(found, *pairs);
-  evidence.putAnew(sensor);
+  evidence.putAnew(sensor, stop);
   return true;
 }
 
@@ -353,7 +362,7 @@ bool HandmapEstimator::State::smoothNowAndThen(const std::stop_token& stop) {
   if (stop.stop_requested()) return false;
   if (frames.size() < smoothed_at + std::max(kLeast, smoothed_at / kShare)) return false;
   smoothAll(kSlack, kIterations, {}, stop);
-  evidence.putAnew(sensor);
+  evidence.putAnew(sensor, stop);
   return true;
 }
 
@@ -373,11 +382,11 @@ void HandmapEstimator::State::smoothAll(std::span<const double> slacks, int iter
   const SmoothingGraph graph{kept, 1, all, landmarks.positions(), same_of_all, &prior};
   for (const double slack : slacks) {
     for (int i = 0; i < iterations; ++i) {
-      if (stop.stop_requested() || smoother.iterate(graph, slack) < kSettled) break;
+      if (stop.stop_requested() || smoother.iterate(graph, slack, stop) < kSettled) break;
     }
   }
   smoothed_at = frames.size();
-  renewCovariance();
+  if (!stop.stop_requested()) renewCovariance();
   first_moved = 0;
   setAllFound(all);
 }
@@ -442,6 +451,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   state.covariance = state.smoother.covariances(all);
   const std::vector<Frame*> frames = state.framesFrom(state.firstKept());
   for (FoundBox& found : all) {
+    if (stop.stop_requested()) return;
     state.finder.locateUnseen(found, {frames.begin(), frames.end()}, state.sensor);
   }
   state.setAllFound(all);

@@ -32,6 +32,7 @@ struct HandmapEstimator::State {
     for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
   }
 
+  void workIn(const std::stop_token& stop, const std::function<void(double)>& progress);
   void addObservation(double time_s, const Pose2& offset);
   void updateTrajectory();
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);

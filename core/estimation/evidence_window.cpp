@@ -45,8 +45,11 @@ void EvidenceWindow::putAnew(ActiveFrame& active, const SensorModel& sensor) {
   evidence_.add(*active.frame, active.held_at, sensor);
 }
 
-void EvidenceWindow::putAnew(const SensorModel& sensor) {
-  for (ActiveFrame& active : frames_) putAnew(active, sensor);
+void EvidenceWindow::putAnew(const SensorModel& sensor, const std::stop_token& stop) {
+  for (ActiveFrame& active : frames_) {
+    if (stop.stop_requested()) return;
+    putAnew(active, sensor);
+  }
 }
 
 void EvidenceWindow::changeSensor(SensorModel& sensor, const SensorOptions& options) {

@@ -1,6 +1,8 @@
 // The evidence of the last frames, as the robot goes.
 #pragma once
 
+#include <stop_token>
+
 #include "core/estimation/wall_evidence.h"
 
 namespace handmap {
@@ -15,8 +17,8 @@ class EvidenceWindow {
   /// Takes up a frame, which stays where it is, gives up those that are too far or too many, and
   /// puts in anew some of those that have moved most lately.
   void add(Frame& frame, const SensorModel& sensor);
-  /// Puts in all frames where they are now.
-  void putAnew(const SensorModel& sensor);
+  /// Puts in all frames where they are now; when `stop` was requested the rest is left to add().
+  void putAnew(const SensorModel& sensor, const std::stop_token& stop = {});
   /// Takes all frames out, lets `change` change what they saw, and puts them in again.
   template <typename Change>
   void changeFrames(const SensorModel& sensor, Change change) {

@@ -305,7 +305,7 @@ void Smoother::addSighting(const Frame& frame, const Sighting& sighting, const V
   right_.segment<3>(pose * kPoseSize) += right.head<3>();
 }
 
-double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
+double Smoother::iterate(const SmoothingGraph& graph, double slack_m, const std::stop_token& stop) {
   const std::span<Frame* const> frames = graph.frames;
   const std::span<FoundBox> boxes = graph.boxes;
   const std::size_t fixed = graph.fixed;
@@ -342,8 +342,9 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
   if (drawing) {
     for (const DrawingPrior::Anchor& anchor : drawing->anchors) drawn[anchor.box] = anchor.drawn;
   }
+  std::vector<int> observations(boxes.size());
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    boxes[b].observations = 0;
+    if (stop.stop_requested()) return 0.0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       if (frames[i]->number < boxes[b].first_frame || frames[i]->number > boxes[b].last_frame) {
         continue;
@@ -352,7 +353,7 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
       if (!addReturns(*frames[i], boxes[b], slack_m, normal)) continue;
       addSilhouette(*frames[i], boxes[b], normal);
       scatter(normal, index_of(i), static_cast<int>(b));
-      ++boxes[b].observations;
+      ++observations[b];
     }
     if (drawn[b]) {
       const double own = drawn[b]->box().heading + drawing->turn;
@@ -375,6 +376,8 @@ double Smoother::iterate(const SmoothingGraph& graph, double slack_m) {
       addSighting(*frames[i], sighting, landmarks[id], index_of(i), landmark_at[id]);
     }
   }
+  if (stop.stop_requested()) return 0.0;
+  for (std::size_t b = 0; b < boxes.size(); ++b) boxes[b].observations = observations[b];
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(triplets_.begin(), triplets_.end());
   solver_.compute(matrix);

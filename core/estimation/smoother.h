@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include <Eigen/SparseCholesky>
@@ -74,9 +75,10 @@ class Smoother {
   }
   /// Moves the poses, the boxes and the landmarks that the frames saw. `slack_m` (across a wall,
   /// one σ) is what poses and boxes may be off before: wide to catch, narrow to settle.
-  /// Returns how far the pose that moved most did, metres.
-  double iterate(const SmoothingGraph& graph, double slack_m);
-  /// Writes the σ of the boxes and returns the covariance of the last pose, after iterate().
+  /// Returns how far the pose that moved most did, metres. Nothing moves when `stop` was requested.
+  double iterate(const SmoothingGraph& graph, double slack_m, const std::stop_token& stop = {});
+  /// Writes the σ of the boxes and returns the covariance of the last pose, after a whole
+  /// iterate().
   Eigen::Matrix3d covariances(std::span<FoundBox> boxes);
 
  private:

@@ -107,28 +107,31 @@ Estimate estimateOf(const Polygon& outline, const OutlineTask& task, const Outli
 class Fitting {
  public:
   Fitting(const std::vector<OutlineTask>& tasks, const PlacedRays& placed, double range_limit_m,
-          std::uint64_t seed)
+          std::uint64_t seed, std::stop_token stop)
       : tasks_(tasks),
         placed_(placed),
         range_limit_m_(range_limit_m),
         seed_(seed),
+        stop_(std::move(stop)),
         owners_(placed.rays.size(), kNobody) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       priors_.push_back(priorOf(tasks[i]));
+      if (stop_.stop_requested()) continue;
       if (tasks[i].labelled) own(i, tasks[i].start, scorerFor(i));
     }
   }
 
-  FittedOutline search(std::size_t i, const std::stop_token& stop) const {
+  FittedOutline search(std::size_t i) const {
     return searchOutline(priors_[i], scorerFor(i),
-                         RandomStream(seed_, static_cast<std::uint32_t>(i)), stop);
+                         RandomStream(seed_, static_cast<std::uint32_t>(i)), stop_);
   }
 
   /// After the surer ones. `first`: where it was found before these were settled.
-  OutlineResult settle(std::size_t i, const FittedOutline& first, const std::stop_token& stop) {
+  OutlineResult settle(std::size_t i, const FittedOutline& first) {
     const OutlineTask& task = tasks_[i];
     const OutlineScorer scorer = scorerFor(i);
-    const FittedOutline fitted = isDisturbed(first.outline, task) ? search(i, stop) : first;
+    const FittedOutline fitted = isDisturbed(first.outline, task) ? search(i) : first;
+    if (stop_.stop_requested()) return {};
     OutlineResult result;
     result.evidence = fitted.score - kOverlap * overlapWith(fitted.outline, settled_);
     const double drawn =
@@ -178,6 +181,7 @@ class Fitting {
   const PlacedRays& placed_;
   double range_limit_m_;
   std::uint64_t seed_;
+  std::stop_token stop_;
   RayOwners owners_;
   std::vector<OutlinePrior> priors_;
   std::vector<Polygon> settled_;
@@ -189,10 +193,10 @@ std::vector<OutlineResult> fitOutlines(const std::vector<OutlineTask>& tasks,
                                        const PlacedRays& placed, double range_limit_m,
                                        std::uint64_t seed, const std::stop_token& stop,
                                        const std::function<void(double)>& progress) {
-  Fitting fitting(tasks, placed, range_limit_m, seed);
+  Fitting fitting(tasks, placed, range_limit_m, seed, stop);
   std::vector<FittedOutline> first(tasks.size());
   parallelFor(tasks.size(), [&](std::size_t i) {
-    if (!stop.stop_requested()) first[i] = fitting.search(i, stop);
+    if (!stop.stop_requested()) first[i] = fitting.search(i);
   });
   if (stop.stop_requested()) return {};
   if (progress) progress(0.5);
@@ -206,7 +210,7 @@ std::vector<OutlineResult> fitOutlines(const std::vector<OutlineTask>& tasks,
   std::vector<OutlineResult> results(tasks.size());
   std::size_t done = 0;
   for (const std::size_t i : order) {
-    results[i] = fitting.settle(i, first[i], stop);
+    results[i] = fitting.settle(i, first[i]);
     if (stop.stop_requested()) return {};
     const double share = static_cast<double>(++done) / static_cast<double>(tasks.size());
     if (progress) progress(0.5 + 0.5 * share);

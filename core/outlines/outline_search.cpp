@@ -125,7 +125,7 @@ struct Candidate {
 };
 
 void improve(Candidate& best, const Shape& shape, const OutlineScorer& scorer, double slack_m,
-             double step_m, double least_step_m, std::size_t stride) {
+             double step_m, double least_step_m, std::size_t stride, const std::stop_token& stop) {
   const auto value = [&](const Move& m) {
     return scorer(shape(m), slack_m, stride) + shape.logPrior(m);
   };
@@ -133,6 +133,7 @@ void improve(Candidate& best, const Shape& shape, const OutlineScorer& scorer, d
   for (double step = step_m; step >= least_step_m; step *= 0.5) {
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds; ++round) {
+      if (stop.stop_requested()) return;
       Candidate next = best;
       for (const Move& m : shape.moves(best.move, step)) {
         const double total = value(m);
@@ -171,11 +172,12 @@ Polygon withWallMoved(const Polygon& outline, std::size_t wall, double by) {
 /// Wall by wall, each where the rays want it, as far as they outweigh that drawings are rather
 /// right in their proportions.
 void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineScorer& scorer,
-               std::size_t stride) {
+               std::size_t stride, const std::stop_token& stop) {
   std::vector<double> moved(fitted.outline.size(), 0.0);
   const auto penalty = [&](double by) { return -0.5 * std::pow(by / prior.corner_m, 2); };
   for (double step = 0.8; step >= kLeastStep; step *= 0.5) {
     for (std::size_t wall = 0; wall < moved.size(); ++wall) {
+      if (stop.stop_requested()) return;
       for (const double by : {step, -step}) {
         Polygon outline = withWallMoved(fitted.outline, wall, by);
         if (!isSimple(outline) || signedArea(outline) <= 0.0) continue;
@@ -202,6 +204,7 @@ FittedOutline searchOutline(const OutlinePrior& prior, const OutlineScorer& scor
   std::vector<Candidate> candidates(1);
   for (int i = 0; i < kSamples; ++i) candidates.push_back({shape.sample(random)});
   for (Candidate& candidate : candidates) {
+    if (stop.stop_requested()) return {prior.start};
     candidate.total =
         scorer(shape(candidate.move), kSlackAtFirst, coarse) + shape.logPrior(candidate.move);
   }
@@ -210,7 +213,8 @@ FittedOutline searchOutline(const OutlinePrior& prior, const OutlineScorer& scor
     keepBest(candidates, stage.tries);
     for (Candidate& candidate : candidates) {
       if (stop.stop_requested()) return {prior.start};
-      improve(candidate, shape, scorer, stage.slack_m, stage.step_m, 0.3 * stage.step_m, coarse);
+      improve(candidate, shape, scorer, stage.slack_m, stage.step_m, 0.3 * stage.step_m, coarse,
+              stop);
     }
   }
   // Narrow walls are found near where they are only: the start may be right as it is.
@@ -218,13 +222,13 @@ FittedOutline searchOutline(const OutlinePrior& prior, const OutlineScorer& scor
   candidates.push_back(start);
   for (Candidate& candidate : candidates) {
     if (stop.stop_requested()) return {prior.start};
-    improve(candidate, shape, scorer, kLastSlack, kLastStep, kLeastStep, fine);
+    improve(candidate, shape, scorer, kLastSlack, kLastStep, kLeastStep, fine, stop);
   }
   keepBest(candidates, 1);
   const Move& best = candidates.front().move;
   FittedOutline fitted{shape(best), 0.0, shape.logPrior(best)};
   fitted.score = scorer(fitted.outline, kLastSlack, fine);
-  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, fine);
+  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, fine, stop);
   return fitted;
 }
 

@@ -141,6 +141,7 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
   if (stop.stop_requested()) return std::nullopt;
   std::vector<OutlineTask> tasks;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
+    if (stop.stop_requested()) return std::nullopt;
     tasks.push_back(taskOf(drawing, b, found, placed, seen.rangeLimit()));
   }
   std::vector<OutlineResult> results;

@@ -8,8 +8,8 @@ namespace handmap {
 
 namespace {
 
-constexpr double kStep_m = 0.5;       // between frames that are kept
-constexpr double kTurn = 0.15;        // radians, the same
+constexpr double kTurn = 0.15;        // radians between frames that are kept
+constexpr double kStep_m = 0.5;       // the same, before anything is thinned out
 constexpr double kPerMetre = 1000.0;  // rays, what structure needs; the rest tells the same again
 constexpr double kMost = 4000.0;      // rays of a frame
 constexpr float kTall_m = 1.8F;       // above most cars, hedges and fences
@@ -49,17 +49,30 @@ void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan&
   }
   const Pose2 motion = between(last_, odometry);
   const double way = std::hypot(motion.x, motion.y);
-  if (!frames_.empty() && way < kStep_m && std::abs(motion.heading) < kTurn) return;
+  if (!frames_.empty() && way < step_m_ && std::abs(motion.heading) < kTurn) return;
   SeenFrame frame{observation, {}};
   if (points.empty() || scan.ray_by_ray) {
     addScan(scan, frame);
   } else {
     const double metres = frames_.empty() ? 1.0 : std::clamp(way, kStep_m, kMost / kPerMetre);
-    addPoints(points, kPerMetre * metres, frame);
+    addPoints(points, kPerMetre * metres * kStep_m / step_m_, frame);
   }
   shareOut(frame.rays);
   last_ = odometry;
+  rays_ += frame.rays.size();
   frames_.push_back(std::move(frame));
+  if (rays_ > most_rays_) thinOut();
+}
+
+void SeenFrames::thinOut() {
+  step_m_ *= 2.0;
+  rays_ = 0;
+  std::vector<SeenFrame> kept;
+  for (std::size_t i = 0; i < frames_.size(); i += 2) {
+    rays_ += frames_[i].rays.size();
+    kept.push_back(std::move(frames_[i]));
+  }
+  frames_ = std::move(kept);
 }
 
 void SeenFrames::addScan(const Scan& scan, SeenFrame& frame) {

@@ -1,5 +1,6 @@
 // What the observations of a run saw, thinned and kept for as long as the run: the drawn outlines
-// are fitted to it on whatever way turns out to be the best.
+// are fitted to it on whatever way turns out to be the best. It takes no more memory after hours
+// than after some kilometres.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +36,9 @@ struct SeenFrame {
 
 class SeenFrames {
  public:
-  explicit SeenFrames(double range_limit_m) : range_limit_m_(range_limit_m) {}
+  /// With more than `most_rays` every second frame is let go, and half as many are kept from then.
+  explicit SeenFrames(double range_limit_m, std::size_t most_rays = 5'000'000)
+      : range_limit_m_(range_limit_m), most_rays_(most_rays) {}
 
   /// The observations in their order; one that was made where the last kept one was is let go.
   /// `points`: as they came, robot frame; empty with images.
@@ -49,7 +52,12 @@ class SeenFrames {
   void addScan(const Scan& scan, SeenFrame& frame);
   static void addPoints(const std::vector<RangePoint>& points, double most, SeenFrame& frame);
 
+  void thinOut();
+
   double range_limit_m_;
+  std::size_t most_rays_;
+  std::size_t rays_ = 0;
+  double step_m_ = 0.5;  ///< between frames that are kept
   std::vector<SeenFrame> frames_;
   Pose2 last_;  ///< odometry of the last frame
 };

@@ -206,6 +206,7 @@ PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& 
     placed.noise = measured(placed.rays, cells, placed.noise);
   }
   const Cells cells(placed.rays, placed.noise, stop);
+  if (stop.stop_requested()) return placed;
   shareOut(placed.rays);
   for (PlacedRay& ray : placed.rays) {
     const Piece* piece = ray.echo == Echo::Tall ? cells.of(ray) : nullptr;

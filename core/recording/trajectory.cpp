@@ -24,31 +24,36 @@ double yawOf(double qx, double qy, double qz, double qw) {
   return std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
 }
 
-StampedPose parseTumLine(std::string_view line, const std::string& file, const std::string& place) {
-  const auto words = splitWords(line);
+std::string placeOf(const TextLine& line) { return fmt::format("line {}", line.number); }
+
+StampedPose parseTumLine(const TextLine& line, const std::string& file) {
+  const auto words = splitWords(line.text);
   std::array<double, 8> v{};
   if (words.size() != v.size()) {
-    throwBadInput(file, place, fmt::format("{} fields", words.size()), "8: time x y z qx qy qz qw");
+    throwBadInput(file, placeOf(line), fmt::format("{} fields", words.size()),
+                  "8: time x y z qx qy qz qw");
   }
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto value = parseFinite(words[i]);
     const double limit = i == 0 ? kMaxTime : kMaxCoordinate;
     if (!value || std::abs(*value) > limit) {
-      throwBadInput(file, place, fmt::format("\"{}\"", words[i].substr(0, 40)),
+      throwBadInput(file, placeOf(line), fmt::format("\"{}\"", words[i].substr(0, 40)),
                     fmt::format("a finite number, at most {}", formatNumber(limit)));
     }
     v[i] = *value;
   }
   const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
   if (std::abs(norm - 1.0) > kNormTolerance) {
-    throwBadInput(file, place, fmt::format("a quaternion of length {:.3g}", norm), "length 1");
+    throwBadInput(file, placeOf(line), fmt::format("a quaternion of length {:.3g}", norm), "length 1");
   }
   return {v[0], {v[1], v[2], yawOf(v[4], v[5], v[6], v[7])}};
 }
 
-void checkOrder(double previous, double time, const std::string& source, const std::string& place) {
+/// `place()` names it, where it is to be named.
+template <typename Place>
+void checkOrder(double previous, double time, const std::string& source, const Place& place) {
   if (time > previous) return;
-  throwBadInput(source, place,
+  throwBadInput(source, place(),
                 fmt::format("time {} after {}", formatNumber(time), formatNumber(previous)),
                 "times that increase");
 }
@@ -58,7 +63,8 @@ void checkOrder(double previous, double time, const std::string& source, const s
 Trajectory::Trajectory(std::vector<StampedPose> poses, const std::string& source)
     : poses_(std::move(poses)) {
   for (std::size_t i = 1; i < poses_.size(); ++i) {
-    checkOrder(poses_[i - 1].time_s, poses_[i].time_s, source, fmt::format("pose {}", i));
+    checkOrder(poses_[i - 1].time_s, poses_[i].time_s, source,
+               [i] { return fmt::format("pose {}", i); });
   }
 }
 
@@ -84,17 +90,18 @@ Trajectory readTum(const std::filesystem::path& path, const std::stop_token& sto
   ContentLines lines(content);
   while (const auto line = lines.next()) {
     throwIfStopped(stop);
-    const std::string place = fmt::format("line {}", line->number);
     StampedPose stamped;
     try {
-      stamped = parseTumLine(line->text, file, place);
+      stamped = parseTumLine(*line, file);
     } catch (const Error&) {
       if (poses.empty() || !isCutOff(*line, content)) throw;
       break;
     }
-    if (!poses.empty()) checkOrder(poses.back().time_s, stamped.time_s, file, place);
+    if (!poses.empty()) {
+      checkOrder(poses.back().time_s, stamped.time_s, file, [&] { return placeOf(*line); });
+    }
     if (poses.size() == kMaxPoses) {
-      throwBadInput(file, place, "one more pose", fmt::format("at most {}", kMaxPoses));
+      throwBadInput(file, placeOf(*line), "one more pose", fmt::format("at most {}", kMaxPoses));
     }
     poses.push_back(stamped);
   }
@@ -115,7 +122,7 @@ Pose2 asWritten(const Pose2& pose) {
   constexpr int kMost = 8;  // of three million headings none needed more than two
   Pose2 written = pose;
   for (int i = 0; i < kMost; ++i) {
-    const Pose2 again = parseTumLine(formatTum({{0.0, written}}), "pose", "").pose;
+    const Pose2 again = parseTumLine({1, formatTum({{0.0, written}})}, "pose").pose;
     if (again == written) break;
     written = again;
   }

@@ -61,7 +61,19 @@ void LoopSearch::add(const Pose2& smooth, const std::vector<ScanPoint>& scan) {
   }
   std::copy_if(scan.begin(), scan.end(), std::back_inserter(keyframe.scan),
                [](const ScanPoint& p) { return p.at.norm() < kRange_m; });
+  points_ += keyframe.scan.size();
   keyframes_.push_back(std::move(keyframe));
+  if (points_ > most_points_) thinOut();
+}
+
+void LoopSearch::thinOut() {
+  const std::size_t whole = 2 * kSourceReach + 2;  // what is still to be searched with
+  spacing_ *= 2;
+  for (std::size_t i = 0; i + whole < keyframes_.size(); ++i) {
+    if (i % spacing_ == 0 || keyframes_[i].scan.empty()) continue;
+    points_ -= keyframes_[i].scan.size();
+    keyframes_[i].scan = {};
+  }
 }
 
 std::vector<ScanPoint> LoopSearch::submap(std::size_t middle, std::size_t reach) const {

@@ -19,6 +19,9 @@ struct Loop {
 
 class LoopSearch {
  public:
+  /// With more than `most_points` every second scan of those passed is let go: memory is bounded.
+  explicit LoopSearch(std::size_t most_points = 4'000'000) : most_points_(most_points) {}
+
   /// The next keyframe: its pose by local map odometry, which is right over some tens of metres,
   /// and what was seen there.
   void add(const Pose2& smooth, const std::vector<ScanPoint>& scan);
@@ -26,6 +29,8 @@ class LoopSearch {
   /// Loops of the newest keyframe that has enough after it; `poses`: the best known, one for each
   /// keyframe. A stop ends the search.
   std::vector<Loop> search(const std::vector<Pose2>& poses, const std::stop_token& stop);
+
+  std::size_t points() const { return points_; }  ///< that it keeps
 
  private:
   struct Keyframe {
@@ -39,6 +44,11 @@ class LoopSearch {
   std::optional<Loop> close(std::size_t from, std::size_t to, const std::vector<ScanPoint>& seen,
                             const Pose2& expected, const SearchWindow& window) const;
 
+  void thinOut();
+
+  std::size_t most_points_;
+  std::size_t points_ = 0;   ///< in all scans
+  std::size_t spacing_ = 1;  ///< of the keyframes that still have theirs, but for the last
   std::vector<Keyframe> keyframes_;
   double closed_m_ = 0.0;  ///< way at the last loop
 };

@@ -14,9 +14,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kLeastStraight = 0.1;  // share of returns
-constexpr double kLook_m = 1.0;         // between frames that sharpness is judged by
-constexpr double kLeastNoise = 0.1;     // of the recorded odometry's: a scan itself may be off
+constexpr double kLeastStraight = 0.1;        // share of returns
+constexpr std::size_t kMostSeen = 3'000'000;  // points that sharpness is judged by
+constexpr double kLeastNoise = 0.1;  // of the recorded odometry's: a scan itself may be off
 
 /// How far the motions of two ways are apart in heading, the median.
 double usualTurnOff(const std::vector<Pose2>& way, const std::vector<Pose2>& other) {
@@ -38,6 +38,7 @@ struct ScanTrajectory::State {
 
   void place();
   void look(const Returns& from);
+  void thinOut();
   void judge();
 
   TrajectoryOptions options;
@@ -51,6 +52,8 @@ struct ScanTrajectory::State {
   std::vector<SharpnessFrame> seen;
   long returns = 0;
   long straight = 0;
+  double look_m = 1.0;            ///< between frames that sharpness is judged by
+  std::size_t seen_count = 0;     ///< points in them
   std::optional<Vec2> looked_at;  ///< where the newest frame of `seen` was, recorded
   std::size_t judge_at = 20;      ///< observations
   bool sharper = false;
@@ -68,9 +71,24 @@ void ScanTrajectory::State::place() {
 void ScanTrajectory::State::look(const Returns& from) {
   seen.emplace_back();
   const Vec2 here = recorded.back().position();
-  if (looked_at && (here - *looked_at).norm() < kLook_m) return;
+  if (looked_at && (here - *looked_at).norm() < look_m) return;
   looked_at = here;
   seen.back() = sharpnessFrame(from, options.range_limit_m, noise);
+  seen_count += seen.back().size();
+  if (seen_count > kMostSeen) thinOut();
+}
+
+/// Of a way of many kilometres every second look has to do.
+void ScanTrajectory::State::thinOut() {
+  look_m *= 2.0;
+  seen_count = 0;
+  bool keep = true;
+  for (SharpnessFrame& frame : seen) {
+    if (frame.empty()) continue;
+    if (!keep) frame = {};
+    seen_count += frame.size();
+    keep = !keep;
+  }
 }
 
 void ScanTrajectory::State::judge() {

@@ -29,6 +29,10 @@ class Maker {
  private:
   std::unique_ptr<PairCamera> camera() {
     if (!rig_.camera) return nullptr;
+    if (!rig_.camera->ros.empty()) {
+      return std::make_unique<RosCamera>(ros(rig_.camera->ros), topic(rig_.camera->left),
+                                         topic(rig_.camera->right), monitor_.clock());
+    }
     return std::make_unique<VideoCamera>(
         *rig_.camera, monitor_.clock(),
         [&monitor = monitor_](const std::string& reason) { monitor.refused(reason); });

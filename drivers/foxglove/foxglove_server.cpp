@@ -91,7 +91,9 @@ void FoxgloveServer::welcome() {
   connect(socket, &QWebSocket::disconnected, this, [this, socket] {
     clients_.erase(socket);
     socket->deleteLater();
+    Q_EMIT clientsChanged();
   });
+  Q_EMIT clientsChanged();
   sendJson(*socket, {{"op", "serverInfo"},
                      {"name", "Handmap " HANDMAP_VERSION},
                      {"capabilities", json::array()},

@@ -34,6 +34,9 @@ class FoxgloveServer : public QObject {
   /// Whoever comes later gets the last one.
   void publishMap(std::shared_ptr<const Map> map);
 
+ Q_SIGNALS:
+  void clientsChanged();
+
  private:
   struct Client {
     std::map<std::uint32_t, std::uint32_t> channels;  ///< subscription → channel

@@ -32,6 +32,10 @@ const char* nameOf(DeviceRole role) {
       return "camera";
     case DeviceRole::Head:
       return "head";
+    case DeviceRole::ToRos:
+      return "to ROS";
+    case DeviceRole::ToFoxglove:
+      return "to Foxglove";
   }
   return "";
 }

@@ -18,8 +18,8 @@
 
 namespace handmap {
 
-enum class DeviceRole { Odometry, Scanner, Camera, Head };
-inline constexpr int kDeviceRoles = 4;
+/// The last two are no devices: they are told of the run.
+enum class DeviceRole { Odometry, Scanner, Camera, Head, ToRos, ToFoxglove };
 const char* nameOf(DeviceRole role);
 const char* nameOf(DeviceState state);
 

@@ -1,18 +1,13 @@
 // The odometry of a self-made base that sends lines, see odometry_line.h.
 #pragma once
 
-#include <QTimer>
-
-#include "drivers/device/device.h"
 #include "drivers/device/odometry_stream.h"
-#include "drivers/device/rig_clock.h"
-#include "drivers/device/told_state.h"
-#include "drivers/serial/byte_port.h"
 #include "drivers/serial/line_buffer.h"
+#include "drivers/serial/port_device.h"
 
 namespace handmap {
 
-class LineOdometry : public OdometrySensor {
+class LineOdometry : public PortDevice<OdometrySensor> {
   Q_OBJECT
  public:
   static constexpr std::int32_t kBaud = 115200;
@@ -21,25 +16,19 @@ class LineOdometry : public OdometrySensor {
                QObject* parent = nullptr);
   ~LineOdometry() override;
 
-  void open() override;
-  void close() override;
-
   int refusedLines() const { return refused_; }
   int clockJumps() const { return stream_.clockJumps(); }
 
  private:
+  void begin() override;
+  void take(const QByteArray& bytes) override;
+  void watch() override;
   void take(std::string_view line);
-  void watch();
-  void tell(DeviceState state, const QString& detail);
 
-  RigClock clock_;
-  BytePort port_;
   LineBuffer lines_;
   OdometryStream stream_;
-  QTimer timer_;
   double last_line_s_ = 0.0;
   int refused_ = 0;
-  ToldState told_;
 };
 
 }  // namespace handmap

@@ -5,6 +5,7 @@
 //    "range_limit_m": 30,                            1 … 200; nothing farther is measured
 //    "camera":   {"device": "/dev/video0"            both images in one, side by side; or
 //                 "left": "…", "right": "…",         two devices; each also a file or a URL
+//                 "ros": "ws://host:9090",           left and right are topics: CompressedImage
 //                 "calibration": "calib.yml",        of OpenCV, or calib.txt of KITTI: rectified
 //                 "width": 1280, "height": 480,      what to ask the device for
 //                 "rate_hz": 15,
@@ -18,6 +19,9 @@
 //                                                    absent: visual or scan
 //    "stops":    {"pans_deg": [0, 60, …], "standing_s": 1, "every_m": 1, "automatic": true},
 //    "ros":      1,                                  where it is not 2
+//    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS
+//                 "foxglove": 8765,                  a port where Foxglove may look on,
+//                 "beyond_this_machine": false},     also from other machines
 //    "record":   "recordings"}                       a folder; each run gets a new one inside
 //
 // Paths count from the folder of the file. "port": "/dev/ttyUSB0@115200", "tcp://host:port"; of
@@ -37,6 +41,7 @@ namespace handmap {
 struct CameraRig {
   std::string left;                   ///< device, file or URL
   std::string right;                  ///< empty: `left` gives both images side by side
+  std::string ros;                    ///< a rosbridge: `left` and `right` are topics behind it
   std::filesystem::path calibration;  ///< absolute, or relative to the working folder
   CameraMount mount{0.0, 0.0, kDefaultCameraHeight, 0.0, 0.0};
   int width = 0;  ///< of the image as the device gives it; 0: as it likes
@@ -98,6 +103,14 @@ struct StopRig {
 };
 StopRig sixPans();
 
+/// Who is told of a run: where the robot is, and what the drawing became.
+struct PublishRig {
+  std::string ros;   ///< a rosbridge; empty: none
+  int foxglove = 0;  ///< port; 0: nothing listens
+  bool beyond_this_machine = false;
+  bool operator==(const PublishRig&) const = default;
+};
+
 struct Rig {
   std::string name;
   double range_limit_m = 40.0;
@@ -107,6 +120,7 @@ struct Rig {
   OdometryRig odometry;
   std::optional<StopRig> stops;  ///< where there is a head
   int ros_version = 2;
+  PublishRig publish;
   std::filesystem::path record;  ///< empty: not recorded
   bool operator==(const Rig&) const = default;
 };

@@ -18,67 +18,49 @@ constexpr double kSilence_s = 1.0;  // a scanner turns ten times a second and mo
 
 HokuyoScanner::HokuyoScanner(PortAddress address, RigClock clock, std::uint64_t seed,
                              QObject* parent)
-    : RangeSensor(parent),
-      clock_(std::move(clock)),
-      port_(std::move(address), seed),
-      lines_(kLongestLine, true) {
-  connect(&port_, &BytePort::opened, this, [this] {
-    lines_.clear();
-    reader_.clear();
-    scanner_clock_ = {};
-    offset_ = {};
-    attempts_ = 0;
-    timer_.start(kWatch_ms);
-    go(Step::Stopping);
-  });
-  connect(&port_, &BytePort::received, this, [this](const QByteArray& bytes) {
-    lines_.feed({bytes.constData(), static_cast<std::size_t>(bytes.size())},
-                [this](std::string_view line) {
-                  if (line.ends_with('\r')) line.remove_suffix(1);
-                  if (const auto answer = reader_.take(line)) take(*answer);
-                });
-  });
-  connect(&port_, &BytePort::lost, this, [this](const QString& why) {
-    step_ = Step::Closed;
-    timer_.stop();
-    tell(DeviceState::Lost, why);
-  });
-  connect(&timer_, &QTimer::timeout, this, &HokuyoScanner::watch);
+    : PortDevice(std::move(address), std::move(clock), seed, kWatch_ms,
+                 QStringLiteral("opening the port of the scanner"), parent),
+      lines_(kLongestLine, true) {}
+
+HokuyoScanner::~HokuyoScanner() { close(); }
+
+void HokuyoScanner::begin() {
+  lines_.clear();
+  reader_.clear();
+  scanner_clock_ = {};
+  offset_ = {};
+  attempts_ = 0;
+  go(Step::Stopping);
 }
 
-HokuyoScanner::~HokuyoScanner() { HokuyoScanner::close(); }
-
-void HokuyoScanner::open() {
-  if (told_.state() != DeviceState::Closed) return;
-  tell(DeviceState::Connecting, QStringLiteral("opening the port of the scanner"));
-  port_.open();
+void HokuyoScanner::take(const QByteArray& bytes) {
+  lines_.feed({bytes.constData(), static_cast<std::size_t>(bytes.size())},
+              [this](std::string_view line) {
+                if (line.ends_with('\r')) line.remove_suffix(1);
+                if (const auto answer = reader_.take(line)) take(*answer);
+              });
 }
 
-void HokuyoScanner::close() {
-  if (told_.state() == DeviceState::Closed) return;
-  if (step_ != Step::Closed) port_.write("QT\n");  // the laser goes out
-  step_ = Step::Closed;
-  timer_.stop();
-  port_.close();
-  tell(DeviceState::Closed, {});
+void HokuyoScanner::rest() {
+  if (step_ != Step::Closed) port().write("QT\n");  // the laser goes out
 }
 
 // Stopped first: a scanner that was left while it measured would drown the answers.
 void HokuyoScanner::go(Step step) {
   step_ = step;
-  step_since_s_ = clock_();
+  step_since_s_ = now_s();
   switch (step) {
     case Step::Closed:
       return;
     case Step::Stopping:
       tell(DeviceState::Connecting, QStringLiteral("asking the scanner what it can do"));
-      return port_.write("\nSCIP2.0\nQT\n");
+      return port().write("\nSCIP2.0\nQT\n");
     case Step::Asking:
-      return port_.write("PP\n");
+      return port().write("PP\n");
     case Step::LightingUp:
-      return port_.write("BM\n");
+      return port().write("BM\n");
     case Step::Starting:
-      return port_.write(
+      return port().write(
           fmt::format("MD{:04}{:04}01000\n", parameters_->first_step, parameters_->last_step));
     case Step::Scanning:
       last_scan_s_ = step_since_s_;
@@ -97,22 +79,22 @@ void HokuyoScanner::take(const ScipAnswer& answer) {
   } else if (step_ == Step::LightingUp && command == "BM") {
     // 02: the laser is on already.
     if (well || answer.status == "02") return go(Step::Starting);
-    port_.giveUp(QStringLiteral("the scanner cannot switch its laser on: it reports status %1")
-                     .arg(QString::fromStdString(answer.status)));
+    port().giveUp(QStringLiteral("the scanner cannot switch its laser on: it reports status %1")
+                      .arg(QString::fromStdString(answer.status)));
   } else if (command == "MD" && answer.status == "99") {
     if (step_ == Step::Starting) go(Step::Scanning);
     if (step_ == Step::Scanning) takeScan(answer);
   } else if (step_ == Step::Scanning && command == "MD" && !well) {
-    port_.giveUp(QStringLiteral("the scanner stopped: it reports status %1")
-                     .arg(QString::fromStdString(answer.status)));
+    port().giveUp(QStringLiteral("the scanner stopped: it reports status %1")
+                      .arg(QString::fromStdString(answer.status)));
   }
 }
 
 void HokuyoScanner::takeScan(const ScipAnswer& answer) {
   const auto scan = parseScipScan(answer, *parameters_);
   if (!scan) return;
-  last_scan_s_ = clock_();
-  port_.delivers();
+  last_scan_s_ = now_s();
+  port().delivers();
   tell(DeviceState::Ready, QString::fromStdString(parameters_->model));
   const auto end_s = offset_.rigTime(scanner_clock_.seconds(scan->stamp_ms), last_scan_s_);
   if (end_s)
@@ -121,20 +103,16 @@ void HokuyoScanner::takeScan(const ScipAnswer& answer) {
 
 void HokuyoScanner::watch() {
   if (step_ == Step::Scanning) {
-    if (clock_() - last_scan_s_ > kSilence_s) {
-      port_.giveUp(QStringLiteral("the scanner has sent no whole scan for a second"));
+    if (now_s() - last_scan_s_ > kSilence_s) {
+      port().giveUp(QStringLiteral("the scanner has sent no whole scan for a second"));
     }
-  } else if (clock_() - step_since_s_ > kPatience_s) {
+  } else if (now_s() - step_since_s_ > kPatience_s) {
     if (++attempts_ >= kMostAttempts) {
-      return port_.giveUp(
+      return port().giveUp(
           QStringLiteral("what is at this port does not answer as a Hokuyo scanner"));
     }
     go(step_ == Step::Starting ? Step::Stopping : step_);
   }
-}
-
-void HokuyoScanner::tell(DeviceState state, const QString& detail) {
-  if (told_.changes(state, detail)) Q_EMIT stateChanged(state, detail);
 }
 
 }  // namespace handmap

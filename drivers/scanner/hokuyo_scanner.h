@@ -1,20 +1,16 @@
 // A Hokuyo laser scanner that speaks SCIP 2.0, on a serial line (USB) or TCP.
 #pragma once
 
-#include <QTimer>
 #include <optional>
 
 #include "drivers/device/clock_offset.h"
-#include "drivers/device/device.h"
-#include "drivers/device/rig_clock.h"
-#include "drivers/device/told_state.h"
 #include "drivers/scanner/scip.h"
-#include "drivers/serial/byte_port.h"
 #include "drivers/serial/line_buffer.h"
+#include "drivers/serial/port_device.h"
 
 namespace handmap {
 
-class HokuyoScanner : public RangeSensor {
+class HokuyoScanner : public PortDevice<RangeSensor> {
   Q_OBJECT
  public:
   static constexpr std::int32_t kBaud = 115200;  ///< USB has none, older serial ones this
@@ -23,23 +19,21 @@ class HokuyoScanner : public RangeSensor {
                 QObject* parent = nullptr);
   ~HokuyoScanner() override;
 
-  void open() override;
-  void close() override;
   int damagedAnswers() const { return reader_.damaged(); }
 
  private:
   enum class Step { Closed, Stopping, Asking, LightingUp, Starting, Scanning };
   void go(Step step);
+  void begin() override;
+  void take(const QByteArray& bytes) override;
+  void watch() override;
+  void rest() override;
+  void forget() override { step_ = Step::Closed; }
   void take(const ScipAnswer& answer);
   void takeScan(const ScipAnswer& answer);
-  void watch();
-  void tell(DeviceState state, const QString& detail);
 
-  RigClock clock_;
-  BytePort port_;
   LineBuffer lines_;
   ScipReader reader_;
-  QTimer timer_;
   Step step_ = Step::Closed;
   double step_since_s_ = 0.0;
   int attempts_ = 0;
@@ -47,7 +41,6 @@ class HokuyoScanner : public RangeSensor {
   ScipClock scanner_clock_;
   ClockOffset offset_;
   double last_scan_s_ = 0.0;
-  ToldState told_;
 };
 
 }  // namespace handmap

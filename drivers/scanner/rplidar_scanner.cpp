@@ -27,75 +27,58 @@ std::string littleEndian(unsigned value) {
 
 RplidarScanner::RplidarScanner(PortAddress address, RigClock clock, std::uint64_t seed,
                                QObject* parent)
-    : RangeSensor(parent), clock_(std::move(clock)), port_(std::move(address), seed) {
-  connect(&port_, &BytePort::opened, this, [this] {
-    attempts_ = 0;
-    timer_.start(kWatch_ms);
-    go(Step::Stopping);
-  });
-  connect(&port_, &BytePort::received, this, [this](const QByteArray& bytes) {
-    take(reader_.feed({bytes.constData(), static_cast<std::size_t>(bytes.size())}));
-  });
-  connect(&port_, &BytePort::lost, this, [this](const QString& why) {
-    step_ = Step::Closed;
-    timer_.stop();
-    tell(DeviceState::Lost, why);
-  });
-  connect(&timer_, &QTimer::timeout, this, &RplidarScanner::watch);
+    : PortDevice(std::move(address), std::move(clock), seed, kWatch_ms,
+                 QStringLiteral("opening the port of the scanner"), parent) {}
+
+RplidarScanner::~RplidarScanner() { close(); }
+
+void RplidarScanner::begin() {
+  attempts_ = 0;
+  go(Step::Stopping);
 }
 
-RplidarScanner::~RplidarScanner() { RplidarScanner::close(); }
-
-void RplidarScanner::open() {
-  if (told_.state() != DeviceState::Closed) return;
-  tell(DeviceState::Connecting, QStringLiteral("opening the port of the scanner"));
-  port_.open();
+void RplidarScanner::take(const QByteArray& bytes) {
+  take(reader_.feed({bytes.constData(), static_cast<std::size_t>(bytes.size())}));
 }
 
-void RplidarScanner::close() {
-  if (told_.state() == DeviceState::Closed) return;
-  if (step_ != Step::Closed) {
-    port_.write(rplidar::request(Request::Stop));
-    motor(false);
-  }
-  step_ = Step::Closed;
-  timer_.stop();
-  port_.close();
-  tell(DeviceState::Closed, {});
+void RplidarScanner::rest() {
+  if (step_ == Step::Closed) return;
+  port().write(rplidar::request(Request::Stop));
+  motor(false);
 }
 
 // Each series has its own switch, and passes over those of the others.
 void RplidarScanner::motor(bool on) {
   constexpr unsigned kPwm = 660;  // the maker's default, of 1023
   constexpr unsigned kTurnsAMinute = 600;
-  port_.setDataTerminalReady(!on);
-  port_.write(rplidar::request(Request::MotorPwm, littleEndian(on ? kPwm : 0)));
-  port_.write(rplidar::request(Request::MotorSpeed, littleEndian(on ? kTurnsAMinute : 0)));
+  port().setDataTerminalReady(!on);
+  port().write(rplidar::request(Request::MotorPwm, littleEndian(on ? kPwm : 0)));
+  port().write(rplidar::request(Request::MotorSpeed, littleEndian(on ? kTurnsAMinute : 0)));
 }
 
 void RplidarScanner::go(Step step) {
   step_ = step;
-  step_since_s_ = clock_();
+  step_since_s_ = now_s();
   switch (step) {
     case Step::Closed:
       return;
     case Step::Stopping:
       tell(DeviceState::Connecting, QStringLiteral("asking the scanner what it is"));
-      return port_.write(rplidar::request(Request::Stop));
+      return port().write(rplidar::request(Request::Stop));
     case Step::Identifying:
       reader_.clear();
-      return port_.write(rplidar::request(Request::GetInfo));
+      return port().write(rplidar::request(Request::GetInfo));
     case Step::Examining:
-      return port_.write(rplidar::request(Request::GetHealth));
+      return port().write(rplidar::request(Request::GetHealth));
     case Step::Resetting:
       tell(DeviceState::Degraded, QStringLiteral("the scanner reports an error and is reset"));
-      return port_.write(rplidar::request(Request::Reset));
+      return port().write(rplidar::request(Request::Reset));
     case Step::StartingExpress:
       motor(true);
-      return port_.write(rplidar::request(Request::ExpressScan, std::string(5, '\0')));
+      return port().write(rplidar::request(Request::ExpressScan, std::string(5, '\0')));
     case Step::StartingPlain:
-      port_.write(rplidar::request(Request::Stop));
-      return port_.write(rplidar::request(Request::Scan));
+      port().write(rplidar::request(Request::Stop));
+      return port().write(rplidar::request(Request::Scan));
     case Step::Scanning:
       turns_.clear();
       last_turn_s_ = 0.0;
@@ -124,38 +107,34 @@ void RplidarScanner::take(const RplidarReader::Events& events) {
 }
 
 void RplidarScanner::takeTurn(const std::vector<RangePoint>& points) {
-  const double now_s = clock_();
+  const double end_s = now_s();
   // It has no clock: measured in the middle of the turn that ends now.
-  const double turn_s = last_turn_s_ > 0.0 ? std::min(now_s - last_turn_s_, 0.5) : 0.1;
-  last_turn_s_ = now_s;
-  port_.delivers();
+  const double turn_s = last_turn_s_ > 0.0 ? std::min(end_s - last_turn_s_, 0.5) : 0.1;
+  last_turn_s_ = end_s;
+  port().delivers();
   tell(DeviceState::Ready, model_);
-  Q_EMIT scanned(now_s - 0.5 * turn_s, points);
+  Q_EMIT scanned(end_s - 0.5 * turn_s, points);
 }
 
 void RplidarScanner::watch() {
-  const double waited_s = clock_() - step_since_s_;
+  const double waited_s = now_s() - step_since_s_;
   if (step_ == Step::Stopping) {
     if (waited_s > kQuiet_s) go(Step::Identifying);
   } else if (step_ == Step::Resetting) {
     if (waited_s > kReset_s) go(++attempts_ < kMostAttempts ? Step::Stopping : Step::Closed);
-    if (step_ == Step::Closed) port_.giveUp(QStringLiteral("the scanner reports an error"));
+    if (step_ == Step::Closed) port().giveUp(QStringLiteral("the scanner reports an error"));
   } else if (step_ == Step::Scanning) {
     const bool began = last_turn_s_ > 0.0;
-    const double silent_s = began ? clock_() - last_turn_s_ : waited_s;
+    const double silent_s = began ? now_s() - last_turn_s_ : waited_s;
     if (silent_s > (began ? kSilence_s : kSpinUp_s)) {
-      port_.giveUp(QStringLiteral("the scanner sends no whole turn: does its motor run?"));
+      port().giveUp(QStringLiteral("the scanner sends no whole turn: does its motor run?"));
     }
   } else if (step_ == Step::StartingExpress && waited_s > kPatience_s) {
     go(Step::StartingPlain);  // older firmwares know no other
   } else if (waited_s > kPatience_s) {
     if (++attempts_ < kMostAttempts) return go(Step::Stopping);
-    port_.giveUp(QStringLiteral("what is at this port does not answer as an RPLIDAR"));
+    port().giveUp(QStringLiteral("what is at this port does not answer as an RPLIDAR"));
   }
-}
-
-void RplidarScanner::tell(DeviceState state, const QString& detail) {
-  if (told_.changes(state, detail)) Q_EMIT stateChanged(state, detail);
 }
 
 }  // namespace handmap

@@ -1,17 +1,12 @@
 // A SLAMTEC RPLIDAR of the A or S series on a serial line (or behind TCP).
 #pragma once
 
-#include <QTimer>
-
-#include "drivers/device/device.h"
-#include "drivers/device/rig_clock.h"
-#include "drivers/device/told_state.h"
 #include "drivers/scanner/rplidar_protocol.h"
-#include "drivers/serial/byte_port.h"
+#include "drivers/serial/port_device.h"
 
 namespace handmap {
 
-class RplidarScanner : public RangeSensor {
+class RplidarScanner : public PortDevice<RangeSensor> {
   Q_OBJECT
  public:
   static constexpr std::int32_t kBaud = 115200;  ///< A1, A2; A3 and S1 have 256000, S2 1000000
@@ -20,8 +15,6 @@ class RplidarScanner : public RangeSensor {
                  QObject* parent = nullptr);
   ~RplidarScanner() override;
 
-  void open() override;
-  void close() override;
   int damagedAnswers() const { return reader_.damaged(); }
 
  private:
@@ -36,23 +29,22 @@ class RplidarScanner : public RangeSensor {
     Scanning
   };
   void go(Step step);
+  void begin() override;
+  void take(const QByteArray& bytes) override;
+  void watch() override;
+  void rest() override;
+  void forget() override { step_ = Step::Closed; }
   void take(const RplidarReader::Events& events);
   void takeTurn(const std::vector<RangePoint>& points);
-  void watch();
   void motor(bool on);
-  void tell(DeviceState state, const QString& detail);
 
-  RigClock clock_;
-  BytePort port_;
   RplidarReader reader_;
   RplidarTurns turns_;
-  QTimer timer_;
   Step step_ = Step::Closed;
   double step_since_s_ = 0.0;
   int attempts_ = 0;
   double last_turn_s_ = 0.0;
   QString model_;
-  ToldState told_;
 };
 
 }  // namespace handmap

@@ -492,22 +492,6 @@
         <translation>テンプレートとして保存(&amp;K)…</translation>
     </message>
     <message>
-        <source>Follow the Ro&amp;bot</source>
-        <translation>ロボットを追う(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Keep the robot in the middle; again: and turn the map as it looks; again: off.</source>
-        <translation>ロボットを中央に保ちます。もう一度: 向きに合わせて地図も回します。もう一度: やめます。</translation>
-    </message>
-    <message>
-        <source>Wh&amp;y Is This Wall Here</source>
-        <translation>この壁はなぜここに(&amp;Y)</translation>
-    </message>
-    <message>
-        <source>Ask what placed a corrected wall: which observations, and how far each pulled.</source>
-        <translation>修正された壁が何によって置かれたか、どの観測がどれだけ引いたかを尋ねます。</translation>
-    </message>
-    <message>
         <source>Cu&amp;t</source>
         <translation>切り取り(&amp;T)</translation>
     </message>
@@ -710,6 +694,22 @@
     <message>
         <source>&amp;Arrange</source>
         <translation>配置(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Follow the Ro&amp;bot</source>
+        <translation>ロボットを追う(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Keep the robot in the middle; again: and turn the map as it looks; again: off.</source>
+        <translation>ロボットを中央に保ちます。もう一度: 向きに合わせて地図も回します。もう一度: やめます。</translation>
+    </message>
+    <message>
+        <source>Wh&amp;y Is This Wall Here</source>
+        <translation>この壁はなぜここに(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Ask what placed a corrected wall: which observations, and how far each pulled.</source>
+        <translation>修正された壁が何によって置かれたか、どの観測がどれだけ引いたかを尋ねます。</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +1372,17 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::ChangesItem</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m, %2 m off</source>
+        <translation>%1 m、誤差 %2 m</translation>
+    </message>
+</context>
+<context>
     <name>handmap::CanvasChips</name>
     <message>
         <source>What points are drawn to: click for the next</source>
@@ -1400,17 +1411,6 @@ Observations: %4</source>
     <message>
         <source>Finish what is drawn (Enter)</source>
         <translation>描いているものを完成します (Enter)</translation>
-    </message>
-</context>
-<context>
-    <name>handmap::ChangesItem</name>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>%1 m, %2 m off</source>
-        <translation>%1 m、誤差 %2 m</translation>
     </message>
 </context>
 <context>

@@ -4,9 +4,12 @@
 #include <chrono>
 #include <filesystem>
 #include <random>
+#include <string>
 #include <thread>
 
 #include <benchmark/benchmark.h>
+#include <pthread.h>
+#include <time.h>
 
 #include "core/map/map_io.h"
 #include "core/recording/recording.h"
@@ -104,30 +107,54 @@ BENCHMARK(snapshot)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Steps until the end and asks at random moments to stop: milliseconds from each request to the
-/// end of its step.
-std::vector<double> latenciesOf(RunSession& session, std::mt19937& random) {
-  std::vector<double> latencies_ms;
+/// What a thread has worked, which others on the machine leave as it is.
+class WorkClock {
+ public:
+  WorkClock() { pthread_getcpuclockid(pthread_self(), &clock_); }
+  /// Of the thread that made it; from any thread.
+  double milliseconds() const {
+    timespec now{};
+    clock_gettime(clock_, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+  }
+
+ private:
+  clockid_t clock_{};
+};
+
+/// From requests to stop to the end of their steps, milliseconds: by the wall, and worked.
+struct Latencies {
+  std::vector<double> wall;
+  std::vector<double> worked;
+};
+
+/// Steps until the end and asks at random moments to stop.
+void measureLatencies(RunSession& session, std::mt19937& random, Latencies& latencies_ms) {
+  const WorkClock clock;
   double step_ms = 20.0;  // of the latest whole step: within it a stop is to come
   for (;;) {
     std::stop_source stop;
     Clock::time_point asked;
+    double worked = 0.0;
     const double wait_ms = std::uniform_real_distribution(0.0, 2.0 * step_ms)(random);
     std::thread asking([&] {
       std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(wait_ms));
       asked = Clock::now();
+      worked = clock.milliseconds();
       stop.request_stop();
     });
     const auto begin = Clock::now();
     const auto shown = session.step(stop.get_token());
     const auto ended = Clock::now();
+    const double worked_at_end = clock.milliseconds();
     asking.join();
     if (asked < ended) {
-      latencies_ms.push_back(std::chrono::duration<double, std::milli>(ended - asked).count());
+      latencies_ms.wall.push_back(std::chrono::duration<double, std::milli>(ended - asked).count());
+      latencies_ms.worked.push_back(worked_at_end - worked);
     } else if (shown) {
       step_ms = std::chrono::duration<double, std::milli>(ended - begin).count();
     } else {
-      return latencies_ms;
+      return;
     }
   }
 }
@@ -137,28 +164,30 @@ RunSession driveAround(std::uint64_t seed, double step_m) {
   return RunSession(perturbed(world.map, 4.0, seed), simulate(world, atStep({}, step_m), seed), {});
 }
 
-void report(benchmark::State& state, std::vector<double> latencies_ms) {
-  std::sort(latencies_ms.begin(), latencies_ms.end());
-  const auto quantile = [&](double share) {
-    return latencies_ms.empty() ? 0.0
-                                : latencies_ms[static_cast<std::size_t>(
-                                      share * static_cast<double>(latencies_ms.size() - 1))];
+void report(benchmark::State& state, Latencies latencies_ms) {
+  state.counters["stops"] = static_cast<double>(latencies_ms.wall.size());
+  const auto count = [&state](std::vector<double>& of, const std::string& suffix) {
+    std::sort(of.begin(), of.end());
+    const auto quantile = [&of](double share) {
+      const auto at = static_cast<std::size_t>(share * static_cast<double>(of.size() - 1));
+      return of.empty() ? 0.0 : of[at];
+    };
+    state.counters["p50_" + suffix] = quantile(0.5);
+    state.counters["p99_" + suffix] = quantile(0.99);
+    state.counters["worst_" + suffix] = quantile(1.0);
   };
-  state.counters["stops"] = static_cast<double>(latencies_ms.size());
-  state.counters["p50_ms"] = quantile(0.5);
-  state.counters["p99_ms"] = quantile(0.99);
-  state.counters["worst_ms"] = quantile(1.0);
+  count(latencies_ms.wall, "ms");
+  count(latencies_ms.worked, "worked_ms");
 }
 
 /// Over drives of more than 500 observations around campuses, half the steps are asked to stop.
 void stopping(benchmark::State& state) {
   std::mt19937 random(1);
-  std::vector<double> latencies_ms;
+  Latencies latencies_ms;
   for (auto _ : state) {
     for (const std::uint64_t seed : {1, 2}) {
       RunSession session = driveAround(seed, 2.0);
-      const auto more = latenciesOf(session, random);
-      latencies_ms.insert(latencies_ms.end(), more.begin(), more.end());
+      measureLatencies(session, random, latencies_ms);
     }
   }
   report(state, std::move(latencies_ms));
@@ -168,8 +197,9 @@ BENCHMARK(stopping)->Iterations(1)->Unit(benchmark::kSecond);
 /// The same within what is done once the source is at its end.
 void stoppingAtTheEnd(benchmark::State& state) {
   constexpr std::uint64_t kDrives = 20;
+  const WorkClock clock;
   std::mt19937 random(1);
-  std::vector<double> latencies_ms;
+  Latencies latencies_ms;
   double whole_ms = 1000.0;
   for (auto _ : state) {
     for (std::uint64_t seed = 1; seed <= kDrives; ++seed) {
@@ -179,6 +209,7 @@ void stoppingAtTheEnd(benchmark::State& state) {
       }
       std::stop_source stop;
       Clock::time_point asked = Clock::time_point::max();
+      double worked = 0.0;
       const double wait_ms =
           seed == 1 ? 1e4 : std::uniform_real_distribution(0.0, whole_ms)(random);
       std::atomic<bool> over = false;
@@ -189,15 +220,19 @@ void stoppingAtTheEnd(benchmark::State& state) {
         }
         if (over) return;
         asked = Clock::now();
+        worked = clock.milliseconds();
         stop.request_stop();
       });
       const auto begin = Clock::now();
       session.step(stop.get_token());
       const auto ended = Clock::now();
+      const double worked_at_end = clock.milliseconds();
       over = true;
       asking.join();
       if (asked < ended) {
-        latencies_ms.push_back(std::chrono::duration<double, std::milli>(ended - asked).count());
+        latencies_ms.wall.push_back(
+            std::chrono::duration<double, std::milli>(ended - asked).count());
+        latencies_ms.worked.push_back(worked_at_end - worked);
       } else {
         whole_ms = std::chrono::duration<double, std::milli>(ended - begin).count();
       }

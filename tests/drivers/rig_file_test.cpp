@@ -69,6 +69,21 @@ TEST(RigFile, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(parseRig(text, "rig.json", "/robots"), rig);
 }
 
+TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
+  const Rig rig = parsed(R"("camera": {"ros": "ws://rover:9090", "left": "/left", "right": "/right",
+      "calibration": "c.yml"}, "publish": {"ros": "ws://rover:9090", "foxglove": 8765})");
+  EXPECT_EQ(rig.camera->ros, "ws://rover:9090");
+  EXPECT_EQ(rig.publish, (PublishRig{"ws://rover:9090", 8765, false}));
+  EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
+  EXPECT_NE(refusal(R"("camera": {"ros": "ws://x:1", "left": "a", "right": "b", "width": 640,
+                    "calibration": "c"})")
+                .find("camera.width"),
+            std::string::npos);
+  EXPECT_NE(refusal(std::string(kScanner) + R"(, "publish": {"foxglove": 70000})")
+                .find("publish.foxglove"),
+            std::string::npos);
+}
+
 TEST(RigFile, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(refusal(R"("name": "x")"),
             "rig.json: found neither camera nor scanner, expected one of them: what the robot sees "

@@ -125,7 +125,14 @@ TEST_F(LiveWindow, TheDialogSaysWhatIsMissing) {
   sees->setCurrentIndex(sees->findText("Laser scanner: Hokuyo"));
   dialog->findChild<QComboBox*>("rig_scanner")->setEditText("");
   dialog->findChild<QPushButton*>("rig_use")->click();
-  EXPECT_TRUE(wordsOf(*dialog).contains("scanner.port")) << wordsOf(*dialog).toStdString();
+  EXPECT_EQ(wordsOf(*dialog), "Choose where the scanner is connected.");
+  sees->setCurrentIndex(sees->findText("Two cameras over ROS"));
+  dialog->findChild<QPushButton*>("rig_use")->click();
+  EXPECT_EQ(wordsOf(*dialog), "Enter where the rosbridge is: ws://host:9090.");
+  sees->setCurrentIndex(sees->findText("Stereo camera, both images in one"));
+  dialog->findChild<QComboBox*>("rig_camera")->setEditText(" ");
+  dialog->findChild<QPushButton*>("rig_use")->click();
+  EXPECT_EQ(wordsOf(*dialog), "Choose a camera.");
   EXPECT_TRUE(dialog->isVisible());
   dialog->reject();
 }
@@ -152,6 +159,24 @@ TEST_F(LiveWindow, ARigIsSavedOpenedAndUsed) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return window->rigs().dialog() == nullptr; }, kPatienceMs));
   EXPECT_TRUE(message(*window).contains("Cart")) << message(*window).toStdString();
   EXPECT_TRUE(action(*window, "run.run")->isEnabled());
+}
+
+TEST_F(LiveWindow, ARigOverRosIsEnteredAsAnyOther) {
+  const auto window = open();
+  action(*window, "run.connect")->trigger();
+  RigDialog* dialog = window->rigs().dialog();
+  Rig rig;
+  rig.name = "Rover";
+  rig.camera = CameraRig{};
+  rig.camera->ros = "ws://rover:9090";
+  rig.camera->left = "/left/compressed";
+  rig.camera->right = "/right/compressed";
+  rig.camera->calibration = path("calib.yml").toStdString();
+  rig.odometry.kind = OdometryRigKind::Visual;
+  rig.publish = {"ws://rover:9090", 8765, true};
+  dialog->form().setRig(rig);
+  EXPECT_EQ(dialog->form().rig(), rig);
+  dialog->reject();
 }
 
 TEST_F(LiveWindow, ARigIsTriedAndLookedAt) {

@@ -214,10 +214,10 @@ void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
 void DrawingItem::paintLabel(QPainter& painter, const Shape& shape,
                              const QTransform& to_device) const {
   const double line = painter.fontMetrics().height();
-  const QString id = QString::fromStdString(shape.id);
   bool on_ground = !document_.map().underlays.empty();
   QPolygonF outline = to_device.map(shape.outline);
   QPointF centre = to_device.map(shape.middle);
+  const QString id = QString::fromStdString(shape.id);
   // What the tool moves is where its preview is.
   const auto other = label_outlines_.constFind(id);
   if (other != label_outlines_.cend() && previewed_.empty()) {

@@ -163,7 +163,7 @@ class MapCanvas : public QGraphicsView {
   CanvasSnapping snapping_;
   Snap snap_;  ///< of the last event
   const Colours* colours_;
-  double turn_ = 0.0;  ///< of the view, radians
+  double turn_ = 0.0;
   bool grid_visible_ = true;
   bool space_held_ = false;
   bool fitted_ = true;  ///< as zoomToFit() left it: stays so when the canvas gets another size

@@ -75,6 +75,26 @@ TEST(SeenFrames, LeavesOutWhatWasSeenFromTheSamePlace) {
   EXPECT_EQ(seen.frames()[1].observation, 2U);
 }
 
+TEST(SeenFrames, TakesNoMoreMemoryTheLongerTheWay) {
+  constexpr std::size_t kMost = 10'000;
+  SeenFrames seen(40.0, kMost);
+  const std::vector<RangePoint> points(500, RangePoint{5.0F, 5.0F, 2.0F, 1.0F});
+  constexpr std::size_t kObservations = 2000;
+  for (std::size_t i = 0; i < kObservations; ++i) {
+    seen.add(i, {0.6 * static_cast<double>(i), 0.0, 0.0}, {}, points);
+    std::size_t rays = 0;
+    for (const SeenFrame& frame : seen.frames()) rays += frame.rays.size();
+    ASSERT_LE(rays, kMost);
+  }
+  EXPECT_EQ(seen.frames().front().observation, 0U);
+  std::size_t farthest = 0;  // of what was kept all along the way
+  for (std::size_t k = 1; k < seen.frames().size(); ++k) {
+    farthest = std::max(farthest, seen.frames()[k].observation - seen.frames()[k - 1].observation);
+  }
+  EXPECT_GT(seen.frames().back().observation, kObservations - 200);
+  EXPECT_LT(farthest, 200U);
+}
+
 TEST(SeenFrames, TakesSilenceFromWhatItLeavesOut) {
   SeenFrames seen(40.0);
   seen.add(0, {}, {}, {});

@@ -158,6 +158,27 @@ TEST(RunSession, AStopRequestEndsTheStep) {
   EXPECT_EQ(session.frames().size(), 1U);
 }
 
+TEST(RunSession, GoesOnAfterStepsThatWereStoppedAnywhere) {
+  const World world = twoRowWorld(5);
+  RunSettings ours;
+  ours.threads = 1;
+  RunSession session(perturbed(world.map, 3.0, 5), simulate(world, {}, 5), ours);
+  const auto count = static_cast<std::size_t>(session.source().observations);
+  for (std::size_t i = 0; session.frames().size() < count; ++i) {
+    std::stop_source stop;
+    std::size_t heard = 0;
+    const auto shown = session.step(stop.get_token(), [&](double) {
+      if (heard++ == i % 3) stop.request_stop();  // early, late or not at all
+    });
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->map->buildings.size(), world.map.buildings.size());
+  }
+  const auto last = session.step();
+  ASSERT_TRUE(last);
+  const Vec2 truth = session.source().truth.back().pose.position();
+  EXPECT_LT((last->report.pose.position() - truth).norm(), 3.0);
+}
+
 TEST(RunSession, WarnsWhenNoDrawnBuildingIsNear) {
   Map far = street();
   far.start = Pose2{500.0, 0.0, 0.0};

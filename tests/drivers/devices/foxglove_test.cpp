@@ -1,20 +1,19 @@
-#include <QWebSocketHandshakeOptions>
 #include <QtEndian>
 #include <memory>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "drivers/foxglove/foxglove_server.h"
+#include "tests/drivers/devices/foxglove_viewer.h"
 #include "tests/drivers/devices/peer.h"
-#include "tests/drivers/devices/waiting.h"
 
 namespace handmap {
 namespace {
 
-using nlohmann::json;
+using test::json;
 using test::Peer;
+using test::Viewer;
 using test::waitUntil;
 
 std::shared_ptr<const Map> oneBuilding() {
@@ -24,28 +23,6 @@ std::shared_ptr<const Map> oneBuilding() {
   map->buildings[0].shape = Rectangle{{10.0, 5.0}, 8.0, 4.0, 0.0};
   return map;
 }
-
-/// A client in a few lines.
-struct Viewer {
-  explicit Viewer(quint16 port, const QString& protocol = QStringLiteral("foxglove.websocket.v1")) {
-    QObject::connect(
-        &socket, &QWebSocket::textMessageReceived, &socket,
-        [this](const QString& text) { texts.push_back(json::parse(text.toStdString())); });
-    QObject::connect(&socket, &QWebSocket::binaryMessageReceived, &socket,
-                     [this](const QByteArray& bytes) { frames.push_back(bytes); });
-    QWebSocketHandshakeOptions options;
-    if (!protocol.isEmpty()) options.setSubprotocols({protocol});
-    socket.open(QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(port)), options);
-  }
-  bool hears(std::size_t count) {
-    return waitUntil([&] { return texts.size() >= count; });
-  }
-  void send(const json& message) { socket.sendTextMessage(QString::fromStdString(message.dump())); }
-
-  QWebSocket socket;
-  std::vector<json> texts;
-  std::vector<QByteArray> frames;
-};
 
 TEST(FoxgloveServer, NothingListensUnlessAskedAndThenOnTheLoopback) {
   FoxgloveServer server;

@@ -1,8 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <tuple>
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +7,7 @@
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
-#include "drivers/rig/rig.h"
+#include "drivers/rig/rig_names.h"
 
 namespace handmap {
 
@@ -19,7 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kVersion = 1;
 constexpr std::uintmax_t kMaxBytes = 1u << 20;
 constexpr std::size_t kMaxTextBytes = 4096;
 constexpr double kMaxMount_m = 100.0;
@@ -31,14 +26,7 @@ constexpr int kMaxPixels = 16384;
 constexpr double kMaxRate_hz = 1000.0;
 constexpr double kMaxStanding_s = 60.0;
 constexpr double kMaxEvery_m = 1000.0;
-
-constexpr std::array kScanners = {
-    std::pair(ScannerKind::Hokuyo, "hokuyo"), std::pair(ScannerKind::Rplidar, "rplidar"),
-    std::pair(ScannerKind::Ros, "ros"), std::pair(ScannerKind::RosCloud, "ros-cloud")};
-constexpr std::array kOdometries = {
-    std::pair(OdometryRigKind::None, "none"), std::pair(OdometryRigKind::Lines, "lines"),
-    std::pair(OdometryRigKind::Ros, "ros"), std::pair(OdometryRigKind::Visual, "visual"),
-    std::pair(OdometryRigKind::Scan, "scan")};
+constexpr int kMaxPort = 65535;
 
 template <typename Kind, std::size_t count>
 Kind kindOf(const JsonValue& json, const std::array<std::pair<Kind, const char*>, count>& known) {
@@ -49,14 +37,6 @@ Kind kindOf(const JsonValue& json, const std::array<std::pair<Kind, const char*>
     words += (words.empty() ? "" : ", ") + std::string(name);
   }
   json.fail("one of " + words);
-}
-
-template <typename Kind, std::size_t count>
-std::string nameOf(Kind kind, const std::array<std::pair<Kind, const char*>, count>& known) {
-  for (const auto& [its, name] : known) {
-    if (kind == its) return name;
-  }
-  throw Error(ErrorCode::RunFailed, "a virtual rig has no file");
 }
 
 void onlyKnown(const JsonValue& json, const std::vector<std::string_view>& known) {
@@ -89,10 +69,17 @@ fs::path pathFrom(const JsonValue& json, const fs::path& folder) {
 }
 
 CameraRig readCamera(const JsonValue& json, const fs::path& folder) {
-  onlyKnown(json, {"device", "left", "right", "calibration", "width", "height", "rate_hz",
+  onlyKnown(json, {"device", "left", "right", "ros", "calibration", "width", "height", "rate_hz",
                    "right_delay_ms", "mount"});
   CameraRig camera;
   const bool side_by_side = json.find("device").has_value();
+  if (json.find("ros")) {
+    camera.ros = neededText(json, "ros");
+    for (const char* key : {"device", "width", "height", "rate_hz", "right_delay_ms"}) {
+      if (json.find(key))
+        json.at(key).fail("it beside \"ros\"", "the topics \"left\" and \"right\"");
+    }
+  }
   if (side_by_side && (json.find("left") || json.find("right"))) {
     json.fail("\"device\" and \"left\" or \"right\"",
               "\"device\" (both images in one) or \"left\" and \"right\"");
@@ -161,6 +148,19 @@ StopRig readStops(const JsonValue& json) {
   return stops;
 }
 
+PublishRig readPublish(const JsonValue& json) {
+  onlyKnown(json, {"ros", "foxglove", "beyond_this_machine"});
+  PublishRig publish;
+  if (json.find("ros")) publish.ros = neededText(json, "ros");
+  if (const auto port = json.find("foxglove")) {
+    publish.foxglove = static_cast<int>(port->integer(1, kMaxPort));
+  }
+  if (const auto beyond = json.find("beyond_this_machine")) {
+    publish.beyond_this_machine = beyond->flag();
+  }
+  return publish;
+}
+
 /// What each part for itself is right about may still not go together.
 void checkTogether(const Rig& rig, const std::string& source) {
   if (rig.camera.has_value() == rig.scanner.has_value()) {
@@ -182,78 +182,7 @@ void checkTogether(const Rig& rig, const std::string& source) {
   }
 }
 
-using Json = nlohmann::ordered_json;
-
-/// Degrees that read back as the same radians.
-double degreesOf(double radians) {
-  const double degrees = toDegrees(radians);
-  const double rounded = std::round(degrees * 1e6) / 1e6;
-  return toRadians(rounded) == radians ? rounded : degrees;
-}
-
-std::string pathText(const fs::path& path, const fs::path& folder) {
-  const fs::path relative = path.lexically_relative(folder);
-  const bool inside = !relative.empty() && staysInside(relative);
-  return (inside ? relative : path).string();
-}
-
-Json cameraJson(const CameraRig& camera, const fs::path& folder) {
-  Json json;
-  if (camera.right.empty()) {
-    json["device"] = camera.left;
-  } else {
-    json["left"] = camera.left;
-    json["right"] = camera.right;
-  }
-  json["calibration"] = pathText(camera.calibration, folder);
-  if (camera.width > 0) json["width"] = camera.width;
-  if (camera.height > 0) json["height"] = camera.height;
-  if (camera.rate_hz > 0.0) json["rate_hz"] = camera.rate_hz;
-  if (camera.right_delay_s != 0.0) json["right_delay_ms"] = camera.right_delay_s * 1000.0;
-  const CameraMount& mount = camera.mount;
-  json["mount"] = {{"x_m", mount.x},
-                   {"y_m", mount.y},
-                   {"z_m", mount.z},
-                   {"pitch_deg", degreesOf(mount.pitch)},
-                   {"yaw_deg", degreesOf(mount.yaw)}};
-  return json;
-}
-
-Json scannerJson(const ScannerRig& scanner) {
-  Json json{{"kind", nameOf(scanner.kind, kScanners)}, {"port", scanner.port}};
-  if (scanner.isRos()) json["topic"] = scanner.topic;
-  const ScannerMount& mount = scanner.mount;
-  json["mount"] = {
-      {"x_m", mount.x}, {"y_m", mount.y}, {"z_m", mount.z}, {"yaw_deg", degreesOf(mount.yaw)}};
-  return json;
-}
-
-Json odometryJson(const OdometryRig& odometry) {
-  Json json{{"kind", nameOf(odometry.kind, kOdometries)}};
-  if (odometry.isMeasured()) json["port"] = odometry.port;
-  if (odometry.kind == OdometryRigKind::Ros) json["topic"] = odometry.topic;
-  return json;
-}
-
-Json stopsJson(const StopRig& stops) {
-  Json pans = Json::array();
-  for (const double pan : stops.pans) pans.push_back(degreesOf(pan));
-  return {{"pans_deg", pans},
-          {"standing_s", stops.standing_s},
-          {"every_m", stops.every_m},
-          {"automatic", stops.automatic}};
-}
-
 }  // namespace
-
-bool CameraRig::operator==(const CameraRig& other) const {
-  const auto all = [](const CameraRig& c) {
-    const CameraMount& m = c.mount;
-    return std::tuple(c.left, c.right, c.calibration, m.x, m.y, m.z, m.pitch, m.yaw, c.width,
-                      c.height, c.rate_hz, c.right_delay_s);
-  };
-  return all(*this) == all(other);
-}
 
 StopRig sixPans() {
   StopRig stops;
@@ -270,14 +199,14 @@ Rig parseRig(const std::string& text, const std::string& source, const fs::path&
     json.at("format").fail("\"handmap-rig\"");
   }
   const auto version = json.at("version").integer(1, INT64_MAX);
-  if (version > kVersion) {
+  if (version > kRigVersion) {
     throw Error(ErrorCode::BadInput,
                 fmt::format("{}: version: found {}, this program reads up to {}", source, version,
-                            kVersion),
+                            kRigVersion),
                 "update the program to use this rig");
   }
   onlyKnown(json, {"format", "version", "name", "range_limit_m", "camera", "head", "scanner",
-                   "odometry", "stops", "ros", "record"});
+                   "odometry", "stops", "ros", "publish", "record"});
   Rig rig;
   rig.name = json.textOr("name", kMaxTextBytes, "");
   readNumber(json, "range_limit_m", 1.0, 200.0, rig.range_limit_m);
@@ -295,6 +224,7 @@ Rig parseRig(const std::string& text, const std::string& source, const fs::path&
   }
   if (const auto stops = json.find("stops")) rig.stops = readStops(*stops);
   if (const auto ros = json.find("ros")) rig.ros_version = static_cast<int>(ros->integer(1, 2));
+  if (const auto publish = json.find("publish")) rig.publish = readPublish(*publish);
   if (const auto record = json.find("record")) rig.record = pathFrom(*record, folder);
   checkTogether(rig, source);
   return rig;
@@ -304,20 +234,6 @@ Rig readRig(const fs::path& path) {
   Rig rig = parseRig(readFile(path, kMaxBytes), path.string(), path.parent_path());
   if (rig.name.empty()) rig.name = path.stem().string();
   return rig;
-}
-
-std::string formatRig(const Rig& rig, const fs::path& folder) {
-  Json json{{"format", "handmap-rig"}, {"version", kVersion}};
-  if (!rig.name.empty()) json["name"] = rig.name;
-  json["range_limit_m"] = rig.range_limit_m;
-  if (rig.camera) json["camera"] = cameraJson(*rig.camera, folder);
-  if (rig.head) json["head"] = {{"port", rig.head->port}};
-  if (rig.scanner) json["scanner"] = scannerJson(*rig.scanner);
-  json["odometry"] = odometryJson(rig.odometry);
-  if (rig.stops) json["stops"] = stopsJson(*rig.stops);
-  if (rig.ros_version != 2) json["ros"] = rig.ros_version;
-  if (!rig.record.empty()) json["record"] = pathText(rig.record, folder);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace handmap

@@ -1,0 +1,50 @@
+// The devices that a rig file names, as they are made.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "drivers/connected/connected_devices.h"
+#include "drivers/emulators/ros_emulated_messages.h"
+#include "drivers/emulators/rosbridge_emulator.h"
+#include "tests/drivers/devices/waiting.h"
+
+namespace handmap {
+namespace {
+
+QByteArray picture(int grey) {
+  std::vector<unsigned char> file;
+  cv::imencode(".png", cv::Mat(8, 8, CV_8UC1, cv::Scalar(grey)), file);
+  return {reinterpret_cast<const char*>(file.data()), static_cast<qsizetype>(file.size())};
+}
+
+TEST(ConnectedDevices, TwoCamerasOverRosGivePairs) {
+  RosbridgeEmulator ros;
+  const Rig rig =
+      parseRig(fmt::format(R"({{"format": "handmap-rig", "version": 1, "camera": {{"ros": "{}",
+          "left": "/left", "right": "/right", "calibration": "calib.yml"}}}})",
+                           ros.url().toString().toStdString()),
+               "rig.json", "/");
+  RigMonitor monitor;
+  const RigDevices devices = connectedDevices()(rig, monitor);
+  ASSERT_NE(devices.camera, nullptr);
+  int pairs = 0;
+  QObject::connect(devices.camera.get(), &PairCamera::pairTaken, devices.camera.get(),
+                   [&pairs](double, const cv::Mat& left, const cv::Mat& right) {
+                     EXPECT_EQ(left.at<uchar>(0, 0) + 1, right.at<uchar>(0, 0));
+                     ++pairs;
+                   });
+  devices.camera->open();
+  ASSERT_TRUE(test::waitUntil([&] { return ros.hasSubscriber(QStringLiteral("/right")); }));
+  const auto send = [&ros](const QString& topic, int i, int grey) {
+    ros.publish(topic, emulated::compressedImage(50.0 + 0.1 * i, picture(grey), RosVersion::Ros2));
+  };
+  for (int i = 0; i < 10; ++i) {
+    send(QStringLiteral("/left"), i, i);
+    send(QStringLiteral("/right"), i, i + 1);
+    test::pass(20);
+  }
+  EXPECT_TRUE(test::waitUntil([&] { return pairs >= 5; }));
+}
+
+}  // namespace
+}  // namespace handmap
