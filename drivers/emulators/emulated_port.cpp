@@ -48,6 +48,7 @@ EmulatedPort::EmulatedPort(Kind kind, std::uint64_t seed, QObject* parent)
 
 EmulatedPort::~EmulatedPort() {
   server_.disconnect(this);
+  blockSignals(true);  // whose port it is may be half gone
   unplug();
 }
 

@@ -12,6 +12,8 @@ namespace handmap {
 namespace {
 
 constexpr int kMargin = 10;
+constexpr int kBesideRuler = 44;  // the lower edge is that of what the tools offer
+constexpr int kBelowRuler = 26;
 
 /// Never colour alone: full, half and empty.
 QString signOf(Certainty certainty) {
@@ -89,9 +91,8 @@ void RunStrip::setMode(FollowRobot::Mode mode) {
 }
 
 void RunStrip::place() {
-  const QSize size = sizeHint().boundedTo(parentWidget()->size() - 2 * QSize(kMargin, kMargin));
-  setGeometry(kMargin, parentWidget()->height() - size.height() - kMargin, size.width(),
-              size.height());
+  const QSize room = parentWidget()->size() - QSize(kBesideRuler + kMargin, kBelowRuler + kMargin);
+  setGeometry(QRect(QPoint(kBesideRuler, kBelowRuler), sizeHint().boundedTo(room)));
   raise();
 }
 

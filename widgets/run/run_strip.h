@@ -15,7 +15,7 @@ namespace handmap {
 class RunStrip : public QFrame {
   Q_OBJECT
  public:
-  /// Stands in the lower left corner of `over`.
+  /// Stands in the upper left corner of `over`.
   explicit RunStrip(QWidget& over);
 
   /// `map`: as it is shown; to say what the robot is beside.
