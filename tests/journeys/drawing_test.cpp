@@ -163,7 +163,7 @@ TEST_F(DrawingJourney, TheTwoRowsByArrowKeysAlone) {
 }
 
 TEST_F(DrawingJourney, TheTwoRowsByFingersAlone) {
-  pinch(0.35);
+  pinch(0.25);
   takeTool("draw.rectangle");
   for (const Drawn& drawn : kTwoRows)
     stroke(canvas_->viewport(), pixels(drawn.left, drawn.bottom),
