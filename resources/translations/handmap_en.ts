@@ -5,122 +5,80 @@
     <name>QObject</name>
     <message numerus="yes">
         <source>mean error of %n building(s)</source>
-        <translation>
-            <numerusform>mean error of %n building</numerusform>
-            <numerusform>mean error of %n buildings</numerusform>
-        </translation>
+        <translation><numerusform>mean error of %n building</numerusform><numerusform>mean error of %n buildings</numerusform></translation>
     </message>
 </context>
 <context>
     <name>TimeLeft</name>
     <message numerus="yes">
         <source>, about %n second(s) left</source>
-        <translation>
-            <numerusform>, about %n second left</numerusform>
-            <numerusform>, about %n seconds left</numerusform>
-        </translation>
+        <translation><numerusform>, about %n second left</numerusform><numerusform>, about %n seconds left</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>, about %n minute(s) left</source>
-        <translation>
-            <numerusform>, about %n minute left</numerusform>
-            <numerusform>, about %n minutes left</numerusform>
-        </translation>
+        <translation><numerusform>, about %n minute left</numerusform><numerusform>, about %n minutes left</numerusform></translation>
     </message>
 </context>
 <context>
     <name>handmap::IssuesPanel</name>
     <message numerus="yes">
         <source>%n issue(s); a click shows where.</source>
-        <translation>
-            <numerusform>%n issue; a click shows where.</numerusform>
-            <numerusform>%n issues; a click shows where.</numerusform>
-        </translation>
+        <translation><numerusform>%n issue; a click shows where.</numerusform><numerusform>%n issues; a click shows where.</numerusform></translation>
     </message>
 </context>
 <context>
     <name>handmap::RevisionActions</name>
     <message numerus="yes">
         <source>%n building(s) move by up to %1 m; %2.</source>
-        <translation>
-            <numerusform>%n building moves by up to %1 m; %2.</numerusform>
-            <numerusform>%n buildings move by up to %1 m; %2.</numerusform>
-        </translation>
+        <translation><numerusform>%n building moves by up to %1 m; %2.</numerusform><numerusform>%n buildings move by up to %1 m; %2.</numerusform></translation>
     </message>
 </context>
 <context>
     <name>handmap::RunActions</name>
     <message numerus="yes">
         <source>“%1” is open: %n row(s).</source>
-        <translation>
-            <numerusform>“%1” is open: %n row.</numerusform>
-            <numerusform>“%1” is open: %n rows.</numerusform>
-        </translation>
+        <translation><numerusform>“%1” is open: %n row.</numerusform><numerusform>“%1” is open: %n rows.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n building(s) were edited since the run began: %1</source>
-        <translation>
-            <numerusform>%n building was edited since the run began: %1</numerusform>
-            <numerusform>%n buildings were edited since the run began: %1</numerusform>
-        </translation>
+        <translation><numerusform>%n building was edited since the run began: %1</numerusform><numerusform>%n buildings were edited since the run began: %1</numerusform></translation>
     </message>
 </context>
 <context>
     <name>handmap::RunLog</name>
     <message numerus="yes">
         <source>The run begins: %1, %n building(s) drawn</source>
-        <translation>
-            <numerusform>The run begins: %1, %n building drawn</numerusform>
-            <numerusform>The run begins: %1, %n buildings drawn</numerusform>
-        </translation>
+        <translation><numerusform>The run begins: %1, %n building drawn</numerusform><numerusform>The run begins: %1, %n buildings drawn</numerusform></translation>
     </message>
 </context>
 <context>
     <name>handmap::WhyPanel</name>
     <message numerus="yes">
         <source>Seen: %1 ±%2 m, weight %3 %, by %n observation(s)</source>
-        <translation>
-            <numerusform>Seen: %1 ±%2 m, weight %3 %, by %n observation</numerusform>
-            <numerusform>Seen: %1 ±%2 m, weight %3 %, by %n observations</numerusform>
-        </translation>
+        <translation><numerusform>Seen: %1 ±%2 m, weight %3 %, by %n observation</numerusform><numerusform>Seen: %1 ±%2 m, weight %3 %, by %n observations</numerusform></translation>
     </message>
 </context>
 <context>
     <name>handmap::Words</name>
     <message numerus="yes">
         <source>%n building(s) moved by %1</source>
-        <translation>
-            <numerusform>%n building moved by %1</numerusform>
-            <numerusform>%n buildings moved by %1</numerusform>
-        </translation>
+        <translation><numerusform>%n building moved by %1</numerusform><numerusform>%n buildings moved by %1</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n stand(s) as drawn</source>
-        <translation>
-            <numerusform>%n stands as drawn</numerusform>
-            <numerusform>%n stand as drawn</numerusform>
-        </translation>
+        <translation><numerusform>%n stands as drawn</numerusform><numerusform>%n stand as drawn</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n was (were) not seen</source>
-        <translation>
-            <numerusform>%n was not seen</numerusform>
-            <numerusform>%n were not seen</numerusform>
-        </translation>
+        <translation><numerusform>%n was not seen</numerusform><numerusform>%n were not seen</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n is (are) doubtful: look at %1.</source>
-        <translation>
-            <numerusform>%n is doubtful: look at %1.</numerusform>
-            <numerusform>%n are doubtful: look at %1.</numerusform>
-        </translation>
+        <translation><numerusform>%n is doubtful: look at %1.</numerusform><numerusform>%n are doubtful: look at %1.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>For: seen in %n observation(s)</source>
-        <translation>
-            <numerusform>For: seen in %n observation</numerusform>
-            <numerusform>For: seen in %n observations</numerusform>
-        </translation>
+        <translation><numerusform>For: seen in %n observation</numerusform><numerusform>For: seen in %n observations</numerusform></translation>
     </message>
 </context>
 </TS>

@@ -131,7 +131,7 @@ constexpr std::array kActions = {
     ActionSpec{"view.snap_next", QT_TRANSLATE_NOOP("Actions", "&Next Way to Snap"), "", "N",
                QT_TRANSLATE_NOOP("Actions", "Objects, grid, both or neither in turn."), Menu::View},
 
-    ActionSpec{"view.follow", QT_TRANSLATE_NOOP("Actions", "Follow the Ro&bot"), "", "Shift+F",
+    ActionSpec{"view.follow", QT_TRANSLATE_NOOP("Actions", "Follo&w the Robot"), "", "Shift+F",
                QT_TRANSLATE_NOOP("Actions",
                                  "Keep the robot in the middle; again: and turn the map as it "
                                  "looks; again: off."),
