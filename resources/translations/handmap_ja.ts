@@ -636,8 +636,8 @@
         <translation>上下の間隔を等しくします。</translation>
     </message>
     <message>
-        <source>Snap to O&amp;bjects</source>
-        <translation>物にスナップ(&amp;B)</translation>
+        <source>Snap &amp;to Objects</source>
+        <translation>物にスナップ(&amp;T)</translation>
     </message>
     <message>
         <source>Draw points to corners, walls, their lines and right angles; Alt holds it off.</source>

@@ -1,17 +1,36 @@
 #include "widgets/run/path_item.h"
 
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
+#include <algorithm>
 
 #include "widgets/run/scene_points.h"
 
 namespace handmap {
 
+namespace {
+
+constexpr double kApartPx = 1.0;  // nobody sees corners that are nearer
+
+/// Without the corners that are nearer than so much to the one before; both ends stay.
+QPolygonF thinned(const QPolygonF& way, double apart) {
+  QPolygonF kept;
+  for (const QPointF& point : way) {
+    const QPointF step = kept.isEmpty() ? QPointF() : point - kept.last();
+    if (kept.isEmpty() || QPointF::dotProduct(step, step) >= apart * apart) kept << point;
+  }
+  if (!way.isEmpty() && kept.last() != way.last()) kept << way.last();
+  return kept;
+}
+
+}  // namespace
+
 void PathItem::setColours(const Colours& colours) { setPen(colours.pen(role_)); }
 
 void PathItem::setPoses(const std::vector<StampedPose>& poses) {
   way_.clear();
-  if (!poses.empty()) way_.moveTo(toScene(poses.front().pose.position()));
-  for (const StampedPose& stamped : poses) way_.lineTo(toScene(stamped.pose.position()));
+  way_.reserve(static_cast<qsizetype>(poses.size()));
+  for (const StampedPose& stamped : poses) way_ << toScene(stamped.pose.position());
   join();
 }
 
@@ -25,14 +44,20 @@ void PathItem::setBuildings(const std::vector<Building>& buildings) {
 }
 
 void PathItem::join() {
-  QPainterPath path = way_;
+  QPainterPath path;
+  path.addPolygon(way_);
   path.addPath(outlines_);
   setPath(path);
 }
 
-void PathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
+void PathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const double pixels_per_metre =
+      QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
   painter->setRenderHint(QPainter::Antialiasing);
-  QGraphicsPathItem::paint(painter, option, widget);
+  painter->setPen(pen());
+  painter->setBrush(Qt::NoBrush);
+  painter->drawPath(outlines_);
+  painter->drawPolyline(thinned(way_, kApartPx / std::max(pixels_per_metre, 1e-6)));
 }
 
 }  // namespace handmap

@@ -25,7 +25,7 @@ class PathItem : public QGraphicsPathItem {
   void join();
 
   Role role_;
-  QPainterPath way_;
+  QPolygonF way_;
   QPainterPath outlines_;
 };
 

@@ -30,17 +30,16 @@ void RaysItem::setStory(const WallStory* story, std::optional<std::size_t> chose
   std::size_t ray = 0;
   for (std::size_t i = 0; i < story->witnesses.size(); ++i) {
     const WallWitness& witness = story->witnesses[i];
-    QPainterPath& path = chosen == i ? chosen_ : others_;
+    QList<QLineF>& lines = chosen == i ? chosen_ : others_;
     for (const Vec2& end : witness.returns) {
       returns_ << toScene(end);
       if (chosen != i && ray++ % every != 0) continue;
-      path.moveTo(toScene(witness.pose.position()));
-      path.lineTo(toScene(end));
+      lines << QLineF(toScene(witness.pose.position()), toScene(end));
+      bounds_ |= QRectF(lines.back().p1(), lines.back().p2()).normalized();
     }
   }
-  bounds_ = (others_.boundingRect() | chosen_.boundingRect() | returns_.boundingRect() |
-             QRectF(wall_.p1(), wall_.p2()).normalized())
-                .adjusted(-2.0, -2.0, 2.0, 2.0);
+  bounds_ |= returns_.boundingRect() | QRectF(wall_.p1(), wall_.p2()).normalized();
+  bounds_.adjust(-2.0, -2.0, 2.0, 2.0);
 }
 
 void RaysItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -51,10 +50,10 @@ void RaysItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   faint.setAlpha(60);
   pen.setColor(faint);
   painter->setPen(pen);
-  painter->drawPath(others_);
+  painter->drawLines(others_);
   pen.setColor((*colours_)[Role::LocalMap]);
   painter->setPen(pen);
-  painter->drawPath(chosen_);
+  painter->drawLines(chosen_);
   pen.setWidthF(3.0);
   pen.setCapStyle(Qt::RoundCap);
   painter->setPen(pen);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QGraphicsItem>
-#include <QPainterPath>
+#include <QLineF>
+#include <QList>
+#include <QPolygonF>
 #include <optional>
 
 #include "core/session/wall_story.h"
@@ -21,8 +23,8 @@ class RaysItem : public QGraphicsItem {
 
  private:
   const Colours* colours_ = &Colours::light();
-  QPainterPath others_;
-  QPainterPath chosen_;
+  QList<QLineF> others_;
+  QList<QLineF> chosen_;
   QPolygonF returns_;
   QLineF wall_;
   QRectF bounds_;

@@ -119,6 +119,12 @@ class Shown {
 
   void paint() { canvas_.viewport()->render(&image_); }
   void show() { overlays_.show(snapshot_); }
+  void showOnly(Layer layer) {
+    for (const LayerSpec& spec : kLayers) {
+      overlays_.setLayerVisible(spec.layer, spec.layer == layer);
+    }
+    for (const auto& item : more_) item->hide();
+  }
 
  private:
   MapDocument document_;
@@ -137,6 +143,19 @@ void BM_Paint(benchmark::State& state) {
   state.counters["layers"] = static_cast<double>(kLayersPainted);
 }
 BENCHMARK(BM_Paint)->Arg(100)->Arg(10'000)->Arg(50'000)->Unit(benchmark::kMillisecond);
+
+/// The ground, the drawing and one layer of the panel.
+void BM_PaintLayer(benchmark::State& state) {
+  const LayerSpec& spec = kLayers.at(static_cast<std::size_t>(state.range(0)));
+  Shown shown(10'000);
+  shown.showOnly(spec.layer);
+  shown.paint();
+  for (auto _ : state) shown.paint();
+  state.SetLabel(spec.text);
+}
+BENCHMARK(BM_PaintLayer)
+    ->DenseRange(0, static_cast<int>(kLayers.size()) - 1)
+    ->Unit(benchmark::kMillisecond);
 
 /// What a new snapshot costs before it is painted.
 void BM_Show(benchmark::State& state) {
