@@ -20,7 +20,8 @@ Sides sidesOf(const RefinedBuilding& refined, const FoundBox* found, double head
   Sides sides;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const auto wall = static_cast<Eigen::Index>((k + quarters) % sides.size());
-    sides[k] = {std::sqrt(refined.covariance(wall, wall)), seen && seen->has(wall)};
+    // Of what is held fast, rounding may leave a variance just below zero.
+    sides[k] = {std::sqrt(std::max(0.0, refined.covariance(wall, wall))), seen && seen->has(wall)};
   }
   return sides;
 }

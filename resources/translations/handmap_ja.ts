@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>&amp;Snap to Half Metres</source>
-        <translation>半メートルに吸着(&amp;S)</translation>
+        <translation>半メートルにスナップ(&amp;S)</translation>
     </message>
     <message>
         <source>Keep points on a grid of half a metre while drawing.</source>
@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>Put what is selected on the clipboard.</source>
-        <translation>選択したものを切り取り、クリップボードに移します。</translation>
+        <translation>選択したものを切り取り、クリップボードに入れます。</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -513,7 +513,7 @@
     </message>
     <message>
         <source>Put what is on the clipboard where the pointer is.</source>
-        <translation>クリップボードの内容をポインターの位置に貼り付けます。</translation>
+        <translation>クリップボードのものをポインターの位置に置きます。</translation>
     </message>
     <message>
         <source>Dup&amp;licate</source>
@@ -525,11 +525,11 @@
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation>名前の変更(&amp;N)</translation>
+        <translation>名前を変更(&amp;N)</translation>
     </message>
     <message>
         <source>Type the name where the building is.</source>
-        <translation>建物の上で名前を入力します。</translation>
+        <translation>建物の場所で名前を入力します。</translation>
     </message>
     <message>
         <source>Add C&amp;orner</source>
@@ -537,7 +537,7 @@
     </message>
     <message>
         <source>Put another corner into the wall or the route.</source>
-        <translation>壁または経路に角を一つ加えます。</translation>
+        <translation>壁または経路に角を加えます。</translation>
     </message>
     <message>
         <source>&amp;Lock</source>
@@ -545,15 +545,15 @@
     </message>
     <message>
         <source>Neither a hand nor a run moves it; again unlocks it.</source>
-        <translation>手でも実行でも動かなくなります。もう一度で解除します。</translation>
+        <translation>手でも実行でも動かなくします。もう一度で解除します。</translation>
     </message>
     <message>
         <source>&amp;Square Up</source>
-        <translation>直角にそろえる(&amp;S)</translation>
+        <translation>直角に整える(&amp;S)</translation>
     </message>
     <message>
         <source>Make nearly right angles right, and what is nearly level level.</source>
-        <translation>ほぼ直角の角を直角に、ほぼ水平のものを水平にします。</translation>
+        <translation>ほぼ直角のものを直角に、ほぼ水平のものを水平にします。</translation>
     </message>
     <message>
         <source>Make &amp;Parallel</source>
@@ -561,7 +561,7 @@
     </message>
     <message>
         <source>Turn it to the direction of the nearest building.</source>
-        <translation>最も近い建物の向きに合わせて回します。</translation>
+        <translation>最も近い建物の向きに合わせます。</translation>
     </message>
     <message>
         <source>Make P&amp;olygon</source>
@@ -609,7 +609,7 @@
     </message>
     <message>
         <source>Lay the middles above one another.</source>
-        <translation>中心を縦一列にそろえます。</translation>
+        <translation>中心を上下に並べます。</translation>
     </message>
     <message>
         <source>Align M&amp;iddles in a Row</source>
@@ -617,11 +617,11 @@
     </message>
     <message>
         <source>Lay the middles beside one another.</source>
-        <translation>中心を横一列にそろえます。</translation>
+        <translation>中心を左右に並べます。</translation>
     </message>
     <message>
         <source>&amp;Distribute in a Row</source>
-        <translation>横に等間隔で並べる(&amp;D)</translation>
+        <translation>横に等間隔(&amp;D)</translation>
     </message>
     <message>
         <source>Make the gaps from left to right equal.</source>
@@ -629,27 +629,27 @@
     </message>
     <message>
         <source>Distribute in a &amp;Column</source>
-        <translation>縦に等間隔で並べる(&amp;C)</translation>
+        <translation>縦に等間隔(&amp;C)</translation>
     </message>
     <message>
         <source>Make the gaps from bottom to top equal.</source>
         <translation>上下の間隔を等しくします。</translation>
     </message>
     <message>
-        <source>Snap to O&amp;bjects</source>
-        <translation>物にスナップ(&amp;B)</translation>
+        <source>Snap &amp;to Objects</source>
+        <translation>物にスナップ(&amp;T)</translation>
     </message>
     <message>
         <source>Draw points to corners, walls, their lines and right angles; Alt holds it off.</source>
-        <translation>点を角、壁、その延長線、直角に吸い付けます。Alt を押している間は働きません。</translation>
+        <translation>点を角、壁、その延長線、直角に引き寄せます。Alt で止めます。</translation>
     </message>
     <message>
         <source>&amp;Next Way to Snap</source>
-        <translation>次のスナップ方法(&amp;N)</translation>
+        <translation>スナップ方法を切り替え(&amp;N)</translation>
     </message>
     <message>
         <source>Objects, grid, both or neither in turn.</source>
-        <translation>物、グリッド、両方、なしを順に切り替えます。</translation>
+        <translation>オブジェクト、格子、両方、なしを順に切り替えます。</translation>
     </message>
     <message>
         <source>Rectangle by &amp;Edge</source>
@@ -657,7 +657,7 @@
     </message>
     <message>
         <source>Draw one wall at any angle, then the depth.</source>
-        <translation>任意の角度で壁を一つ描き、次に奥行きを決めます。</translation>
+        <translation>任意の角度で一つの壁を描き、次に奥行きを決めます。</translation>
     </message>
     <message>
         <source>Free&amp;hand</source>
@@ -665,15 +665,15 @@
     </message>
     <message>
         <source>Draw around a building; the stroke is made straight.</source>
-        <translation>建物を一筆で囲みます。線は整えられます。</translation>
+        <translation>建物の周りを描くと、線が整えられます。</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
-        <translation>測る(&amp;M)</translation>
+        <translation>計測(&amp;M)</translation>
     </message>
     <message>
         <source>Read lengths, angles and areas.</source>
-        <translation>長さ、角度、面積を読みます。</translation>
+        <translation>長さ、角度、面積を測ります。</translation>
     </message>
     <message>
         <source>Er&amp;aser</source>
@@ -681,27 +681,23 @@
     </message>
     <message>
         <source>Erase what a stroke touches.</source>
-        <translation>なぞったものを消します。</translation>
+        <translation>線が触れたものを消します。</translation>
     </message>
     <message>
         <source>&amp;Guess Shapes of Strokes</source>
-        <translation>一筆の形を推測(&amp;G)</translation>
+        <translation>線の形を推測(&amp;G)</translation>
     </message>
     <message>
         <source>Offer a rectangle, an L or a polygon for each freehand stroke.</source>
-        <translation>フリーハンドの線ごとに長方形、L 字形、多角形を提案します。</translation>
+        <translation>フリーハンドの線ごとに、長方形、L 字形、多角形を提案します。</translation>
     </message>
     <message>
         <source>&amp;Arrange</source>
         <translation>配置(&amp;A)</translation>
     </message>
     <message>
-        <source>Follo&amp;w the Robot</source>
-        <translation>ロボットを追う(&amp;W)</translation>
-    </message>
-    <message>
         <source>Keep the robot in the middle; again: and turn the map as it looks; again: off.</source>
-        <translation>ロボットを中央に保ちます。もう一度: 向きに合わせて地図も回します。もう一度: やめます。</translation>
+        <translation>ロボットを中央に保ちます。もう一度: ロボットの向きに地図を回します。もう一度: 切ります。</translation>
     </message>
     <message>
         <source>Wh&amp;y Is This Wall Here</source>
@@ -709,7 +705,11 @@
     </message>
     <message>
         <source>Ask what placed a corrected wall: which observations, and how far each pulled.</source>
-        <translation>修正された壁が何によって置かれたか、どの観測がどれだけ引いたかを尋ねます。</translation>
+        <translation>補正した壁の位置を何が決めたか、どの観測がどれだけ引いたかを調べます。</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the Robot</source>
+        <translation>ロボットを追う(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -914,19 +914,19 @@
     </message>
     <message>
         <source>in line</source>
-        <translation>延長線</translation>
+        <translation>延長線上</translation>
     </message>
     <message>
         <source>Snap: objects, grid</source>
-        <translation>スナップ: 物とグリッド</translation>
+        <translation>スナップ: オブジェクト、格子</translation>
     </message>
     <message>
         <source>Snap: grid</source>
-        <translation>スナップ: グリッド</translation>
+        <translation>スナップ: 格子</translation>
     </message>
     <message>
         <source>Snap: objects</source>
-        <translation>スナップ: 物</translation>
+        <translation>スナップ: オブジェクト</translation>
     </message>
     <message>
         <source>Snap: off</source>
@@ -950,7 +950,7 @@
     </message>
     <message>
         <source>Polygon of %1 corners</source>
-        <translation>角が %1 個の多角形</translation>
+        <translation>%1 角形</translation>
     </message>
 </context>
 <context>
@@ -961,7 +961,7 @@
     </message>
     <message>
         <source>pose within %1</source>
-        <translation>位置の誤差 %1 以内</translation>
+        <translation>位置の確率 %1</translation>
     </message>
 </context>
 <context>
@@ -1014,15 +1014,15 @@
     </message>
     <message>
         <source>95 % below</source>
-        <translation>95 % 以下</translation>
+        <translation>95 % はこれ以下</translation>
     </message>
     <message>
         <source>all</source>
-        <translation>全体</translation>
+        <translation>すべて</translation>
     </message>
     <message>
         <source>Where the time of an observation goes</source>
-        <translation>1 回の観測の時間の内訳</translation>
+        <translation>一観測の時間の内訳</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -1034,11 +1034,11 @@
     </message>
     <message>
         <source>A frame comes each %1 ms: %2 % of that is used, 95 times of 100 no more.</source>
-        <translation>フレームは %1 ms ごとに来ます。100 回中 95 回はその %2 % 以下で済みます。</translation>
+        <translation>フレームは %1 ms ごとに届きます。100 回中 95 回は、その %2 % 以下を使います。</translation>
     </message>
     <message>
         <source>A frame comes each %1 ms: too slow to keep up (%2 %, 95 times of 100 no more).</source>
-        <translation>フレームは %1 ms ごとに来ます。追いつけません(100 回中 95 回で %2 % 以下)。</translation>
+        <translation>フレームは %1 ms ごとに届きます。処理が追いつきません (100 回中 95 回は %2 % 以下)。</translation>
     </message>
     <message>
         <source>read</source>
@@ -1050,7 +1050,7 @@
     </message>
     <message>
         <source>classify</source>
-        <translation>識別</translation>
+        <translation>判別</translation>
     </message>
     <message>
         <source>local map</source>
@@ -1198,7 +1198,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Id and name in the drawing</source>
-        <translation>図面での ID と名前</translation>
+        <translation>図面の ID と名前</translation>
     </message>
     <message>
         <source>Moved
@@ -1208,7 +1208,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>From the drawn to the corrected middle</source>
-        <translation>描かれた中心から修正された中心まで</translation>
+        <translation>描いた中心から補正した中心まで</translation>
     </message>
     <message>
         <source>Doubt
@@ -1228,7 +1228,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Standard deviation of the wall that faces right on the map; in brackets where nobody saw it</source>
-        <translation>地図で右を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+        <translation>地図で右を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
         <source>σ up
@@ -1238,7 +1238,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Standard deviation of the wall that faces up on the map; in brackets where nobody saw it</source>
-        <translation>地図で上を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+        <translation>地図で上を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
         <source>σ left
@@ -1248,7 +1248,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Standard deviation of the wall that faces left on the map; in brackets where nobody saw it</source>
-        <translation>地図で左を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+        <translation>地図で左を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
         <source>σ down
@@ -1258,7 +1258,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Standard deviation of the wall that faces down on the map; in brackets where nobody saw it</source>
-        <translation>地図で下を向く壁の標準偏差。括弧内は誰も見ていない壁</translation>
+        <translation>地図で下を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
         <source>Seen
@@ -1268,7 +1268,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Observations that stand for it</source>
-        <translation>その建物を示す観測の数</translation>
+        <translation>裏付ける観測の数</translation>
     </message>
     <message>
         <source>Off
@@ -1278,38 +1278,38 @@ Observations: %4</source>
     </message>
     <message>
         <source>From the corrected to the true middle</source>
-        <translation>修正された中心から真の中心まで</translation>
+        <translation>補正した中心から真の中心まで</translation>
     </message>
     <message>
         <source>Drawn x
 (m)</source>
-        <translation>描画 x
+        <translation>描いた x
 (m)</translation>
     </message>
     <message>
         <source>Middle of the drawn building</source>
-        <translation>描かれた建物の中心</translation>
+        <translation>描いた建物の中心</translation>
     </message>
     <message>
         <source>Drawn y
 (m)</source>
-        <translation>描画 y
+        <translation>描いた y
 (m)</translation>
     </message>
     <message>
         <source>Now x
 (m)</source>
-        <translation>現在 x
+        <translation>現在の x
 (m)</translation>
     </message>
     <message>
         <source>Middle of the corrected building</source>
-        <translation>修正された建物の中心</translation>
+        <translation>補正した建物の中心</translation>
     </message>
     <message>
         <source>Now y
 (m)</source>
-        <translation>現在 y
+        <translation>現在の y
 (m)</translation>
     </message>
     <message>
@@ -1320,24 +1320,24 @@ Observations: %4</source>
     </message>
     <message>
         <source>Corrected minus drawn width, along its heading</source>
-        <translation>修正後の幅から描かれた幅を引いたもの(向きに沿って)</translation>
+        <translation>向きに沿った補正後の幅と描いた幅の差</translation>
     </message>
     <message>
         <source>Deeper
 (m)</source>
-        <translation>奥行の差
+        <translation>奥行きの差
 (m)</translation>
     </message>
     <message>
         <source>Corrected minus drawn depth</source>
-        <translation>修正後の奥行から描かれた奥行を引いたもの</translation>
+        <translation>補正後の奥行きと描いた奥行きの差</translation>
     </message>
 </context>
 <context>
     <name>handmap::BuildingsPanel</name>
     <message>
         <source>Corrected buildings</source>
-        <translation>修正された建物</translation>
+        <translation>補正した建物</translation>
     </message>
     <message>
         <source>&amp;Copy as CSV</source>
@@ -1364,11 +1364,42 @@ Observations: %4</source>
     </message>
     <message>
         <source>Frame %1, the last that is kept before frame %2</source>
-        <translation>フレーム %1(フレーム %2 の前に保存された最後の画像)</translation>
+        <translation>フレーム %1 (フレーム %2 より前に残る最後のもの)</translation>
     </message>
     <message>
         <source> · %1 % building</source>
         <translation> · 建物 %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::CanvasChips</name>
+    <message>
+        <source>What points are drawn to: click for the next</source>
+        <translation>点を引き寄せるもの: クリックで切り替え</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Take the last point back (Backspace)</source>
+        <translation>最後の点を取り消す (Backspace)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Drop what is begun (Esc)</source>
+        <translation>描きかけを捨てる (Esc)</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Finish what is drawn (Enter)</source>
+        <translation>描いているものを完了 (Enter)</translation>
     </message>
 </context>
 <context>
@@ -1380,37 +1411,6 @@ Observations: %4</source>
     <message>
         <source>%1 m, %2 m off</source>
         <translation>%1 m、誤差 %2 m</translation>
-    </message>
-</context>
-<context>
-    <name>handmap::CanvasChips</name>
-    <message>
-        <source>What points are drawn to: click for the next</source>
-        <translation>点が吸い付くもの: クリックで次へ</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>戻る</translation>
-    </message>
-    <message>
-        <source>Take the last point back (Backspace)</source>
-        <translation>最後の点を取り消します (Backspace)</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>中止</translation>
-    </message>
-    <message>
-        <source>Drop what is begun (Esc)</source>
-        <translation>描きかけを捨てます (Esc)</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完了</translation>
-    </message>
-    <message>
-        <source>Finish what is drawn (Enter)</source>
-        <translation>描いているものを完成します (Enter)</translation>
     </message>
 </context>
 <context>
@@ -1429,7 +1429,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Buildings: how far from the drawn place (m)</source>
-        <translation>建物: 描かれた場所からの距離 (m)</translation>
+        <translation>建物: 描いた場所からの距離 (m)</translation>
     </message>
     <message>
         <source>Buildings: how far from the true place, mean (m)</source>
@@ -1605,11 +1605,11 @@ Observations: %4</source>
     </message>
     <message>
         <source>Log</source>
-        <translation>記録</translation>
+        <translation>ログ</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation>なぜ</translation>
+        <translation>理由</translation>
     </message>
 </context>
 <context>
@@ -1694,7 +1694,7 @@ Observations: %4</source>
     <name>handmap::EdgeRectangleTool</name>
     <message>
         <source>Drag or click along one wall of the building</source>
-        <translation>建物の壁の一つに沿ってドラッグまたはクリックします</translation>
+        <translation>建物の一つの壁に沿ってドラッグまたはクリックします</translation>
     </message>
     <message>
         <source>The other end of the wall · or type its length and angle</source>
@@ -1702,7 +1702,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>How deep is it? Click, or type the depth · Backspace: one back · Esc: cancel</source>
-        <translation>奥行きは? クリックまたは数値を入力 · Backspace: 一つ戻る · Esc: 中止</translation>
+        <translation>奥行きは? クリックするか数値を入力 · Backspace: 一つ戻る · Esc: 中止</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -1713,7 +1713,7 @@ Observations: %4</source>
     <name>handmap::EditActions</name>
     <message>
         <source>There is nothing on the clipboard to paste</source>
-        <translation>クリップボードに貼り付けるものがありません</translation>
+        <translation>貼り付けるものがクリップボードにありません</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -1721,7 +1721,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>The clipboard holds no part of a drawing</source>
-        <translation>クリップボードの内容は図面ではありません</translation>
+        <translation>クリップボードに図面の一部がありません</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -1729,11 +1729,11 @@ Observations: %4</source>
     </message>
     <message>
         <source>nothing has been changed</source>
-        <translation>何も変更されていません</translation>
+        <translation>変更がありません</translation>
     </message>
     <message>
         <source>nothing has been taken back</source>
-        <translation>取り消したものがありません</translation>
+        <translation>取り消した変更がありません</translation>
     </message>
     <message>
         <source>nothing is selected</source>
@@ -1760,11 +1760,11 @@ Observations: %4</source>
     <name>handmap::EraserTool</name>
     <message>
         <source>Release to erase what is crossed out · Esc: cancel</source>
-        <translation>離すと × の付いたものを消します · Esc: 中止</translation>
+        <translation>離すと線を引いたものを消します · Esc: 中止</translation>
     </message>
     <message>
         <source>Drag over what shall go, or click it · what is locked stays</source>
-        <translation>消すものをなぞるかクリックします · ロックされたものは残ります</translation>
+        <translation>消すものの上をドラッグ、またはクリック · ロックしたものは残ります</translation>
     </message>
 </context>
 <context>
@@ -1886,19 +1886,19 @@ Observations: %4</source>
     <name>handmap::FreehandTool</name>
     <message>
         <source>Enter: take it as %1 · Tab: something else · Esc: leave it as drawn</source>
-        <translation>Enter: %1 とする · Tab: 別の形 · Esc: 描いたまま残す</translation>
+        <translation>Enter: %1とする · Tab: 別の形 · Esc: 描いたまま残す</translation>
     </message>
     <message>
         <source>Draw once around the building</source>
-        <translation>建物を一周して囲みます</translation>
+        <translation>建物の周りを一筆で描きます</translation>
     </message>
     <message>
         <source>Draw around a building in one stroke</source>
-        <translation>建物を一筆で囲みます</translation>
+        <translation>建物の周りを一筆で描きます</translation>
     </message>
     <message>
         <source>Straighten to %1</source>
-        <translation>%1 に整える</translation>
+        <translation>%1に整える</translation>
     </message>
 </context>
 <context>
@@ -2036,7 +2036,7 @@ Observations: %4</source>
     <name>handmap::LandmarkTool</name>
     <message>
         <source>Click to mark a place, then type its name</source>
-        <translation>クリックして場所に目印を付け、名前を入力します</translation>
+        <translation>クリックで目印を付け、続けて名前を入力します</translation>
     </message>
 </context>
 <context>
@@ -2138,7 +2138,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>The best map of the run. Dashed: a wall that nobody saw. Hatched: a doubtful building</source>
-        <translation>実行の最良の地図。破線: 誰も見ていない壁。斜線: 疑わしい建物</translation>
+        <translation>実行で最良の地図。破線: 誰も見ていない壁。斜線: 疑わしい建物</translation>
     </message>
     <message>
         <source>Changes</source>
@@ -2146,7 +2146,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>From the drawn to the corrected place, and how far that is</source>
-        <translation>描かれた場所から修正された場所へ、その距離</translation>
+        <translation>描いた場所から補正した場所への矢印と距離</translation>
     </message>
     <message>
         <source>Robot&apos;s 1-σ ellipse</source>
@@ -2154,15 +2154,15 @@ Observations: %4</source>
     </message>
     <message>
         <source>Where the robot may be and look, one standard deviation</source>
-        <translation>ロボットの位置と向きの範囲(1 標準偏差)</translation>
+        <translation>ロボットの位置と向きの範囲、標準偏差一つ分</translation>
     </message>
     <message>
         <source>Rays of a wall</source>
-        <translation>壁に当たった光線</translation>
+        <translation>壁への光線</translation>
     </message>
     <message>
         <source>What placed the wall that is asked about</source>
-        <translation>尋ねた壁を置いたもの</translation>
+        <translation>調べている壁の位置を決めたもの</translation>
     </message>
     <message>
         <source>A wall that nobody saw</source>
@@ -2170,15 +2170,15 @@ Observations: %4</source>
     </message>
     <message>
         <source>A doubtful building: point at it to read why</source>
-        <translation>疑わしい建物: 指すと理由が読めます</translation>
+        <translation>疑わしい建物: ポインターを合わせると理由が読めます</translation>
     </message>
     <message>
         <source>%1: how strongly it is drawn</source>
-        <translation>%1: 描く濃さ</translation>
+        <translation>%1: 表示の濃さ</translation>
     </message>
     <message>
         <source>How strongly it is drawn</source>
-        <translation>描く濃さ</translation>
+        <translation>表示の濃さ</translation>
     </message>
 </context>
 <context>
@@ -2275,12 +2275,20 @@ Observations: %4</source>
         <source>Devices</source>
         <translation>機器</translation>
     </message>
+    <message>
+        <source>To ROS</source>
+        <translation>ROS へ</translation>
+    </message>
+    <message>
+        <source>To Foxglove</source>
+        <translation>Foxglove へ</translation>
+    </message>
 </context>
 <context>
     <name>handmap::LogModel</name>
     <message>
         <source>Note</source>
-        <translation>情報</translation>
+        <translation>メモ</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -2311,7 +2319,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>Words that the log is filtered by</source>
-        <translation>記録を絞り込む語</translation>
+        <translation>ログを絞り込む語</translation>
     </message>
     <message>
         <source>Everything</source>
@@ -2327,11 +2335,11 @@ Observations: %4</source>
     </message>
     <message>
         <source>What the log shows</source>
-        <translation>記録に表示するもの</translation>
+        <translation>ログに示すもの</translation>
     </message>
     <message>
         <source>Log of the run</source>
-        <translation>実行の記録</translation>
+        <translation>実行のログ</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -2959,7 +2967,7 @@ Corrected by a run.</source>
     <name>handmap::Plot</name>
     <message>
         <source>Click, or press the left and right keys, to look at another moment</source>
-        <translation>クリックまたは左右のキーで別の時点を見ます</translation>
+        <translation>クリックまたは左右キーで別の時点を見ます</translation>
     </message>
 </context>
 <context>
@@ -2978,7 +2986,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>The next corner, or type length, Tab, angle, Enter · Backspace: one back</source>
-        <translation>次の角、または長さ、Tab、角度、Enter と入力 · Backspace: 一つ戻る</translation>
+        <translation>次の角、または長さ、Tab、角度、Enter を入力 · Backspace: 一つ戻る</translation>
     </message>
 </context>
 <context>
@@ -3035,11 +3043,11 @@ Corrected by a run.</source>
     <name>handmap::RectangleTool</name>
     <message>
         <source>Drag from corner to corner, or click both · arrow keys and Enter do it too</source>
-        <translation>角から角へドラッグするか両方をクリックします · 矢印キーと Enter でもできます</translation>
+        <translation>角から角へドラッグ、または両方をクリック · 矢印キーと Enter でもできます</translation>
     </message>
     <message>
         <source>The opposite corner, or type: 40 Tab 15 Enter · Shift: square · Ctrl: from the centre · Esc: cancel</source>
-        <translation>反対側の角、または 40 Tab 15 Enter と入力 · Shift: 正方形 · Ctrl: 中心から · Esc: 中止</translation>
+        <translation>反対の角、または入力: 40 Tab 15 Enter · Shift: 正方形 · Ctrl: 中心から · Esc: 中止</translation>
     </message>
     <message>
         <source>Width</source>
@@ -3398,6 +3406,110 @@ Corrected by a run.</source>
         <source>The rig</source>
         <translation>ロボットの構成</translation>
     </message>
+    <message>
+        <source>Two cameras over ROS</source>
+        <translation>ROS 経由のカメラ二台</translation>
+    </message>
+    <message>
+        <source>Rosbridge</source>
+        <translation>Rosbridge</translation>
+    </message>
+    <message>
+        <source>Topic of the left</source>
+        <translation>左のトピック</translation>
+    </message>
+    <message>
+        <source>Topic of the right</source>
+        <translation>右のトピック</translation>
+    </message>
+    <message>
+        <source>Tell ROS</source>
+        <translation>ROS に送る</translation>
+    </message>
+    <message>
+        <source>not told; a rosbridge is ws://host:9090</source>
+        <translation>送らない (rosbridge の例: ws://host:9090)</translation>
+    </message>
+    <message>
+        <source>Pose, occupancy grid and buildings are published there</source>
+        <translation>位置、占有格子、建物を配信します</translation>
+    </message>
+    <message>
+        <source>nobody may look on</source>
+        <translation>公開しない</translation>
+    </message>
+    <message>
+        <source>Foxglove connects to this port; its own choice is 8765</source>
+        <translation>Foxglove がこのポートに接続します (標準は 8765)</translation>
+    </message>
+    <message>
+        <source>Foxglove port</source>
+        <translation>Foxglove のポート</translation>
+    </message>
+    <message>
+        <source>From other machines too</source>
+        <translation>他の計算機からも</translation>
+    </message>
+    <message>
+        <source>Enter where the rosbridge is: ws://host:9090.</source>
+        <translation>rosbridge の場所を入力してください: ws://host:9090</translation>
+    </message>
+    <message>
+        <source>Choose the left camera.</source>
+        <translation>左カメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose a camera.</source>
+        <translation>カメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose the right camera.</source>
+        <translation>右カメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>Enter the topic of the left images.</source>
+        <translation>左画像のトピックを入力してください。</translation>
+    </message>
+    <message>
+        <source>Enter the topic of the right images.</source>
+        <translation>右画像のトピックを入力してください。</translation>
+    </message>
+    <message>
+        <source>Choose the calibration of the camera: calib.yml.</source>
+        <translation>カメラの校正 (calib.yml) を選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose where the scanner is connected.</source>
+        <translation>スキャナーの接続先を選んでください。</translation>
+    </message>
+    <message>
+        <source>Enter the topic of the scanner.</source>
+        <translation>スキャナーのトピックを入力してください。</translation>
+    </message>
+    <message>
+        <source>Choose where the head is connected.</source>
+        <translation>雲台の接続先を選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose where the wheels are connected.</source>
+        <translation>車輪の接続先を選んでください。</translation>
+    </message>
+    <message>
+        <source>Enter the topic of the wheels.</source>
+        <translation>車輪のトピックを入力してください。</translation>
+    </message>
+    <message>
+        <source>There is no scanner whose scans could tell the motion.</source>
+        <translation>動きを求められるスキャナーがありません。</translation>
+    </message>
+    <message>
+        <source>There is no camera whose images could tell the motion.</source>
+        <translation>動きを求められるカメラがありません。</translation>
+    </message>
+    <message>
+        <source>A robot that stops to look around needs wheels that tell its motion.</source>
+        <translation>止まって見回すロボットには、動きを示す車輪が必要です。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RigPreviewView</name>
@@ -3421,7 +3533,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Click to lengthen the route · Backspace: one point back · Enter or Esc: done</source>
-        <translation>クリックで経路を延ばします · Backspace: 一つ戻る · Enter または Esc: 完了</translation>
+        <translation>クリックで経路を延ばします · Backspace: 一点戻る · Enter または Esc: 完了</translation>
     </message>
 </context>
 <context>
@@ -3608,20 +3720,20 @@ Corrected by a run.</source>
     <message numerus="yes">
         <source>The run begins: %1, %n building(s) drawn</source>
         <translation>
-            <numerusform>実行を開始: %1、描かれた建物 %n 棟</numerusform>
+            <numerusform>実行開始: %1、描いた建物 %n 棟</numerusform>
         </translation>
     </message>
     <message>
         <source>Nothing tells the motion: the one before is taken to go on</source>
-        <translation>動きが分かりません: 直前の動きが続くとします</translation>
+        <translation>動きを示すものがありません。直前の動きが続くとみなします</translation>
     </message>
     <message>
         <source>The motion is told again</source>
-        <translation>動きが再び分かりました</translation>
+        <translation>動きが再び示されました</translation>
     </message>
     <message>
         <source>The run was stopped</source>
-        <translation>実行を停止しました</translation>
+        <translation>実行は停止されました</translation>
     </message>
     <message>
         <source>The run is done</source>
@@ -3629,7 +3741,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>%1 is doubtful: %2 % that it is another building, or is not there</source>
-        <translation>%1 は疑わしい: 別の建物か、存在しない確率 %2 %</translation>
+        <translation>%1 は疑わしい: 別の建物か存在しない確率 %2 %</translation>
     </message>
 </context>
 <context>
@@ -3787,27 +3899,27 @@ Corrected by a run.</source>
     <name>handmap::RunStrip</name>
     <message>
         <source>How far the shown pose is off at most, nine times of ten</source>
-        <translation>表示された位置の誤差の上限(十回中九回)</translation>
+        <translation>表示中の位置の最大誤差 (十回中九回)</translation>
     </message>
     <message>
         <source>Where the robot is</source>
-        <translation>ロボットの場所</translation>
+        <translation>ロボットの位置</translation>
     </message>
     <message>
         <source>Whether the view follows the robot: off, follow, follow and turn</source>
-        <translation>表示がロボットを追うか: 追わない、追う、追って回す</translation>
+        <translation>表示がロボットを追うか: なし、追う、追って回す</translation>
     </message>
     <message>
         <source>Follow: off</source>
-        <translation>追跡: なし</translation>
+        <translation>追尾: なし</translation>
     </message>
     <message>
         <source>Follow: on</source>
-        <translation>追跡: あり</translation>
+        <translation>追尾: あり</translation>
     </message>
     <message>
         <source>Follow: and turn</source>
-        <translation>追跡: 回転も</translation>
+        <translation>追尾: 回転も</translation>
     </message>
 </context>
 <context>
@@ -3857,11 +3969,11 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Release to resize · Ctrl: about the centre · Alt: no snapping · Esc: cancel</source>
-        <translation>離すと大きさを決定 · Ctrl: 中心から · Alt: スナップなし · Esc: 中止</translation>
+        <translation>離すと大きさを決定 · Ctrl: 中心を保つ · Alt: スナップなし · Esc: 中止</translation>
     </message>
     <message>
         <source>Release to place it · Alt: no snapping · Esc: cancel</source>
-        <translation>離すと位置を決定 · Alt: スナップなし · Esc: 中止</translation>
+        <translation>離すと置きます · Alt: スナップなし · Esc: 中止</translation>
     </message>
     <message>
         <source>Arrow keys move the corner · Ins adds one · Del removes it · Tab: the next</source>
@@ -3869,7 +3981,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Click or drag a frame to select · Shift adds · Tab: the next · Space pans</source>
-        <translation>クリックまたは枠のドラッグで選択 · Shift で追加 · Tab: 次へ · スペースで画面移動</translation>
+        <translation>クリックまたは枠のドラッグで選択 · Shift で追加 · Tab: 次へ · Space で移動</translation>
     </message>
     <message>
         <source>It is locked · Ctrl+L unlocks it</source>
@@ -3877,7 +3989,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Drag corners, or a dot to add one · Enter: corners by keys · arrow keys nudge</source>
-        <translation>角をドラッグ、点のドラッグで角を追加 · Enter: キーで角を操作 · 矢印キーで微調整</translation>
+        <translation>角をドラッグ、点をドラッグで角を追加 · Enter: キーで角を編集 · 矢印キーで微調整</translation>
     </message>
     <message>
         <source>Add Corner</source>
@@ -3915,7 +4027,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Release to finish, or type the heading · Shift: steps of 15° · Esc: cancel</source>
-        <translation>離すと決定、または向きを入力 · Shift: 15° ごと · Esc: 中止</translation>
+        <translation>離すと完了、または向きを入力 · Shift: 15° ごと · Esc: 中止</translation>
     </message>
     <message>
         <source>Heading</source>
@@ -4291,11 +4403,11 @@ Corrected by a run.</source>
     <name>handmap::WhyPanel</name>
     <message>
         <source>Building that is asked about</source>
-        <translation>尋ねる建物</translation>
+        <translation>調べている建物</translation>
     </message>
     <message>
         <source>Wall that is asked about</source>
-        <translation>尋ねる壁</translation>
+        <translation>調べている壁</translation>
     </message>
     <message>
         <source>Time
@@ -4327,15 +4439,15 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Observations that placed the wall</source>
-        <translation>壁を置いた観測</translation>
+        <translation>壁の位置を決めた観測</translation>
     </message>
     <message>
         <source>Metres outwards from where the wall stands now. Click: look at that moment.</source>
-        <translation>現在の壁から外側への距離(メートル)。クリック: その時点を見ます。</translation>
+        <translation>現在の壁から外向きのメートル。クリック: その時点を見る。</translation>
     </message>
     <message>
         <source>Click a corrected wall on the map, or choose one here: what placed it?</source>
-        <translation>地図で修正された壁をクリックするか、ここで選んでください: 何がそこに置いたか。</translation>
+        <translation>地図上の補正した壁をクリックするか、ここで選ぶと、その位置を決めたものがわかります。</translation>
     </message>
     <message>
         <source>%1 wall, %2 m</source>
@@ -4343,7 +4455,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>It stands %1 m %2 of the drawn one; known to ±%3 m.</source>
-        <translation>描かれた壁より %1 m %2にあります。精度 ±%3 m。</translation>
+        <translation>描いた壁より %1 m %2にあります (±%3 m)。</translation>
     </message>
     <message>
         <source>inwards</source>
@@ -4355,7 +4467,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Nobody saw it: its other walls put it there.</source>
-        <translation>誰も見ていません: 他の壁から置かれました。</translation>
+        <translation>誰も見ていません。他の壁から決まりました。</translation>
     </message>
     <message>
         <source>Drawing: %1 ±%2 m, weight %3 %.</source>
@@ -4363,7 +4475,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>What the robot saw is not kept: nothing more can be told.</source>
-        <translation>ロボットが見たものは保存されていません: これ以上は分かりません。</translation>
+        <translation>ロボットが見たものは残されていません。これ以上はわかりません。</translation>
     </message>
     <message>
         <source>No ray ended within %1 m of it.</source>
@@ -4372,16 +4484,16 @@ Corrected by a run.</source>
     <message numerus="yes">
         <source>Seen: %1 ±%2 m, weight %3 %, by %n observation(s)</source>
         <translation>
-            <numerusform>観測: %1 ±%2 m、重み %3 %、観測 %n 回</numerusform>
+            <numerusform>観測: %1 ±%2 m、重み %3 %、観測 %n 件</numerusform>
         </translation>
     </message>
     <message>
         <source> with %1 rays that ended within %2 m.</source>
-        <translation>、%2 m 以内で終わった光線 %1 本。</translation>
+        <translation> (%2 m 以内で終わった光線 %1 本)。</translation>
     </message>
     <message>
         <source>Together: %1 m. The rest is of its other walls and of the drawing as a whole.</source>
-        <translation>合わせて %1 m。残りは他の壁と図面全体によります。</translation>
+        <translation>合計: %1 m。残りは他の壁と図面全体によるものです。</translation>
     </message>
 </context>
 <context>
@@ -4392,7 +4504,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>%1 to %2 m</source>
-        <translation>%1~%2 m</translation>
+        <translation>%1 から %2 m</translation>
     </message>
     <message>
         <source>right</source>
@@ -4428,11 +4540,11 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Sure to %1 m; heading to %2°</source>
-        <translation>誤差 %1 m 以内で確か、向き %2° 以内</translation>
+        <translation>確か: %1 m 以内、向き %2° 以内</translation>
     </message>
     <message>
         <source>Roughly here: within %1 m; heading to %2°</source>
-        <translation>おおよそここ: %1 m 以内、向き %2° 以内</translation>
+        <translation>だいたいここ: %1 m 以内、向き %2° 以内</translation>
     </message>
     <message>
         <source>Lost: may be anywhere within %1 m</source>
@@ -4440,7 +4552,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>at %1, %2 m</source>
-        <translation>%1, %2 m の地点</translation>
+        <translation>%1, %2 m</translation>
     </message>
     <message>
         <source>%1 m from %2</source>
@@ -4449,13 +4561,13 @@ Corrected by a run.</source>
     <message numerus="yes">
         <source>%n building(s) moved by %1</source>
         <translation>
-            <numerusform>%n 棟が %1 移動</numerusform>
+            <numerusform>建物 %n 棟が %1 移動</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n stand(s) as drawn</source>
         <translation>
-            <numerusform>%n 棟は描かれたまま</numerusform>
+            <numerusform>%n 棟は描いたまま</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4480,7 +4592,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Moved by %1 m from where it was drawn</source>
-        <translation>描かれた場所から %1 m 移動</translation>
+        <translation>描いた場所から %1 m 移動</translation>
     </message>
     <message>
         <source>%1 m from where it truly is</source>
@@ -4488,12 +4600,12 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Nothing that was seen is taken for it: it is shown where the drawing has it</source>
-        <translation>見えたものはどれもこの建物とされません: 図面の場所に表示しています</translation>
+        <translation>この建物とみなせるものは見えませんでした。図面の場所に示しています</translation>
     </message>
     <message numerus="yes">
         <source>For: seen in %n observation(s)</source>
         <translation>
-            <numerusform>根拠: %n 回の観測で見えた</numerusform>
+            <numerusform>支持: %n 件の観測で見えた</numerusform>
         </translation>
     </message>
     <message>
@@ -4502,19 +4614,19 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>For: walls seen: %1</source>
-        <translation>根拠: 見えた壁: %1</translation>
+        <translation>支持: 見えた壁: %1</translation>
     </message>
     <message>
         <source>Against: walls that nobody saw: %1</source>
-        <translation>反証: 誰も見ていない壁: %1</translation>
+        <translation>反対: 誰も見ていない壁: %1</translation>
     </message>
     <message>
         <source>Against: it moved %1 times as far as the drawing says that it may be off (%2 m)</source>
-        <translation>反証: 図面が許す誤差(%2 m)の %1 倍動いた</translation>
+        <translation>反対: 図面の不確かさ (%2 m) の %1 倍動いた</translation>
     </message>
     <message>
         <source>Doubtful: %1 % that it is another building, or is not there</source>
-        <translation>疑わしい: 別の建物か、存在しない確率 %1 %</translation>
+        <translation>疑わしい: 別の建物か存在しない確率 %1 %</translation>
     </message>
 </context>
 </TS>

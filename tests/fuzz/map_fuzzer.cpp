@@ -1,5 +1,7 @@
 // What is written of a map that was read comes back as the same bytes.
+#include "core/map/issues.h"
 #include "core/map/map_io.h"
+#include "core/map/map_layers.h"
 #include "core/map/references.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -14,6 +16,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(building.box().width >= 0.0);
     }
     checkReferences(map, "map");
+    for (const Issue& issue : findIssues(map)) fuzz::require(!inWords(issue).empty());
+    Map layered = map;
+    setLayers(layered.unknown, layersOf(map));
+    fuzz::require(layersOf(layered) == layersOf(map));
     formatGeoJson(map);
   });
 }

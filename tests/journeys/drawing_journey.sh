@@ -10,7 +10,7 @@ out=$3
 
 mkdir -p "$out/home/handmap"
 printf '[window]\ngeometry=\n[welcome]\nclosed=true\n' >"$out/home/handmap/handmap.conf"
-kept() { ls "$out"/home/handmap/handmap/recovery/*.recovery >/dev/null 2>&1; }
+kept() { ls "$out"/mine.handmap.*.recovery >/dev/null 2>&1; }
 clicks=0
 keys=0
 press() {
@@ -80,7 +80,7 @@ expect drawing '^drawing: 6 buildings, modified'
 wait_until "the recovery file" kept
 kill -9 "$program_id"
 wait "$program_id" 2>/dev/null || true
-start_program after
+start_program after "$out/mine.handmap"
 wait_until "the offer" said '^message: An earlier session ended'
 picture offer
 key alt+c

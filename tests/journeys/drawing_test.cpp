@@ -163,12 +163,14 @@ TEST_F(DrawingJourney, TheTwoRowsByArrowKeysAlone) {
 }
 
 TEST_F(DrawingJourney, TheTwoRowsByFingersAlone) {
-  pinch(0.45);
+  pinch(0.25);
   takeTool("draw.rectangle");
   for (const Drawn& drawn : kTwoRows)
     stroke(canvas_->viewport(), pixels(drawn.left, drawn.bottom),
            pixels(drawn.left + drawn.width, drawn.bottom + drawn.depth));
-  ASSERT_EQ(map().buildings.size(), 6u);
+  ASSERT_EQ(map().buildings.size(), 6u)
+      << "shown: " << canvas_->visibleMetres().left() << " to " << canvas_->visibleMetres().right()
+      << " m, " << canvas_->visibleMetres().top() << " to " << canvas_->visibleMetres().bottom();
   for (std::size_t i = 0; i < 6; ++i) {
     const Bounds box = boundsOf(map().buildings[i]);
     EXPECT_LT((box.low - Vec2(kTwoRows[i].left, kTwoRows[i].bottom)).norm(),

@@ -123,7 +123,7 @@ constexpr std::array kActions = {
                QT_TRANSLATE_NOOP("Actions", "Keep points on a grid of half a metre while drawing."),
                Menu::View, ToolBar::None, Check},
     ActionSpec{
-        "view.snap_objects", QT_TRANSLATE_NOOP("Actions", "Snap to O&bjects"), "", "Shift+O",
+        "view.snap_objects", QT_TRANSLATE_NOOP("Actions", "Snap &to Objects"), "", "Shift+O",
         QT_TRANSLATE_NOOP(
             "Actions",
             "Draw points to corners, walls, their lines and right angles; Alt holds it off."),

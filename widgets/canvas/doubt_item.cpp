@@ -32,6 +32,7 @@ DoubtItem::DoubtItem(const MapDocument& document) : document_(document) {
 
 void DoubtItem::setColours(const Colours& colours) {
   colours_ = &colours;
+  drawn_ = {};
   update();
 }
 
@@ -41,6 +42,7 @@ void DoubtItem::rebuild() {
   bounds_ = {};
   reach_ = 0.0;
   any_may_not_exist_ = false;
+  drawn_ = {};
   update();
   if (stateOf(layersOf(map), DrawingLayer::Buildings).hidden) return;
   const BoxIndex& boxes = document_.buildingIndex();
@@ -75,36 +77,53 @@ std::vector<DoubtItem::Edge> DoubtItem::edgesIn(const QRectF& exposed,
 }
 
 void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  const double pixels_per_metre =
-      std::hypot(painter->worldTransform().m11(), painter->worldTransform().m12());
-  const std::vector<Edge> seen = edgesIn(option->exposedRect, pixels_per_metre);
-  if (seen.empty()) return;
-  painter->setRenderHint(QPainter::Antialiasing);
-  painter->setBrush(Qt::NoBrush);
+  const QTransform to_device = painter->worldTransform();
+  const QRect area = to_device.mapRect(option->exposedRect).toAlignedRect();
+  // Wide lines take long; while the view rests, as in a drag, they are those of the last frame.
+  if (drawn_.isNull() || drawn_for_ != to_device || drawn_area_ != area ||
+      drawn_.devicePixelRatio() != painter->device()->devicePixelRatioF()) {
+    const double ratio = painter->device()->devicePixelRatioF();
+    drawn_ = QPixmap((QSizeF(area.size()) * ratio).toSize().expandedTo({1, 1}));
+    drawn_.setDevicePixelRatio(ratio);
+    drawn_.fill(Qt::transparent);
+    drawn_for_ = to_device;
+    drawn_area_ = area;
+    QPainter on_picture(&drawn_);
+    on_picture.setFont(painter->font());
+    on_picture.translate(-area.topLeft());
+    paintEdges(on_picture, to_device, option->exposedRect);
+  }
+  painter->setWorldTransform({});
+  painter->drawPixmap(area.topLeft(), drawn_);
+  painter->setWorldTransform(to_device);
+}
+
+void DoubtItem::paintEdges(QPainter& painter, const QTransform& to_device,
+                           const QRectF& exposed) const {
+  const double pixels_per_metre = std::hypot(to_device.m11(), to_device.m12());
+  const std::vector<Edge> seen = edgesIn(exposed, pixels_per_metre);
+  painter.setBrush(Qt::NoBrush);
   QColor ink = (*colours_)[Role::Drawing];
   ink.setAlpha(kRingAlpha);
   for (const Edge& edge : seen) {
+    const QPolygonF outline = to_device.map(edge.outline);
     for (int ring = 1; ring <= kRings; ++ring) {
-      painter->setPen(
-          QPen(ink, 2.0 * edge.sigma * ring / kRings, Qt::SolidLine, Qt::SquareCap, Qt::RoundJoin));
-      painter->drawPolygon(edge.outline);
+      painter.setPen(QPen(ink, 2.0 * edge.sigma * pixels_per_metre * ring / kRings, Qt::SolidLine,
+                          Qt::SquareCap, Qt::RoundJoin));
+      painter.drawPolygon(outline);
     }
   }
-  const QTransform to_device = painter->worldTransform();
-  painter->save();  // others write with the font that they find
-  painter->setWorldTransform({});
-  painter->setPen((*colours_)[Role::Doubtful]);
-  QFont font = painter->font();
+  painter.setPen((*colours_)[Role::Doubtful]);
+  QFont font = painter.font();
   font.setBold(true);
-  painter->setFont(font);
+  painter.setFont(font);
   for (const Edge& edge : seen) {
     if (!edge.may_not_exist) continue;
     const QRectF on_device = to_device.map(edge.outline).boundingRect();
-    painter->drawText(
+    painter.drawText(
         QRectF(on_device.right() - kMarkPx - 2.0, on_device.top() + 2.0, kMarkPx, kMarkPx + 2.0),
         Qt::AlignCenter, QStringLiteral("?"));
   }
-  painter->restore();
 }
 
 }  // namespace handmap

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QPixmap>
 #include <vector>
 
 #include "widgets/document/map_document.h"
@@ -27,6 +28,7 @@ class DoubtItem : public QGraphicsItem {
     bool may_not_exist;
   };
 
+  void paintEdges(QPainter& painter, const QTransform& to_device, const QRectF& exposed) const;
   std::vector<Edge> edgesIn(const QRectF& exposed, double pixels_per_metre) const;
 
   const MapDocument& document_;
@@ -34,6 +36,10 @@ class DoubtItem : public QGraphicsItem {
   double reach_ = 0.0;  ///< the widest edge, metres
   bool any_may_not_exist_ = false;
   QRectF bounds_;
+  // The last frame, in device pixels
+  QPixmap drawn_;
+  QTransform drawn_for_;
+  QRect drawn_area_;
 };
 
 }  // namespace handmap

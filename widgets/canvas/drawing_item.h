@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QHash>
 #include <QSet>
 #include <string>
 #include <unordered_map>

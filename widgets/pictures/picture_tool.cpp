@@ -81,13 +81,21 @@ void PictureTool::setMode(Mode mode) {
 }
 
 bool PictureTool::cancel() {
-  const bool was_busy = grip_.has_value() || !points_.empty();
+  const bool was_busy = isBusy();
+  pressed_ = false;
   grip_.reset();
   preview_.reset();
   points_.clear();
   typed_.clear();
   if (was_busy) Q_EMIT changed();
   return was_busy;
+}
+
+void PictureTool::interrupt() {
+  pressed_ = false;
+  grip_.reset();
+  preview_.reset();
+  Q_EMIT changed();
 }
 
 std::optional<std::size_t> PictureTool::current() const {
@@ -157,8 +165,8 @@ void PictureTool::change(std::size_t place, const Underlay& underlay, const QStr
 
 void PictureTool::press(const ToolEvent& event) {
   if (!current()) return;
-  if (mode_ != Mode::Place) return addPoint(event);
-  grip_ = gripAt(event);
+  pressed_ = mode_ != Mode::Place;
+  if (!pressed_) grip_ = gripAt(event);
 }
 
 void PictureTool::move(const ToolEvent& event) {
@@ -176,6 +184,7 @@ void PictureTool::move(const ToolEvent& event) {
 }
 
 void PictureTool::release(const ToolEvent& event) {
+  if (std::exchange(pressed_, false) && current()) return addPoint(event);
   if (!grip_) return;
   move(event);
   const auto place = current();
@@ -230,28 +239,55 @@ bool PictureTool::fit() {
 bool PictureTool::key(const ToolKey& key) {
   if (!current()) return false;
   const bool is_enter = key.key == Qt::Key_Return || key.key == Qt::Key_Enter;
-  if (mode_ == Mode::Scale && points_.size() == 2) return typeLength(key);
-  if (mode_ == Mode::Fit && is_enter) return fit();
-  if (key.key == Qt::Key_Backspace && !points_.empty()) {
-    points_.pop_back();
-    Q_EMIT changed();
+  if (is_enter && canFinish()) {
+    finish();
     return true;
   }
+  if (key.key == Qt::Key_Backspace && canTakeBack()) {
+    takeBack();
+    return true;
+  }
+  if (measured()) return typeLength(key);
   return nudge(key);
 }
 
+std::optional<double> PictureTool::typedLength() const {
+  bool is_number = false;
+  const double length = QLocale::c().toDouble(typed_, &is_number);
+  return is_number && measured() ? std::optional(length) : std::nullopt;
+}
+
+bool PictureTool::canFinish() const {
+  return current() && (mode_ == Mode::Fit ? pairs() >= 2 : typedLength().has_value());
+}
+
+void PictureTool::finish() {
+  if (mode_ == Mode::Fit)
+    fit();
+  else if (const auto length = typedLength())
+    setLength(*length);
+}
+
+void PictureTool::takeBack() {
+  if (!typed_.isEmpty())
+    typed_.chop(1);
+  else if (!points_.empty())
+    points_.pop_back();
+  Q_EMIT changed();
+}
+
+bool PictureTool::wants(QChar character) const {
+  return measured() && (character.isDigit() || character == u'.' || character == u',');
+}
+
+/// Where a point of the picture belongs is often a corner that is drawn.
+std::optional<SnapContext> PictureTool::snapContext() const {
+  const bool on_map = mode_ == Mode::Fit && points_.size() % 2 == 1;
+  return on_map ? std::optional(SnapContext{}) : std::nullopt;
+}
+
 bool PictureTool::typeLength(const ToolKey& key) {
-  if (key.key == Qt::Key_Return || key.key == Qt::Key_Enter) {
-    bool is_number = false;
-    const double length = QLocale::c().toDouble(typed_, &is_number);
-    return is_number && setLength(length);
-  }
-  if (key.key == Qt::Key_Backspace) {
-    if (typed_.isEmpty())
-      points_.pop_back();
-    else
-      typed_.chop(1);
-  } else if (key.key >= Qt::Key_0 && key.key <= Qt::Key_9 && typed_.size() < kMostDigits) {
+  if (key.key >= Qt::Key_0 && key.key <= Qt::Key_9 && typed_.size() < kMostDigits) {
     typed_ += QChar(key.key);
   } else if ((key.key == Qt::Key_Period || key.key == Qt::Key_Comma) && !typed_.contains(u'.')) {
     typed_ += u'.';

@@ -26,10 +26,18 @@ class PictureTool : public Tool {
   Qt::CursorShape cursor() const override { return cursor_; }
   void activate() override;
   bool cancel() override;
+  void interrupt() override;
   void press(const ToolEvent& event) override;
   void move(const ToolEvent& event) override;
   void release(const ToolEvent& event) override;
   bool key(const ToolKey& key) override;
+  bool isBusy() const override { return grip_.has_value() || !points_.empty(); }
+  bool canFinish() const override;
+  bool canTakeBack() const override { return !points_.empty(); }
+  void finish() override;
+  void takeBack() override;
+  bool wants(QChar character) const override;
+  std::optional<SnapContext> snapContext() const override;
   const MapChange* preview() const override { return preview_ ? &*preview_ : nullptr; }
   void paint(ToolPaint& canvas) const override;
 
@@ -57,11 +65,13 @@ class PictureTool : public Tool {
   void change(std::size_t place, const Underlay& underlay, const QString& text, bool mergeable);
   bool nudge(const ToolKey& key);
   bool typeLength(const ToolKey& key);
+  std::optional<double> typedLength() const;
   void addPoint(const ToolEvent& event);
   void paintPoints(ToolPaint& canvas) const;
 
   SizeOf size_of_;
   Mode mode_ = Mode::Place;
+  bool pressed_ = false;  ///< where a point will be, once it is released
   std::optional<Grip> grip_;
   std::optional<MapChange> preview_;
   std::vector<Vec2> points_;  ///< Scale: on the map. Fit: pixel and point by turns
