@@ -44,7 +44,8 @@ StampedPose parseTumLine(const TextLine& line, const std::string& file) {
   }
   const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
   if (std::abs(norm - 1.0) > kNormTolerance) {
-    throwBadInput(file, placeOf(line), fmt::format("a quaternion of length {:.3g}", norm), "length 1");
+    throwBadInput(file, placeOf(line), fmt::format("a quaternion of length {:.3g}", norm),
+                  "length 1");
   }
   return {v[0], {v[1], v[2], yawOf(v[4], v[5], v[6], v[7])}};
 }
