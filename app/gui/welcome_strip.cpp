@@ -1,5 +1,6 @@
 #include "app/gui/welcome_strip.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -11,9 +12,7 @@
 namespace handmap {
 
 WelcomeStrip::WelcomeStrip(QWidget* parent)
-    : QFrame(parent),
-      lines_(new QBoxLayout(QBoxLayout::LeftToRight)),
-      buttons_(new QBoxLayout(QBoxLayout::LeftToRight)) {
+    : QFrame(parent), lines_(new QBoxLayout(QBoxLayout::LeftToRight)), buttons_(new QGridLayout) {
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
@@ -46,10 +45,20 @@ WelcomeStrip::WelcomeStrip(QWidget* parent)
   layout->addWidget(close, 0, Qt::AlignTop);
 }
 
+/// Beside the text, below it, or in two rows below it: no button is cut off.
 void WelcomeStrip::resizeEvent(QResizeEvent* event) {
   constexpr int kLeastText = 300;
-  const bool beside = width() >= buttons_->sizeHint().width() + kLeastText;
-  lines_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  constexpr int kClose = 60;  // the button that closes it, and margins
+  int row = 0;
+  for (const QPushButton* way : ways_) row += way->sizeHint().width() + buttons_->spacing();
+  lines_->setDirection(width() >= row + kLeastText ? QBoxLayout::LeftToRight
+                                                   : QBoxLayout::TopToBottom);
+  const int count = static_cast<int>(ways_.size());
+  const int columns = width() >= row + kClose ? count : (count + 1) / 2;
+  for (int i = 0; i < count; ++i) {
+    buttons_->removeWidget(ways_[static_cast<std::size_t>(i)]);
+    buttons_->addWidget(ways_[static_cast<std::size_t>(i)], i / columns, i % columns);
+  }
   QFrame::resizeEvent(event);
 }
 
@@ -58,7 +67,8 @@ void WelcomeStrip::addWay(const QString& icon_name, const QString& text, const Q
   auto* button = new QPushButton(icon(icon_name), text);
   button->setToolTip(hint);
   connect(button, &QPushButton::clicked, this, [this, request] { Q_EMIT(this->*request)(); });
-  buttons_->addWidget(button);
+  buttons_->addWidget(button, 0, static_cast<int>(ways_.size()));
+  ways_.push_back(button);
 }
 
 }  // namespace handmap

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <QFrame>
+#include <vector>
 
 class QBoxLayout;
+class QGridLayout;
+class QPushButton;
 
 namespace handmap {
 
@@ -29,7 +32,8 @@ class WelcomeStrip : public QFrame {
   void addWay(const QString& icon_name, const QString& text, const QString& hint, Request request);
 
   QBoxLayout* lines_;  ///< text and buttons, beside or over one another
-  QBoxLayout* buttons_;
+  QGridLayout* buttons_;
+  std::vector<QPushButton*> ways_;  ///< that a first start may take
 };
 
 }  // namespace handmap
