@@ -55,7 +55,7 @@ teach() {
   local end=$1 panel x
   key alt+r
   sleep 0.3
-  key b
+  key i
   wait_until "the panel" has_window 'Teach buildings'
   panel=$(xdotool search --onlyvisible --name 'Teach buildings' | tail -1)
   xdotool windowactivate --sync "$panel" mousemove --window "$panel" 110 40 click 1
