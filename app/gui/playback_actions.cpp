@@ -41,17 +41,13 @@ void PlaybackActions::begin() {
   last_report_.reset();
   usual_step_s_ = 0.0;
   done_ = 0;
-  count_ = 0;
 }
-
-void PlaybackActions::forget() { begin(); }
 
 void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, int count) {
   int index = done - static_cast<int>(reports.size());
   for (const FrameReport& report : reports) markGap(report, ++index);
   const bool first = done_ == 0;
   done_ = done;
-  count_ = count;
   parts_.transport.setExtent(done, count);
   if (first) updateActions();
 }

@@ -24,9 +24,8 @@ class PlaybackActions : public QObject {
 
   Playback& playback() { return playback_; }
   const Playback& playback() const { return playback_; }
-  /// Of the latest run; its marks are those that follow.
+  /// Of the latest run, or of none; its marks are those that follow.
   void begin();
-  void forget();
   /// The latest run has so much of a past now.
   void onNews(const std::vector<FrameReport>& reports, int done, int count);
   void onSkipped(int frame, const QString& reason);
@@ -46,7 +45,6 @@ class PlaybackActions : public QObject {
   std::optional<FrameReport> last_report_;
   double usual_step_s_ = 0.0;  ///< between observations
   int done_ = 0;
-  int count_ = 0;
 };
 
 }  // namespace handmap

@@ -133,7 +133,7 @@ void RunActions::setRobot(Robot robot) {
   last_ = nullptr;
   shown_ = nullptr;
   parts_.overlays.clear();
-  past_.forget();
+  past_.begin();
   parts_.overlays.setTruth(robot_->truth);
   if (robot_->truth_map) parts_.overlays.setTruthMap(*robot_->truth_map);
   parts_.layers.setAvailable(Layer::Truth, robot_->truth_map || !robot_->truth.empty());
@@ -325,7 +325,7 @@ void RunActions::onDrawingReplaced() {
   last_ = nullptr;
   shown_ = nullptr;
   parts_.overlays.clear();
-  past_.forget();
+  past_.begin();
   parts_.messages.clear();
   parts_.messages.withdraw(kAcceptTopic);
   if (robot_ && robot_->truth_map) robot_.reset();  // it lived in the drawing before

@@ -85,6 +85,12 @@ Json frameJson(const FrameReport& frame) {
   return json;
 }
 
+void addGivenPoses(const RunSettings& settings, Json& json) {
+  for (const auto& [time_s, pose] : settings.given_poses) {
+    json["given_poses"].push_back({time_s, pose.x, pose.y, pose.heading});
+  }
+}
+
 std::string odometryOf(const RunSettings& settings, const SourceInfo& source) {
   return source.visual_odometry ? "visual" : settings.odometry;
 }
@@ -102,7 +108,7 @@ std::string refinementJson(const RunSettings& settings, const SourceInfo& source
             {"settings", settingsJson(settings)}};
   const std::string odometry = odometryOf(settings, source);
   if (odometry != "recorded") json["odometry"] = odometry;
-  if (!settings.given_poses.empty()) json["given_poses"] = settings.given_poses.size();
+  addGivenPoses(settings, json);
   return json.dump();
 }
 
@@ -120,10 +126,7 @@ std::string runReportJson(const RunRecord& run) {
   report["settings"]["threads"] = run.settings.threads;
   report["settings"]["odometry"] = odometryOf(run.settings, run.source);
   if (run.source.speed > 0.0) report["settings"]["speed"] = run.source.speed;
-  for (const StampedPose& given : run.settings.given_poses) {
-    report["settings"]["given_poses"].push_back(
-        {given.time_s, given.pose.x, given.pose.y, given.pose.heading});
-  }
+  addGivenPoses(run.settings, report["settings"]);
   for (const RunWarning& warning : run.warnings) {
     report["warnings"].push_back(
         {{"code", warning.code}, {"message", warning.message}, {"hint", warning.hint}});

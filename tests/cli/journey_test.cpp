@@ -100,11 +100,14 @@ TEST_F(Journey, LocalizesWithoutTouchingTheDrawing) {
 TEST_F(Journey, TakesAPoseThatIsGiven) {
   writeText("lost.tum", "4 30 -4 0 0 0 0 1\n");  // by the first building of the other row
   ASSERT_EQ(run(slam({"--method", "paper", "--localize-only", "--to", "6", "--given-poses",
-                      "lost.tum", "--trajectory", "t.tum", "--report", "report.json"}))
+                      "lost.tum", "--out", "given.handmap", "--report", "report.json"}))
                 .status,
             0);
   const auto report = nlohmann::json::parse(contentOf("report.json"));
   EXPECT_EQ(report["settings"]["given_poses"], nlohmann::json::parse("[[4.0, 30.0, -4.0, 0.0]]"));
+  // The map says enough to make it again.
+  EXPECT_EQ(nlohmann::json::parse(contentOf("given.handmap"))["refinement"]["given_poses"],
+            report["settings"]["given_poses"]);
   writeText("late.tum", "40000 30 -4 0 0 0 0 1\n");
   expectFailed(run(slam({"--given-poses", "late.tum"})), 2,
                "handmap-cli: error: a pose is given at 40000 s, but the odometry of the run does "

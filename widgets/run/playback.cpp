@@ -85,11 +85,8 @@ void Playback::startClock() {
 
 void Playback::advance() {
   if (!history_ || !index_) return setPlaying(false);
-  int to = next(*index_);
-  if (speed_ > 0.0) {
-    const double now_s = clock_begin_s_ + 1e-3 * static_cast<double>(clock_.elapsed()) * speed_;
-    to = std::max(*index_, history_->indexAt(now_s));
-  }
+  const double now_s = clock_begin_s_ + 1e-3 * static_cast<double>(clock_.elapsed()) * speed_;
+  const int to = speed_ > 0.0 ? std::max(*index_, history_->indexAt(now_s)) : next(*index_);
   if (loop_ && to >= loop_->last) {
     show(loop_->first);
     startClock();
