@@ -142,13 +142,13 @@ class Fitting {
     if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
-      result.estimate = estimateOf(result.outline, task, scorer);
-      result.sides = sidesOf(result.outline, task, scorer);
     } else {
       result.outline = start >= drawn ? task.start : task.drawn;
     }
     std::replace(owners_.begin(), owners_.end(), static_cast<int>(i), kNobody);
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
+      result.estimate = estimateOf(result.outline, task, scorer);
+      result.sides = sidesOf(result.outline, task, scorer);
       own(i, result.outline, scorer);
       settled_.push_back(result.outline);
     }

@@ -30,8 +30,8 @@ struct OutlineResult {
   Verdict verdict = Verdict::Kept;
   double evidence = 0.0;             ///< log ratio of the fitted one against nothing there
   double gain = 0.0;                 ///< the same against the drawn one
-  std::optional<Estimate> estimate;  ///< of the fitted one
-  Sides sides;                       ///< of the fitted one
+  std::optional<Estimate> estimate;  ///< of the outline, where the rays speak for it
+  Sides sides;                       ///< the same
 };
 
 /// One result a task. A building is moved where the rays speak for a building there and against the

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/outlines/agreement.h"
+
 namespace handmap {
 
 namespace {
@@ -12,7 +14,9 @@ namespace {
 /// in gaps between houses of a real street, which look through.
 constexpr double kSeenToEndReturns = 2.0;
 constexpr double kSlack_m = 0.3;
-constexpr double kStartTurn = toRadians(1.0);  // of the start as it is drawn, one σ
+// Of the start as it is drawn, one σ.
+constexpr double kStartTurn = toRadians(1.0);
+constexpr double kStart_m = 0.3;
 
 Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
   Polygon outline;
@@ -131,24 +135,23 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   return task;
 }
 
-}  // namespace
+std::variant<Rectangle, Polygon> moved(std::variant<Rectangle, Polygon> shape,
+                                       const Pose2& motion) {
+  if (auto* rectangle = std::get_if<Rectangle>(&shape)) {
+    rectangle->centre = motion.toOuter(rectangle->centre);
+    rectangle->heading = normalizedAngle(rectangle->heading + motion.heading);
+  } else {
+    for (Vec2& corner : std::get<Polygon>(shape)) corner = motion.toOuter(corner);
+  }
+  return shape;
+}
 
-std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& found,
-                          const SeenFrames& seen, const std::vector<Pose2>& way, std::uint64_t seed,
-                          const std::stop_token& stop,
-                          const std::function<void(double)>& progress) {
-  const PlacedRays placed = placeRays(seen, way, stop);
-  if (stop.stop_requested()) return std::nullopt;
-  std::vector<OutlineTask> tasks;
-  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
-    if (stop.stop_requested()) return std::nullopt;
-    tasks.push_back(taskOf(drawing, b, found, placed, seen.rangeLimit()));
-  }
-  std::vector<OutlineResult> results;
-  if (placed.showsStructure()) {
-    results = fitOutlines(tasks, placed, seen.rangeLimit(), seed, stop, progress);
-    if (results.empty()) return std::nullopt;
-  }
+/// Nothing but the start tells how a way without the buildings lies on the drawing.
+double startTurnOf(const Map& drawing) { return drawing.whole.turn.value_or(kStartTurn); }
+
+/// The drawing with the outlines that were found, in the frame of the way.
+Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
+              const std::vector<OutlineTask>& tasks, const std::vector<OutlineResult>& results) {
   Map map = found ? found->map : drawing;
   for (std::size_t b = 0; b < tasks.size(); ++b) {
     const Building& drawn = drawing.buildings[b];
@@ -158,17 +161,8 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
     building.shape = withOutline(drawn, outline).shape;
     if (!results.empty() && results[b].estimate) {
       building.estimate = results[b].estimate;
-      Sides sides = results[b].sides;
-      if (!found) {
-        // Nothing but the start tells how the way lies on the drawing.
-        const double turned = drawing.whole.turn.value_or(kStartTurn) *
-                              (centroid(outline) - way.front().position()).norm();
-        building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, turned);
-        building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, turned);
-        for (SideEstimate& side : sides) side.sigma = std::hypot(side.sigma, turned);
-      }
       forgetCertainty(building);
-      setSides(building, sides);
+      setSides(building, results[b].sides);
     } else if (!found || (outline == tasks[b].drawn && building.estimate &&
                           building.estimate->observations > 0)) {
       // It stays as drawn; what may be said of it is what the drawing says.
@@ -178,6 +172,71 @@ std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& fou
     }
   }
   return map;
+}
+
+void turnLessSure(Building& building, double sigma_m) {
+  Sides sides = sidesOf(building);
+  for (SideEstimate& side : sides) side.sigma = std::hypot(side.sigma, sigma_m);
+  building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, sigma_m);
+  building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, sigma_m);
+  setSides(building, sides);
+}
+
+/// What is drawn right is as it was drawn; all else goes where those say that the map lies.
+RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, bool by_start) {
+  RefinedMap refined{std::move(fitted), agreement.motion, agreement.share};
+  const Pose2 back = inverse(agreement.motion);
+  const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
+  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
+    const Building& drawn = drawing.buildings[b];
+    Building& building = refined.map.buildings[b];
+    if (drawn.fixed) continue;
+    building.shape = agreement.isRight(b) ? drawn.shape : moved(building.shape, back);
+    if (!by_start || !building.estimate || building.estimate->observations == 0) continue;
+    turnLessSure(building, agreement.sigmaAt(centroid(building.footprint()) - origin));
+  }
+  return refined;
+}
+
+}  // namespace
+
+double supportOf(const Map& drawing, const PlacedRays& placed, double range_limit_m,
+                 const std::stop_token& stop) {
+  constexpr double kTells = 3.0;  // nats for or against a building
+  double met = 0.0;
+  double supported = 0.0;
+  for (const Building& building : drawing.buildings) {
+    if (stop.stop_requested()) return 0.0;
+    const Polygon outline = building.footprint();
+    const Bounds bounds = boundsOf(outline);
+    const double radius = 0.5 * (bounds.high - bounds.low).norm();
+    const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, 0.5 * (bounds.low + bounds.high),
+                               radius);
+    const double evidence = scorer(outline, kSlack_m);
+    if (std::abs(evidence) < kTells) continue;
+    met += 1.0;
+    if (evidence > 0.0) supported += 1.0;
+  }
+  return met > 0.0 ? supported / met : 0.0;
+}
+
+std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMap>& found,
+                                 const PlacedRays& placed, double range_limit_m, std::uint64_t seed,
+                                 const std::stop_token& stop,
+                                 const std::function<void(double)>& progress) {
+  std::vector<OutlineTask> tasks;
+  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
+    if (stop.stop_requested()) return std::nullopt;
+    tasks.push_back(taskOf(drawing, b, found, placed, range_limit_m));
+  }
+  std::vector<OutlineResult> results;
+  if (placed.showsStructure()) {
+    results = fitOutlines(tasks, placed, range_limit_m, seed, stop, progress);
+    if (results.empty()) return std::nullopt;
+  }
+  Map fitted = fittedMap(drawing, found, tasks, results);
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, startTurnOf(drawing));
+  return settled(drawing, std::move(fitted), agreement, !found);
 }
 
 }  // namespace handmap

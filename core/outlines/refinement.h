@@ -14,11 +14,23 @@ struct FoundMap {
   const DrawingMotion& motion;  ///< how the drawing as a whole lies
 };
 
-/// `way`: the poses of all observations, map frame. Without `found` the drawing is where it was
-/// drawn. nullopt where `stop` was requested.
-std::optional<Map> refine(const Map& drawing, const std::optional<FoundMap>& found,
-                          const SeenFrames& seen, const std::vector<Pose2>& way, std::uint64_t seed,
-                          const std::stop_token& stop = {},
-                          const std::function<void(double)>& progress = {});
+struct RefinedMap {
+  Map map;
+  /// From the frame of the map to that of the way that was given: where many buildings prove to be
+  /// drawn right they tell better than the start how the way lies.
+  Pose2 motion;
+  double right = 0.0;  ///< share of the buildings that were seen that are as drawn
+};
+
+/// Where rays meet the drawn outlines: the share of the buildings for which they speak there.
+double supportOf(const Map& drawing, const PlacedRays& placed, double range_limit_m,
+                 const std::stop_token& stop = {});
+
+/// `placed`: what was seen, along a way in the frame of the map. Without `found` the drawing is
+/// where it was drawn. nullopt where `stop` was requested.
+std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMap>& found,
+                                 const PlacedRays& placed, double range_limit_m, std::uint64_t seed,
+                                 const std::stop_token& stop = {},
+                                 const std::function<void(double)>& progress = {});
 
 }  // namespace handmap

@@ -26,9 +26,10 @@ TEST(Refinement, KeepsWhatWasFoundWhereOutlinesCannotBeFitted) {
   found.buildings[0].shape = Rectangle{{20.6, 12.3}, 14.0, 8.0, 0.0};
   found.buildings[0].estimate = Estimate{0.1, 0.1, 0.1, 12};
   const Drive drive = drivePast({});
-  const auto map = refine(drawing, FoundMap{found, DrawingMotion{}}, drive.seen, drive.way, 1);
+  const auto map =
+      refine(drawing, FoundMap{found, DrawingMotion{}}, placeRays(drive.seen, drive.way), 40.0, 1);
   ASSERT_TRUE(map);
-  EXPECT_NEAR(map->buildings[0].box().centre.x(), 20.6, 1e-6);
+  EXPECT_NEAR(map->map.buildings[0].box().centre.x(), 20.6, 1e-6);
 }
 
 TEST(Refinement, SaysNoMoreOfADrawnPlaceThanTheDrawing) {
@@ -38,9 +39,40 @@ TEST(Refinement, SaysNoMoreOfADrawnPlaceThanTheDrawing) {
   Map found = drawing;
   found.buildings[0].estimate = Estimate{0.1, 0.1, 0.1, 12};
   const Drive drive = drivePast({kDrawn.corners()});
-  const auto map = refine(drawing, FoundMap{found, DrawingMotion{}}, drive.seen, drive.way, 1);
+  const auto map =
+      refine(drawing, FoundMap{found, DrawingMotion{}}, placeRays(drive.seen, drive.way), 40.0, 1);
   ASSERT_TRUE(map);
-  EXPECT_EQ(map->buildings[0].estimate, (Estimate{0.5, 0.5, 0.5, 0}));
+  EXPECT_EQ(map->map.buildings[0].estimate, (Estimate{0.5, 0.5, 0.5, 0}));
+}
+
+TEST(Refinement, LeavesADrawingThatIsRightAsItIs) {
+  Map drawing = drawingOf(kDrawn, 3.0);
+  std::vector<Polygon> houses;
+  for (int i = 0; i < 4; ++i) {
+    Building house = drawing.buildings[0];
+    house.id = std::string(1, static_cast<char>('B' + i));
+    house.shape = Rectangle{{15.0 * i + 5.0, -11.0}, 9.0, 7.0, 0.0};
+    drawing.buildings.push_back(house);
+  }
+  for (const Building& house : drawing.buildings) houses.push_back(house.footprint());
+  const Drive drive = drivePast(houses);
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  EXPECT_EQ(supportOf(drawing, placed, 40.0), 1.0);
+  const auto refined = refine(drawing, std::nullopt, placed, 40.0, 1);
+  ASSERT_TRUE(refined);
+  EXPECT_GT(refined->right, 0.9);
+  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
+    EXPECT_EQ(refined->map.buildings[b].shape, drawing.buildings[b].shape) << b;
+  }
+}
+
+TEST(Refinement, SaysHowFarRaysSpeakForADrawing) {
+  Map drawing = drawingOf(kDrawn, 3.0);
+  const Drive drive = drivePast({kDrawn.corners()});
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  EXPECT_EQ(supportOf(drawing, placed, 40.0), 1.0);
+  drawing.buildings[0].shape = Rectangle{{20.0, 8.0}, 14.0, 8.0, 0.0};  // before the wall
+  EXPECT_EQ(supportOf(drawing, placed, 40.0), 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,233 @@
+#include "core/outlines/agreement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "core/map/certainty.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kMostRounds = 50;
+constexpr double kSettled = 1e-6;  // nats
+/// Share of buildings whose outline was fitted to something else (hedges, annexes, neighbours), and
+/// how far its sides are off then, one σ.
+constexpr double kMisfitted = 0.15;
+constexpr double kMisfit_m = 1.5;
+/// What the drawing says of its errors counts as so many sides that were measured.
+constexpr double kStatedSides = 4.0;
+/// What a fitted side is off whatever it says: poses, recesses, and how far maps of real places are.
+constexpr double kLeastSigma_m = 0.3;
+/// Fewer buildings that are right do not tell how the whole lies.
+constexpr double kLeastTogether = 3.0;
+
+/// How far a side that was seen lies from where it is drawn, outwards.
+struct SideError {
+  Eigen::RowVector3d slope;  ///< of the error by shift and turn of the whole drawing
+  double error = 0.0;        ///< metres
+  double sigma = 0.0;        ///< of the fitted side
+};
+
+/// A building with its sides that were seen.
+struct Compared {
+  std::vector<SideError> sides;
+  double drawn_sigma = 0.0;  ///< of a side, as the drawing says
+  bool fixed = false;        ///< right whatever was seen
+  double right = 0.5;
+};
+
+double farthest(const Polygon& outline, const Vec2& direction) {
+  double most = outline.front().dot(direction);
+  for (const Vec2& corner : outline) most = std::max(most, corner.dot(direction));
+  return most;
+}
+
+Compared compared(const Building& drawn, const Building& fitted, const Uncertainty& uncertainty,
+                  const Vec2& origin) {
+  Compared building;
+  building.fixed = drawn.fixed;
+  building.drawn_sigma = std::hypot(uncertainty.position, 0.5 * uncertainty.size);
+  const Rectangle box = drawn.box();
+  const double fitted_heading = fitted.box().heading;
+  const Sides sides = sidesOf(fitted);
+  const Polygon before = drawn.footprint();
+  const Polygon after = fitted.footprint();
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const Vec2 normal = unitVector(box.heading + static_cast<double>(k) * kPi / 2.0);
+    const SideEstimate& side = sides[sideFacing(fitted_heading, normal)];
+    if (!side.seen || side.sigma <= 0.0) continue;
+    const Vec2 middle = box.centre + 0.5 * (k % 2 == 0 ? box.width : box.depth) * normal;
+    const double turn = normal.dot(perpendicular(middle - origin));
+    building.sides.push_back({{normal.x(), normal.y(), turn},
+                              farthest(after, normal) - farthest(before, normal),
+                              std::max(side.sigma, kLeastSigma_m)});
+  }
+  return building;
+}
+
+double logNormal(double error, double sigma) {
+  return -0.5 * std::pow(error / sigma, 2) - std::log(sigma);
+}
+
+double logSum(double a, double b) {
+  const double most = std::max(a, b);
+  return most + std::log(std::exp(a - most) + std::exp(b - most));
+}
+
+class Mixture {
+ public:
+  Mixture(std::vector<Compared> buildings, const Eigen::Matrix3d& start_information)
+      : buildings_(std::move(buildings)), start_information_(start_information) {}
+
+  void solve() {
+    iterate();
+    // As if all were right: a way that lies askew on the drawing has none of them where it is
+    // drawn.
+    Mixture askew = *this;
+    for (Compared& building : askew.buildings_) building.right = 1.0;
+    for (int round = 0; round < kMostRounds; ++round) askew.maximize();
+    askew.share_ = 0.5;
+    askew.iterate();
+    if (askew.log_density_ > log_density_) *this = std::move(askew);
+    if (together() >= kLeastTogether) return;
+    motion_.setZero();
+    covariance_ = start_information_.inverse();
+    expect();
+  }
+
+  double share() const { return share_; }
+  const Eigen::Vector3d& motion() const { return motion_; }
+  const Eigen::Matrix3d& covariance() const { return covariance_; }
+  /// 0 where nothing was seen.
+  double shareSeen() const {
+    const auto seen = std::count_if(buildings_.begin(), buildings_.end(),
+                                    [](const Compared& b) { return !b.sides.empty(); });
+    return seen > 0 ? together() / static_cast<double>(seen) : 0.0;
+  }
+  const std::vector<Compared>& buildings() const { return buildings_; }
+
+ private:
+  void iterate() {
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double before = log_density_;
+      expect();
+      if (round > 0 && log_density_ - before < kSettled) break;
+      maximize();
+    }
+  }
+
+  double together() const {
+    double sum = 0.0;
+    for (const Compared& building : buildings_)
+      sum += building.sides.empty() ? 0.0 : building.right;
+    return sum;
+  }
+
+  double errorOf(const SideError& side) const { return side.error - side.slope.dot(motion_); }
+
+  void expect() {
+    log_density_ = -0.5 * motion_.dot(start_information_ * motion_);
+    for (Compared& building : buildings_) {
+      if (building.sides.empty()) {
+        building.right = building.fixed ? 1.0 : share_;
+        continue;
+      }
+      double fits = std::log(1.0 - kMisfitted);
+      double misfits = std::log(kMisfitted);
+      double wrong = std::log(1.0 - share_);
+      for (const SideError& side : building.sides) {
+        const double error = errorOf(side);
+        fits += logNormal(error, side.sigma);
+        misfits += logNormal(error, std::hypot(side.sigma, kMisfit_m));
+        wrong += logNormal(error, std::hypot(side.sigma, worse_ * building.drawn_sigma));
+      }
+      const double right = std::log(share_) + logSum(fits, misfits);
+      log_density_ += logSum(right, wrong);
+      building.right = building.fixed ? 1.0 : 1.0 / (1.0 + std::exp(wrong - right));
+    }
+  }
+
+  void maximize() {
+    double right = 0.0;
+    double count = 0.0;
+    double squares = kStatedSides;
+    double sides = kStatedSides;
+    Eigen::Matrix3d information = start_information_;
+    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+    for (const Compared& building : buildings_) {
+      if (building.sides.empty()) continue;
+      right += building.right;
+      count += 1.0;
+      for (const SideError& side : building.sides) {
+        const double error = errorOf(side);
+        const double drawn = std::hypot(side.sigma, worse_ * building.drawn_sigma);
+        squares += (1.0 - building.right) * std::pow(error / building.drawn_sigma, 2);
+        sides += 1.0 - building.right;
+        // Robust where a building that is right was fitted to something else.
+        const double off = std::pow(error / side.sigma, 2);
+        const double weight = building.right / (side.sigma * side.sigma * (1.0 + off / 9.0)) +
+                              (1.0 - building.right) / (drawn * drawn);
+        information += weight * side.slope.transpose() * side.slope;
+        pull += weight * side.slope.transpose() * side.error;
+      }
+    }
+    share_ = (right + 1.0) / (count + 2.0);  // a uniform prior
+    worse_ = std::sqrt(squares / sides);
+    motion_ = information.ldlt().solve(pull);
+    covariance_ = information.inverse();
+  }
+
+  std::vector<Compared> buildings_;
+  Eigen::Matrix3d start_information_;
+  double share_ = 0.5;  ///< of buildings that are drawn right
+  double worse_ = 1.0;  ///< the others are off by so many times what the drawing says
+  Eigen::Vector3d motion_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of it
+  double log_density_ = 0.0;
+};
+
+}  // namespace
+
+Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, double start_turn) {
+  const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
+  std::vector<Compared> buildings;
+  for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
+    const Building& drawn = drawing.buildings[b];
+    buildings.push_back(compared(drawn, fitted.buildings[b], drawing.uncertaintyOf(drawn), origin));
+  }
+  const Eigen::Vector3d sigma(start_m, start_m, start_turn);
+  Mixture mixture(std::move(buildings), sigma.array().square().inverse().matrix().asDiagonal());
+  mixture.solve();
+  if (getenv("DBG"))
+    for (auto& b : mixture.buildings()) {
+      fprintf(stderr, "right %.2f share %.2f:", b.right, mixture.share());
+      for (auto& s : b.sides)
+        fprintf(stderr, " %.2f/%.2f->%.2f", s.error, s.sigma,
+                s.error - s.slope.dot(mixture.motion()));
+      fprintf(stderr, "\n");
+    }
+  Agreement agreement;
+  const Eigen::Vector3d& motion = mixture.motion();
+  const Pose2 about{origin.x(), origin.y(), 0.0};
+  agreement.motion =
+      Pose2{origin.x() + motion[0], origin.y() + motion[1], motion[2]} * inverse(about);
+  agreement.covariance = mixture.covariance();
+  agreement.share = mixture.shareSeen();
+  for (const Compared& building : mixture.buildings()) agreement.right.push_back(building.right);
+  return agreement;
+}
+
+double Agreement::sigmaAt(const Vec2& from_start) const {
+  Eigen::Matrix<double, 2, 3> slope = Eigen::Matrix<double, 2, 3>::Identity();
+  slope.col(2) = perpendicular(from_start);
+  return std::sqrt(0.5 * (slope * covariance * slope.transpose()).trace());
+}
+
+}  // namespace handmap

@@ -1,0 +1,118 @@
+#include "core/outlines/agreement.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "core/map/certainty.h"
+
+namespace handmap {
+namespace {
+
+constexpr double kStart_m = 0.3;
+constexpr double kStartTurn = toRadians(1.0);
+
+Map sixHouses() {
+  Map map;
+  map.start = Pose2{};
+  for (int i = 0; i < 6; ++i) {
+    Building house;
+    house.id = std::string(1, static_cast<char>('A' + i));
+    house.shape = Rectangle{{20.0 * i + 10.0, i % 2 == 0 ? 15.0 : -15.0}, 12.0, 8.0, 0.0};
+    map.buildings.push_back(house);
+  }
+  return map;
+}
+
+/// As a run leaves a building that was seen from the way between the rows.
+void see(Building& house) {
+  house.estimate = Estimate{0.2, 0.2, 0.3, 20};
+  const bool upper = house.box().centre.y() > 0.0;
+  setSides(house, {SideEstimate{0.3, true}, {0.25, !upper}, {0.3, true}, {0.25, upper}});
+}
+
+void shift(Building& house, const Vec2& by) {
+  auto& box = std::get<Rectangle>(house.shape);
+  box.centre += by;
+}
+
+TEST(Agreement, FindsThatADrawingIsRight) {
+  const Map drawing = sixHouses();
+  Map fitted = drawing;
+  RandomStream random(3);
+  for (Building& house : fitted.buildings) {
+    see(house);
+    shift(house, {random.normal(0.0, 0.2), random.normal(0.0, 0.2)});
+  }
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+  for (std::size_t b = 0; b < 6; ++b) EXPECT_TRUE(agreement.isRight(b)) << b;
+  EXPECT_LT(agreement.motion.position().norm(), 0.3);
+}
+
+TEST(Agreement, TakesAHouseThatWasMisfittedForRightWhereTheOthersAre) {
+  const Map drawing = sixHouses();
+  Map fitted = drawing;
+  for (Building& house : fitted.buildings) see(house);
+  shift(fitted.buildings[2], {0.0, 1.5});  // the hedge behind it
+  EXPECT_TRUE(agreementOf(drawing, fitted, kStart_m, kStartTurn).isRight(2));
+}
+
+TEST(Agreement, LeavesADrawingFromMemoryToTheRays) {
+  const Map drawing = sixHouses();
+  Map fitted = drawing;
+  RandomStream random(5);
+  for (Building& house : fitted.buildings) {
+    see(house);
+    shift(house, {random.normal(0.0, 3.0), random.normal(0.0, 3.0)});
+  }
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+  for (std::size_t b = 0; b < 6; ++b) EXPECT_FALSE(agreement.isRight(b)) << b;
+  EXPECT_EQ(agreement.motion, Pose2{});
+}
+
+TEST(Agreement, FindsTheOneHouseThatIsDrawnWrong) {
+  const Map drawing = sixHouses();
+  Map fitted = drawing;
+  for (Building& house : fitted.buildings) see(house);
+  shift(fitted.buildings[1], {-9.0, 7.0});
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+  for (std::size_t b = 0; b < 6; ++b) EXPECT_EQ(agreement.isRight(b), b != 1) << b;
+}
+
+TEST(Agreement, FindsHowTheWayLiesOnADrawingThatIsRight) {
+  const Map drawing = sixHouses();
+  Map fitted = drawing;
+  const Pose2 turned{0.1, -0.1, toRadians(0.8)};
+  for (Building& house : fitted.buildings) {
+    auto& box = std::get<Rectangle>(house.shape);
+    box.centre = turned.toOuter(box.centre);
+    box.heading += turned.heading;
+    see(house);
+  }
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+  for (std::size_t b = 0; b < 6; ++b) EXPECT_TRUE(agreement.isRight(b)) << b;
+  EXPECT_NEAR(agreement.motion.heading, turned.heading, toRadians(0.15));
+}
+
+TEST(Agreement, TakesWhatWasNotSeenAsTheRest) {
+  const Map drawing = sixHouses();
+  Map fitted = drawing;
+  for (std::size_t b = 0; b < 5; ++b) see(fitted.buildings[b]);
+  EXPECT_TRUE(agreementOf(drawing, fitted, kStart_m, kStartTurn).isRight(5));
+  EXPECT_FALSE(agreementOf(drawing, drawing, kStart_m, kStartTurn).isRight(5));
+}
+
+TEST(Agreement, NeverDoubtsWhatThePersonFixed) {
+  Map drawing = sixHouses();
+  drawing.buildings[0].fixed = true;
+  Map fitted = drawing;
+  for (Building& house : fitted.buildings) {
+    see(house);
+    shift(house, {6.0, 5.0});
+  }
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+  EXPECT_EQ(agreement.right[0], 1.0);
+  EXPECT_FALSE(agreement.isRight(1));
+}
+
+}  // namespace
+}  // namespace handmap
