@@ -198,6 +198,7 @@ int run(const CLI::App& command, RunArguments arguments) {
     (what == "scale" ? arguments.settings.free_scale : arguments.settings.free_turn) = true;
   }
   arguments.settings.slam.refine = !arguments.localize_only;
+  arguments.settings.conclude_on_the_way = arguments.live.any() || arguments.speed > 0.0;
   arguments.settings.perception.classify = arguments.model != "none";
   Map drawing = readDrawing(arguments.map);
   if (!arguments.given_poses.empty()) {

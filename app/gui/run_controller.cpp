@@ -22,6 +22,7 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   dropRevision();
   drawing_ = drawing;
   settings_ = setup.settings;
+  settings_.conclude_on_the_way = robot.live != nullptr || speed_ > kAtOnce;  // someone watches
   last_result_ = nullptr;
   at_end_ = false;
   live_ = robot.live;

@@ -97,12 +97,28 @@ void AnchoredWay::add(const std::vector<Pose2>& way, WayNoise noise) {
   way_ = way;
   noise_ = noise;
   if (changed) optimize();
-  Keyframe now{way.size() - 1, start_, {}};
+  work(way_.size() - 1);
+}
+
+void AnchoredWay::lay(const std::vector<Pose2>& way, WayNoise noise, const std::stop_token& stop) {
+  way_ = way;
+  noise_ = noise;
+  for (std::size_t i = 0; i < way.size() && !stop.stop_requested(); ++i) {
+    travelled_m_.push_back(
+        i == 0 ? 0.0 : travelled_m_.back() + between(way[i - 1], way[i]).position().norm());
+    work(i);
+  }
+  finish(stop);
+}
+
+/// The newest observation; those after it are not looked at.
+void AnchoredWay::work(std::size_t observation) {
+  Keyframe now{observation, start_, {}};
   if (keyframes_.empty()) {
     covariance_ = Eigen::Vector3d(kStart_m, kStart_m, kStartTurn).cwiseAbs2().asDiagonal();
   } else {
     const Keyframe& before = keyframes_.back();
-    now.pose = before.pose * between(way_[before.observation], way_.back());
+    now.pose = before.pose * between(way_[before.observation], way_[observation]);
     pose_ = now.pose;
     const bool far = travelled_m_.back() - travelled_m_[before.observation] >= kKeyframe_m;
     covariance_ = carried(before, now);
@@ -143,10 +159,12 @@ std::vector<ScanPoint> AnchoredWay::featuresAround(const Keyframe& keyframe,
   const double here = travelled_m_[keyframe.observation];
   const auto& frames = seen_.frames();
   const auto first = std::partition_point(frames.begin(), frames.end(), [&](const SeenFrame& f) {
-    return travelled_m_[f.observation] < here - window.behind_m;
+    return f.observation < travelled_m_.size() &&
+           travelled_m_[f.observation] < here - window.behind_m;
   });
   const auto last = std::partition_point(first, frames.end(), [&](const SeenFrame& f) {
-    return travelled_m_[f.observation] <= here + window.ahead_m;
+    return f.observation < travelled_m_.size() &&
+           travelled_m_[f.observation] <= here + window.ahead_m;
   });
   std::vector<Pose2> poses(static_cast<std::size_t>(std::distance(first, last)) == 0
                                ? 0
@@ -204,9 +222,10 @@ void AnchoredWay::optimize() {
   poses.optimize(kSteps);
   for (std::size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].pose = poses.poses()[i + 1];
   const Keyframe& last = keyframes_.back();
-  pose_ = last.pose * between(way_[last.observation], way_.back());
+  const std::size_t newest = travelled_m_.size() - 1;
+  pose_ = last.pose * between(way_[last.observation], way_[newest]);
   at_keyframe_ = poses.covariance(keyframes_.size());
-  covariance_ = carried(last, {way_.size() - 1, pose_, {}});
+  covariance_ = carried(last, {newest, pose_, {}});
 }
 
 /// Between two keyframes by both, each the more the nearer it is.

@@ -24,6 +24,8 @@ class AnchoredWay {
   /// `way`: poses of all observations so far, in any one frame, as told without the map; those of
   /// before may have changed too. One more than before.
   void add(const std::vector<Pose2>& way, WayNoise noise);
+  /// All observations of a way at once, as if they came one by one; nothing may have been added yet.
+  void lay(const std::vector<Pose2>& way, WayNoise noise, const std::stop_token& stop);
   /// After the last observation: each keyframe is laid on the walls anew by what was seen before
   /// and after it, until nothing moves any more or `stop` is requested.
   void finish(const std::stop_token& stop);
@@ -48,6 +50,7 @@ class AnchoredWay {
     double ahead_m;
   };
 
+  void work(std::size_t observation);
   MotionFactor motion(const Keyframe& from, const Keyframe& to) const;
   std::vector<ScanPoint> featuresAround(const Keyframe& keyframe, const Window& window) const;
   void layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& features,

@@ -4,7 +4,7 @@
 
 #include "core/anchoring/anchored_way.h"
 #include "core/estimation/estimator.h"
-#include "core/outlines/refinement.h"
+#include "core/session/conclusions.h"
 #include "core/session/pose_trust.h"
 #include "core/session/wheel_uncertainty.h"
 #include "core/trajectory/scan_trajectory.h"
@@ -25,19 +25,13 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
 /// What a map's frame and a start are off at best: as much as the reference poses of real places.
 constexpr double kReference_m = 0.3;
 
-/// A way of the robot that is thought of: poses of all observations, map frame.
-struct Way {
-  enum class By { Buildings, Odometry, Scans, Walls };
-  By by;
-  std::vector<Pose2> poses;
-};
-
 class HandmapMethod : public EstimationMethod {
  public:
   HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
       : drawing_(drawing),
         start_(*drawing.start * inverse(source.start_odometry)),
         seed_(settings.seed),
+        on_the_way_(settings.conclude_on_the_way),
         seen_(source.range_limit_m),
         trajectory_({.range_limit_m = source.range_limit_m}),
         estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
@@ -47,7 +41,10 @@ class HandmapMethod : public EstimationMethod {
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
+    if (on_the_way_ && !takeConclusion(stop)) return false;
     if (observations_ == 0) anchor(odometry);
+    const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
+    way_m_ += between(before, odometry).position().norm();
     trajectory_.add(time_s, odometry, percept.points, stop);
     wheels_.add(odometry);
     followTrajectory();
@@ -57,26 +54,29 @@ class HandmapMethod : public EstimationMethod {
     if (anchored_) {
       anchored_->add(trajectory_.poses(), by_scans_ ? WayNoise::Scans : WayNoise::Recorded);
     }
+    if (concluded_) {
+      shown_way_.push_back({time_s, onward_ * newestBy(concluded_->way.by)});
+      shown_trajectory_ = shown_way_.share();
+    }
+    if (on_the_way_) conclusions_.begin(way_m_, [this] { return concluding(); });
     return true;
   }
 
   bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
+    conclusions_ = {};
     estimator_.finish(stop);
     if (anchored_) anchored_->finish(stop);
-    if (stop.stop_requested()) return true;
-    Way way = chosenWay();
-    const Map found_map = estimator_.refinedMap();
-    std::optional<FoundMap> found;
-    if (way.by == Way::By::Buildings) found.emplace(found_map, estimator_.drawingMotion());
-    refined_ = refine(drawing_, found, seen_, way.poses, seed_, stop, progress);
-    if (refined_) way_ = std::move(way);
+    auto last = conclude(drawing_, known(), seed_, stop, progress);
+    if (!last) return true;
+    show(std::move(*last));
+    finished_ = true;
     return true;
   }
 
   void describe(FrameReport& report) const override {
     report.effective_sample_size = estimator_.effectiveSampleSize();
     report.visible_buildings = estimator_.visibleBuildings();
-    report.pose = way_ ? way_->poses.back() : estimator_.pose();
+    report.pose = pose();
     stateTrust(poseCovariance(), report);
   }
   std::vector<ParticleView> particles() const override {
@@ -88,14 +88,21 @@ class HandmapMethod : public EstimationMethod {
   }
   std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
   SharedList<StampedPose> trajectory() const override {
-    if (!way_) return estimator_.trajectory();
-    std::vector<StampedPose> poses = estimator_.trajectory().all();
-    for (std::size_t i = 0; i < poses.size(); ++i) poses[i].pose = way_->poses[i];
-    return SharedListWriter<StampedPose>(poses).share();
+    return concluded_ ? shown_trajectory_ : estimator_.trajectory();
   }
   std::function<Map()> refinedMap() const override {
-    if (!refined_) return estimator_.refinedMapLater();
-    return [map = *refined_] { return map; };
+    if (!concluded_) return estimator_.refinedMapLater();
+    if (finished_ || concluded_->way.by != Way::By::Buildings) {
+      return [map = concluded_->map] { return map; };
+    }
+    return [map = concluded_->map, since = estimator_.refinedMapLater()] {
+      Map now = since();
+      for (std::size_t b = 0; b < map.buildings.size(); ++b) {
+        const auto& estimate = map.buildings[b].estimate;
+        if (estimate && estimate->observations > 0) now.buildings[b] = map.buildings[b];
+      }
+      return now;
+    };
   }
 
  private:
@@ -123,25 +130,77 @@ class HandmapMethod : public EstimationMethod {
     estimator_.reviseOdometry(before, trajectory_.noiseScale());
   }
 
-  /// The odometry, matched scans, the walls of a drawing that is true and the buildings each tell a
-  /// way. Those of walls and buildings are dropped where they make what was seen less sharp.
-  Way chosenWay() const {
-    constexpr double kMargin = 0.015;  // of sharpness: less is chance
-    const bool scans = trajectory_.usable();
-    Way alone{scans ? Way::By::Scans : Way::By::Odometry, {}};
-    for (const Pose2& pose : scans ? trajectory_.poses() : trajectory_.recorded()) {
-      alone.poses.push_back(start_ * pose);
+  /// All poses as one source tells them, as it told them first in the map frame.
+  std::vector<Pose2> posesBy(Way::By by) const {
+    std::vector<Pose2> poses;
+    if (by == Way::By::Walls) return anchored_->poses();
+    if (by == Way::By::Buildings) {
+      for (const StampedPose& pose : estimator_.trajectory().all()) poses.push_back(pose.pose);
+      return poses;
     }
-    Way buildings{Way::By::Buildings, {}};
-    for (const StampedPose& pose : estimator_.trajectory().all()) {
-      buildings.poses.push_back(pose.pose);
+    const bool scans = by == Way::By::Scans;
+    for (const Pose2& pose : scans ? trajectory_.scanPoses() : trajectory_.recorded()) {
+      poses.push_back(start_ * pose);
     }
-    const double needed = trajectory_.sharpness(alone.poses) - kMargin;
-    if (anchored_) {
-      Way walls{Way::By::Walls, anchored_->poses()};
-      if (trajectory_.sharpness(walls.poses) >= needed) return walls;
+    return poses;
+  }
+  Pose2 newestBy(Way::By by) const {
+    switch (by) {
+      case Way::By::Walls:
+        return anchored_->pose();
+      case Way::By::Scans:
+        return start_ * trajectory_.scanPoses().back();
+      case Way::By::Odometry:
+        return start_ * trajectory_.recorded().back();
+      case Way::By::Buildings:
+        break;
     }
-    return trajectory_.sharpness(buildings.poses) < needed ? alone : buildings;
+    return estimator_.pose();
+  }
+  Pose2 pose() const {
+    return shown_trajectory_.empty() ? estimator_.pose() : shown_trajectory_.back().pose;
+  }
+
+  RunKnowledge known() const {
+    const Way::By alone = trajectory_.usable() ? Way::By::Scans : Way::By::Odometry;
+    std::optional<Way> walls;
+    if (anchored_) walls = Way{Way::By::Walls, posesBy(Way::By::Walls)};
+    return {{alone, posesBy(alone)},
+            {Way::By::Buildings, posesBy(Way::By::Buildings)},
+            std::move(walls),
+            estimator_.refinedMap(),
+            estimator_.drawingMotion(),
+            seen_,
+            trajectory_.sharpnessLater()};
+  }
+
+  Conclusions::Make concluding() const {
+    return [drawing = drawing_, seed = seed_, known = known()](const std::stop_token& stop) {
+      return conclude(drawing, known, seed, stop);
+    };
+  }
+
+  /// Returns false where `stop` was requested before it was there.
+  bool takeConclusion(const std::stop_token& stop) {
+    if (!conclusions_.isDue(way_m_)) return true;
+    auto conclusion = conclusions_.take(way_m_, stop);
+    if (!conclusion) return false;
+    show(std::move(*conclusion));
+    return true;
+  }
+
+  /// From now on the way is the believed one, and goes on as that does.
+  void show(Conclusion conclusion) {
+    concluded_ = std::move(conclusion);
+    std::vector<Pose2>& poses = concluded_->way.poses;
+    const std::vector<Pose2> told = posesBy(concluded_->way.by);
+    onward_ = poses.back() * inverse(told[poses.size() - 1]);
+    for (std::size_t i = poses.size(); i < told.size(); ++i) poses.push_back(onward_ * told[i]);
+    shown_way_ = {};
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      shown_way_.push_back({estimator_.trajectory()[i].time_s, poses[i]});
+    }
+    shown_trajectory_ = shown_way_.share();
   }
 
   /// Of the stated pose. A way without the buildings was told by one thing alone: where the
@@ -149,14 +208,17 @@ class HandmapMethod : public EstimationMethod {
   Eigen::Matrix3d poseCovariance() const {
     const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
     Eigen::Matrix3d covariance = buildings;
-    if (way_ && way_->by == Way::By::Walls) {
+    const Way::By by = concluded_ ? concluded_->way.by : Way::By::Buildings;
+    if (concluded_ && concluded_->covariance) {
+      covariance = *concluded_->covariance;
+    } else if (by == Way::By::Walls) {
       covariance = anchored_->covariance();
-    } else if (way_ && way_->by != Way::By::Buildings) {
+    } else if (by != Way::By::Buildings) {
       const Eigen::Matrix3d turn = rotation(start_.heading);
-      const bool scans = way_->by == Way::By::Scans;
+      const bool scans = by == Way::By::Scans;
       covariance =
           turn * (scans ? trajectory_.covariance() : wheels_.covariance()) * turn.transpose();
-      const Vec2 apart = way_->poses.back().position() - estimator_.pose().position();
+      const Vec2 apart = pose().position() - estimator_.pose().position();
       const double stated = (covariance + buildings).topLeftCorner<2, 2>().trace();
       if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
     }
@@ -167,6 +229,7 @@ class HandmapMethod : public EstimationMethod {
   Map drawing_;
   Pose2 start_;  ///< of the odometry frame, map frame
   std::uint64_t seed_;
+  bool on_the_way_;
   SeenFrames seen_;
   std::size_t observations_ = 0;
   ScanTrajectory trajectory_;
@@ -175,8 +238,13 @@ class HandmapMethod : public EstimationMethod {
   int loops_ = 0;
   HandmapEstimator estimator_;
   std::optional<AnchoredWay> anchored_;
-  std::optional<Way> way_;      ///< after the end of the run, and
-  std::optional<Map> refined_;  ///< the drawing on it
+  double way_m_ = 0.0;  ///< by the recorded odometry
+  Conclusions conclusions_;
+  std::optional<Conclusion> concluded_;  ///< the newest
+  Pose2 onward_;                         ///< from what tells its way to where that lies on the map
+  SharedListWriter<StampedPose> shown_way_;
+  SharedList<StampedPose> shown_trajectory_;  ///< the believed way, once there is a conclusion
+  bool finished_ = false;
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ struct RunSettings {
   bool free_turn = false;   ///< or be turned; Method::Handmap
   std::uint64_t seed = 1;
   int threads = 0;                    ///< 0: as many as the machine has
+  bool conclude_on_the_way = false;   ///< as at the end, now and then, to be shown; Method::Handmap
   std::string odometry = "recorded";  ///< what the source's odometry comes from, for the report
   /// Where somebody says that the robot was; increasing in time, map frame. See GivenPoses.
   std::vector<StampedPose> given_poses = {};

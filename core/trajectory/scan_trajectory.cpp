@@ -143,6 +143,10 @@ double ScanTrajectory::sharpness(const std::vector<Pose2>& way) const {
   return waySharpness(state_->seen, way);
 }
 
+std::function<double(const std::vector<Pose2>&)> ScanTrajectory::sharpnessLater() const {
+  return [seen = state_->seen](const std::vector<Pose2>& way) { return waySharpness(seen, way); };
+}
+
 double ScanTrajectory::rangeNoise(double range_m) const { return state_->noise.sigma(range_m); }
 
 double ScanTrajectory::noiseScale() const {

@@ -1,6 +1,7 @@
 // The way of a range sensor from what it sees of itself: no drawing is used.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -44,6 +45,8 @@ class ScanTrajectory {
   const std::vector<Pose2>& recorded() const;   ///< the recorded odometry of all observations
   /// waySharpness() of what was seen, along any way of the same observations. Some 0.1 s.
   double sharpness(const std::vector<Pose2>& way) const;
+  /// The same of what was seen until now, to be asked at any time later and in any thread.
+  std::function<double(const std::vector<Pose2>&)> sharpnessLater() const;
   /// One σ of the sensor's ranges at this distance, metres, as the scans themselves show it.
   double rangeNoise(double range_m) const;
   /// σ of the motions of poses() over that of the recorded odometry, 0.1 to 1: how far closing the

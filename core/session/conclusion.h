@@ -1,0 +1,47 @@
+// What a run comes to: which way is believed, and the drawing fitted to what was seen along it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/estimation/drawing_motion.h"
+#include "core/map/map.h"
+#include "core/outlines/seen_frames.h"
+
+namespace handmap {
+
+/// A way of the robot that is thought of: poses of all observations, map frame.
+struct Way {
+  enum class By { Buildings, Odometry, Scans, Walls };
+  By by;
+  std::vector<Pose2> poses;
+};
+
+/// What is known after some observations; a copy, so that any thread may conclude from it while the
+/// run goes on.
+struct RunKnowledge {
+  Way alone;                 ///< by scans or the odometry: no drawing is in it
+  Way buildings;             ///< as the buildings moved it
+  std::optional<Way> walls;  ///< laid on a drawing that is true
+  Map found;                 ///< the drawing as the estimator corrected it
+  DrawingMotion motion;
+  SeenFrames seen;
+  /// Of a way: how sharp it makes what was seen. See waySharpness().
+  std::function<double(const std::vector<Pose2>&)> sharpness;
+};
+
+struct Conclusion {
+  Way way;  ///< on the map; what tells it goes on from there
+  Map map;
+  std::optional<Eigen::Matrix3d> covariance;  ///< of its newest pose, where it was laid on a map
+};
+
+/// nullopt where `stop` was requested.
+std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known,
+                                   std::uint64_t seed, const std::stop_token& stop = {},
+                                   const std::function<void(double)>& progress = {});
+
+}  // namespace handmap
