@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -102,7 +100,6 @@ class Mixture {
     expect();
   }
 
-  double share() const { return share_; }
   const Eigen::Vector3d& motion() const { return motion_; }
   const Eigen::Matrix3d& covariance() const { return covariance_; }
   /// 0 where nothing was seen.
@@ -125,8 +122,9 @@ class Mixture {
 
   double together() const {
     double sum = 0.0;
-    for (const Compared& building : buildings_)
-      sum += building.sides.empty() ? 0.0 : building.right;
+    for (const Compared& building : buildings_) {
+      if (!building.sides.empty()) sum += building.right;
+    }
     return sum;
   }
 
@@ -205,14 +203,6 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
   const Eigen::Vector3d sigma(start_m, start_m, start_turn);
   Mixture mixture(std::move(buildings), sigma.array().square().inverse().matrix().asDiagonal());
   mixture.solve();
-  if (getenv("DBG"))
-    for (auto& b : mixture.buildings()) {
-      fprintf(stderr, "right %.2f share %.2f:", b.right, mixture.share());
-      for (auto& s : b.sides)
-        fprintf(stderr, " %.2f/%.2f->%.2f", s.error, s.sigma,
-                s.error - s.slope.dot(mixture.motion()));
-      fprintf(stderr, "\n");
-    }
   Agreement agreement;
   const Eigen::Vector3d& motion = mixture.motion();
   const Pose2 about{origin.x(), origin.y(), 0.0};

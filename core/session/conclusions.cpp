@@ -6,19 +6,15 @@
 
 namespace handmap {
 
-std::optional<Conclusion> Conclusions::take(double way_m, const std::stop_token& stop) {
-  if (!isDue(way_m)) return std::nullopt;
-  constexpr std::chrono::milliseconds kLook{5};
-  while (made_.wait_for(kLook) != std::future_status::ready) {
-    if (stop.stop_requested()) return std::nullopt;
-  }
-  return made_.get();
+std::optional<Conclusion> Conclusions::take() {
+  const bool is_ready =
+      made_.valid() && made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return is_ready ? made_.get() : std::nullopt;
 }
 
 void Conclusions::begin(double way_m, const std::function<Make()>& know) {
   if (made_.valid() || way_m < begin_at_m_) return;
   begin_at_m_ = kLonger * way_m;
-  take_at_m_ = kLater * way_m;
   std::promise<std::optional<Conclusion>> promise;
   made_ = promise.get_future();
   thread_ = std::jthread(

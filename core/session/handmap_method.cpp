@@ -41,7 +41,7 @@ class HandmapMethod : public EstimationMethod {
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
-    if (on_the_way_ && !takeConclusion(stop)) return false;
+    if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
     if (observations_ == 0) anchor(odometry);
     const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
     way_m_ += between(before, odometry).position().norm();
@@ -178,15 +178,6 @@ class HandmapMethod : public EstimationMethod {
     return [drawing = drawing_, seed = seed_, known = known()](const std::stop_token& stop) {
       return conclude(drawing, known, seed, stop);
     };
-  }
-
-  /// Returns false where `stop` was requested before it was there.
-  bool takeConclusion(const std::stop_token& stop) {
-    if (!conclusions_.isDue(way_m_)) return true;
-    auto conclusion = conclusions_.take(way_m_, stop);
-    if (!conclusion) return false;
-    show(std::move(*conclusion));
-    return true;
   }
 
   /// From now on the way is the believed one, and goes on as that does.

@@ -16,38 +16,48 @@ Conclusion named(const std::string& name) {
   return conclusion;
 }
 
-TEST(Conclusions, AreTakenATenthOfTheWayLater) {
+std::optional<Conclusion> waitFor(Conclusions& conclusions) {
+  for (;;) {
+    if (auto conclusion = conclusions.take()) return conclusion;
+    std::this_thread::yield();
+  }
+}
+
+TEST(Conclusions, AreBegunWhereTheWayIsHalfAsLongAgain) {
   Conclusions conclusions;
   std::vector<std::string> taken;
   for (double way_m = 0.0; way_m < 100.0; way_m += 1.0) {
-    if (const auto conclusion = conclusions.take(way_m, {})) taken.push_back(conclusion->map.name);
-    conclusions.begin(way_m, [way_m] {
+    bool begun = false;
+    conclusions.begin(way_m, [&] {
+      begun = true;
       return [name = std::to_string(static_cast<int>(way_m))](const std::stop_token&) {
         return std::optional(named(name));
       };
     });
+    if (begun) taken.push_back(waitFor(conclusions)->map.name);
   }
   EXPECT_EQ(taken, (std::vector<std::string>{"20", "30", "45", "68"}));
 }
 
-TEST(Conclusions, DoNotKeepAStopWaiting) {
+TEST(Conclusions, KeepNobodyWaiting) {
   Conclusions conclusions;
   std::atomic<bool> ended = false;
-  conclusions.begin(20.0, [&] {
+  const auto endless = [&] {
     return [&](const std::stop_token& stop) -> std::optional<Conclusion> {
       while (!stop.stop_requested()) std::this_thread::yield();
       ended = true;
       return std::nullopt;
     };
+  };
+  conclusions.begin(20.0, endless);
+  EXPECT_FALSE(conclusions.take());
+  conclusions.begin(100.0, [&]() -> Conclusions::Make {
+    ADD_FAILURE() << "one at a time";
+    return endless();
   });
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_TRUE(conclusions.isDue(30.0));
-  EXPECT_FALSE(conclusions.take(30.0, stop.get_token()));
-  EXPECT_TRUE(conclusions.isDue(30.0));
   conclusions = {};
   EXPECT_TRUE(ended);
-  EXPECT_FALSE(conclusions.isDue(1e6));
+  EXPECT_FALSE(conclusions.take());
 }
 
 TEST(Conclusions, PassOnWhatWentWrong) {
@@ -57,7 +67,7 @@ TEST(Conclusions, PassOnWhatWentWrong) {
       throw Error(ErrorCode::RunFailed, "no more memory");
     };
   });
-  EXPECT_THROW(conclusions.take(30.0, {}), Error);
+  EXPECT_THROW(waitFor(conclusions), Error);
 }
 
 }  // namespace
