@@ -46,8 +46,9 @@ OutlinePrior priorOf(const OutlineTask& task) {
   prior.start = task.start;
   prior.heading = headingOf(task.start);
   const Rectangle now = boundingRectangle(task.start, prior.heading);
-  const Rectangle drawn = boundingRectangle(
-      task.drawn, prior.heading + normalizedAngle(headingOf(task.drawn) - headingOf(task.start)));
+  // What is longest may have become another side.
+  const double turn = std::remainder(headingOf(task.drawn) - prior.heading, kPi / 2.0);
+  const Rectangle drawn = boundingRectangle(task.drawn, prior.heading + turn);
   prior.expected_log_size = {std::log(drawn.width / now.width), std::log(drawn.depth / now.depth)};
   prior.shift_m = task.shift_m;
   const double share = task.size_m / std::sqrt(drawn.width * drawn.depth);

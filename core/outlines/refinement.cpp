@@ -50,7 +50,7 @@ std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& sco
 /// The side opposite the one that was seen best keeps the drawn distance from it, unless it was
 /// seen too, or a wall that leads there was. The ends of what was seen best are where its returns
 /// stop.
-Polygon unseenAsDrawn(const Building& found, const Building& drawn, double scale,
+Polygon unseenAsDrawn(const Building& found, const Building& drawn, const DrawingMotion& motion,
                       const PlacedRays& placed, double range_limit_m) {
   constexpr double kFacing = 0.7;  // cosine between a wall and the side that it is of
   Polygon outline = found.footprint();
@@ -77,9 +77,10 @@ Polygon unseenAsDrawn(const Building& found, const Building& drawn, double scale
   if (deep || of_side[front] < kSeenReturns || of_side[(front + 2) % 4] >= kSeenReturns) {
     return outline;
   }
-  const Rectangle as_drawn = drawn.box();
+  // Not its box(): that of a crooked outline may lie along another wall.
+  const Rectangle as_drawn = boundingRectangle(drawn.footprint(), box.heading - motion.turn());
   const double now = front % 2 == 0 ? box.width : box.depth;
-  const double ratio = scale * (front % 2 == 0 ? as_drawn.width : as_drawn.depth) / now;
+  const double ratio = motion.scale() * (front % 2 == 0 ? as_drawn.width : as_drawn.depth) / now;
   for (Vec2& corner : outline) {
     const double depth = 0.5 * now - outwards.dot(corner - box.centre);
     corner += (1.0 - ratio) * depth * outwards;
@@ -130,7 +131,7 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   const Building& now = found->map.buildings[b];
   if (!now.estimate || now.estimate->observations == 0) return task;
   task.labelled = true;
-  task.start = unseenAsDrawn(now, drawn, found->motion.scale(), placed, range_limit_m);
+  task.start = unseenAsDrawn(now, drawn, found->motion, placed, range_limit_m);
   task.shift_m = kLabelled_m;
   return task;
 }

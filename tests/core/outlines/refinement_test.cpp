@@ -45,6 +45,24 @@ TEST(Refinement, SaysNoMoreOfADrawnPlaceThanTheDrawing) {
   EXPECT_EQ(map->map.buildings[0].estimate, (Estimate{0.5, 0.5, 0.5, 0}));
 }
 
+TEST(Refinement, KeepsTheDrawnDepthOfACrookedOutline) {
+  // The smallest box around the one lies along its gable, that around the other along its front.
+  const Polygon drawn = {{20.1, 6.4}, {41.3, 6.5}, {42.3, 18.1}, {20.9, 18.4}};
+  const Polygon shallow = {{22.8, 7.7}, {39.4, 8.0}, {39.9, 16.6}, {23.3, 16.6}};
+  Map drawing = drawingOf(kDrawn, 3.0);
+  drawing.buildings[0].shape = drawn;
+  Map found = drawing;
+  found.buildings[0].shape = shallow;
+  found.buildings[0].estimate = Estimate{0.1, 0.1, 0.1, 12};
+  const Drive drive = drivePast({Rectangle{{31.0, 12.7}, 17.0, 10.0, 0.0}.corners()});
+  const auto refined =
+      refine(drawing, FoundMap{found, DrawingMotion{}}, placeRays(drive.seen, drive.way), 40.0, 1);
+  ASSERT_TRUE(refined);
+  const Bounds bounds = boundsOf(refined->map.buildings[0].footprint());
+  EXPECT_NEAR(bounds.low.y(), 7.7, 0.4);
+  EXPECT_NEAR(bounds.high.y() - bounds.low.y(), 12.0, 3.0);
+}
+
 TEST(Refinement, LeavesADrawingThatIsRightAsItIs) {
   Map drawing = drawingOf(kDrawn, 3.0);
   std::vector<Polygon> houses;
