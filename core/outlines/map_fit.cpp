@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLeastEvidence = 10.0;  // nats
 constexpr double kLeastGain = 3.0;
+constexpr std::size_t kMostRivals = 3;
 constexpr double kOwnedWithin_m = 0.5;
 constexpr double kOverlap = 400.0;  // nats for all of a building on another
 // How people draw what they know: sizes, turns, skews and single walls are off by no more, one σ,
@@ -60,13 +61,8 @@ OutlinePrior priorOf(const OutlineTask& task) {
   return prior;
 }
 
-/// What two passes need to know of the buildings that are settled.
-double overlapWith(const Polygon& outline, const std::vector<Polygon>& others) {
-  double shared = 0.0;
-  for (const Polygon& other : others) {
-    if (boundsOf(outline).overlaps(boundsOf(other))) shared += intersectionArea(outline, other);
-  }
-  return shared / std::max(1.0, std::abs(signedArea(outline)));
+double sharedArea(const Polygon& outline, const Polygon& other) {
+  return boundsOf(outline).overlaps(boundsOf(other)) ? intersectionArea(outline, other) : 0.0;
 }
 
 double priorShift(const OutlineTask& task) {
@@ -114,7 +110,9 @@ class Fitting {
         range_limit_m_(range_limit_m),
         seed_(seed),
         stop_(std::move(stop)),
-        owners_(placed.rays.size(), kNobody) {
+        owners_(placed.rays.size(), kNobody),
+        settled_(tasks.size()),
+        worth_(tasks.size()) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       priors_.push_back(priorOf(tasks[i]));
       if (stop_.stop_requested()) continue;
@@ -134,29 +132,68 @@ class Fitting {
     const FittedOutline fitted = isDisturbed(first.outline, task) ? search(i) : first;
     if (stop_.stop_requested()) return {};
     OutlineResult result;
-    result.evidence = fitted.score - kOverlap * overlapWith(fitted.outline, settled_);
-    const double drawn =
-        scorer(task.drawn, kSlack_m) - kOverlap * overlapWith(task.drawn, settled_);
-    const double start =
-        scorer(task.start, kSlack_m) - kOverlap * overlapWith(task.start, settled_);
+    result.evidence = fitted.score - kOverlap * overlap(i, fitted.outline);
+    const double drawn = scorer(task.drawn, kSlack_m) - kOverlap * overlap(i, task.drawn);
+    const double start = scorer(task.start, kSlack_m) - kOverlap * overlap(i, task.start);
     result.gain = result.evidence + fitted.prior - drawn;
     if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
+      worth_[i] = result.evidence + fitted.prior;
     } else {
       result.outline = start >= drawn ? task.start : task.drawn;
+      worth_[i] = std::max({start, drawn, 0.0});
     }
-    std::replace(owners_.begin(), owners_.end(), static_cast<int>(i), kNobody);
+    letGo(i);
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
       result.estimate = estimateOf(result.outline, task, scorer);
       result.sides = sidesOf(result.outline, task, scorer);
       own(i, result.outline, scorer);
-      settled_.push_back(result.outline);
+      settled_[i] = result.outline;
     }
     return result;
   }
 
+  /// A building of which the rays tell more than of what was left of them has lost its walls to
+  /// surer neighbours: whether all together are worth more where it chooses before them.
+  void settleAgain(std::size_t i, const FittedOutline& first, std::vector<OutlineResult>& results) {
+    if (results[i].verdict == Verdict::Moved || first.score < kLeastEvidence) return;
+    std::vector<std::size_t> group;
+    for (std::size_t k = 0; k < settled_.size(); ++k) {
+      if (k != i && settled_[k] && sharedArea(first.outline, *settled_[k]) > 0.0)
+        group.push_back(k);
+    }
+    if (group.empty() || group.size() > kMostRivals) return;
+    const Fitting before = *this;
+    const std::vector<OutlineResult> results_before = results;
+    group.insert(group.begin(), i);
+    for (const std::size_t k : group) letGo(k);
+    for (const std::size_t k : group) {
+      results[k] = settle(k, search(k));
+      if (stop_.stop_requested()) return;
+    }
+    double gain = -kLeastGain;
+    for (const std::size_t k : group) gain += worth_[k] - before.worth_[k];
+    if (gain > 0.0) return;
+    owners_ = before.owners_;
+    settled_ = before.settled_;
+    worth_ = before.worth_;
+    results = results_before;
+  }
+
  private:
+  /// Share of the area that settled ones have.
+  double overlap(std::size_t i, const Polygon& outline) const {
+    double shared = 0.0;
+    for (std::size_t k = 0; k < settled_.size(); ++k) {
+      if (k != i && settled_[k]) shared += sharedArea(outline, *settled_[k]);
+    }
+    return shared / std::max(1.0, std::abs(signedArea(outline)));
+  }
+  void letGo(std::size_t i) {
+    std::replace(owners_.begin(), owners_.end(), static_cast<int>(i), kNobody);
+    settled_[i].reset();
+  }
   OutlineScorer scorerFor(std::size_t i) const {
     const Bounds bounds = boundsOf(tasks_[i].start);
     const double radius = 0.5 * (bounds.high - bounds.low).norm();
@@ -173,8 +210,8 @@ class Fitting {
     }
   }
   bool isDisturbed(const Polygon& outline, const OutlineTask& task) const {
-    return std::any_of(settled_.begin(), settled_.end(), [&](const Polygon& other) {
-      return distanceTo(other, centroid(outline)) < sizeOf(task.drawn);
+    return std::any_of(settled_.begin(), settled_.end(), [&](const auto& other) {
+      return other && distanceTo(*other, centroid(outline)) < sizeOf(task.drawn);
     });
   }
 
@@ -185,7 +222,8 @@ class Fitting {
   std::stop_token stop_;
   RayOwners owners_;
   std::vector<OutlinePrior> priors_;
-  std::vector<Polygon> settled_;
+  std::vector<std::optional<Polygon>> settled_;
+  std::vector<double> worth_;  ///< nats, of what is settled
 };
 
 }  // namespace
@@ -215,6 +253,10 @@ std::vector<OutlineResult> fitOutlines(const std::vector<OutlineTask>& tasks,
     if (stop.stop_requested()) return {};
     const double share = static_cast<double>(++done) / static_cast<double>(tasks.size());
     if (progress) progress(0.5 + 0.5 * share);
+  }
+  for (const std::size_t i : order) {
+    fitting.settleAgain(i, first[i], results);
+    if (stop.stop_requested()) return {};
   }
   return results;
 }

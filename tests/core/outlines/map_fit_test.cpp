@@ -69,6 +69,21 @@ TEST(MapFit, DoesNotLetNeighboursTakeOneWall) {
   EXPECT_LT(intersectionOverUnion(results[0].outline, results[1].outline), 0.6);
 }
 
+TEST(MapFit, GivesAWallBackToTheNeighbourThatItIsOf) {
+  const Polygon left = Rectangle{{16.0, 12.0}, 20.0, 8.0, 0.0}.corners();
+  const Polygon right = Rectangle{{40.0, 11.0}, 18.0, 8.0, 0.0}.corners();
+  const Drive drive = drivePast({left, right});
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  // The left one is drawn nearly as long as both.
+  OutlineTask both = taskFor(Rectangle{{23.0, 12.5}, 33.0, 8.0, 0.0}.corners(), true);
+  both.size_m = 12.0;
+  const auto results =
+      fitOutlines({both, taskFor(moved(right, {1.0, 1.0}), true)}, placed, 40.0, 1);
+  EXPECT_EQ(results.at(1).verdict, Verdict::Moved);
+  EXPECT_GT(intersectionOverUnion(results[0].outline, left), 0.7);
+  EXPECT_GT(intersectionOverUnion(results[1].outline, right), 0.8);
+}
+
 TEST(MapFit, IsTheSameEachTime) {
   const Drive drive = drivePast({kHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
