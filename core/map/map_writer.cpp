@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -109,11 +110,14 @@ Members uncertaintyMembers(const Map& map) {
   return members;
 }
 
+/// An estimate may know less than a file may say.
+std::string sigma(double sigma_m) { return metres(std::min(sigma_m, kMaxSigma)); }
+
 Members estimateMembers(const Estimate& estimate) {
   return Members()
-      .add("sigma_x", metres(estimate.sigma_x))
-      .add("sigma_y", metres(estimate.sigma_y))
-      .add("sigma_width", metres(estimate.sigma_width))
+      .add("sigma_x", sigma(estimate.sigma_x))
+      .add("sigma_y", sigma(estimate.sigma_y))
+      .add("sigma_width", sigma(estimate.sigma_width))
       .add("observations", std::to_string(estimate.observations));
 }
 

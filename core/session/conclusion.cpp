@@ -50,7 +50,7 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   }
   Way way = believed(known, alone);
   std::optional<FoundMap> found;
-  if (way.by == Way::By::Buildings) found.emplace(known.found, known.motion);
+  if (way.by == Way::By::Buildings) found.emplace(FoundMap{known.found, known.motion});
   const PlacedRays placed = placeRays(known.seen, way.poses, stop);
   if (stop.stop_requested()) return std::nullopt;
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
