@@ -224,8 +224,7 @@ TEST(MapIo, WritesFilesThatReadBack) {
 TEST(MapIo, AnEstimateThatKnowsLessThanAFileMaySayIsWrittenAsTheMost) {
   Map map = parseMap(kFullMap, "full");
   map.buildings[0].estimate = Estimate{1e9, 0.2, 104'403.0, 12};
-  EXPECT_EQ(parseMap(formatMap(map), "again").buildings[0].estimate,
-            (Estimate{1e5, 0.2, 1e5, 12}));
+  EXPECT_EQ(parseMap(formatMap(map), "again").buildings[0].estimate, (Estimate{1e5, 0.2, 1e5, 12}));
 }
 
 TEST(MapIo, WhatCouldNotBeReadAgainIsNotWritten) {
