@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "core/estimation/smoother.h"
+#include "core/estimation/smoothing/odometry_noise.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
 

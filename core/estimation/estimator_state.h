@@ -2,17 +2,20 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 
-#include "core/estimation/active_directions.h"
-#include "core/estimation/clutter_estimate.h"
+#include "core/estimation/buildings/clutter_estimate.h"
+#include "core/estimation/buildings/noise_estimate.h"
+#include "core/estimation/buildings/outline_placement.h"
 #include "core/estimation/estimator.h"
-#include "core/estimation/evidence_window.h"
-#include "core/estimation/labels.h"
-#include "core/estimation/landmarks.h"
+#include "core/estimation/labels/labels.h"
+#include "core/estimation/loops/loop_closure.h"
 #include "core/estimation/map_correction.h"
-#include "core/estimation/noise_estimate.h"
-#include "core/estimation/odometry_estimate.h"
-#include "core/estimation/outline_fit.h"
+#include "core/estimation/smoothing/landmarks.h"
+#include "core/estimation/smoothing/odometry_estimate.h"
+#include "core/estimation/smoothing/smoother.h"
+#include "core/estimation/walls/active_directions.h"
+#include "core/estimation/walls/evidence_window.h"
 
 namespace handmap {
 
@@ -32,11 +35,13 @@ struct HandmapEstimator::State {
     for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
   }
 
-  void workIn(const std::stop_token& stop, const std::function<void(double)>& progress);
+  void process(const std::stop_token& stop, const std::function<void(double)>& progress);
   void addObservation(double time_s, const Pose2& offset);
   void updateTrajectory();
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
+  void layAlong(const std::vector<Pose2>& odometry);
+  void carryAlong(const std::vector<Pose2>& before);
   void carryCovariance(std::size_t from, const Eigen::Matrix3d& since);
   void renewCovariance();
   void updateDirections();
@@ -44,17 +49,18 @@ struct HandmapEstimator::State {
   void findBuildings();
   void followBuildings();
   bool closeLoop(const std::stop_token& stop);
-  bool smoothNowAndThen(const std::stop_token& stop);
+  bool smoothPeriodically(const std::stop_token& stop);
   void smoothAll(std::span<const double> slacks, int iterations, std::span<const SameBuilding> same,
                  const std::stop_token& stop);
+  void smoothToTheEnd(const std::stop_token& stop);
+  std::optional<DriftPrior> possibleDrift() const;
   std::vector<FoundBox> allFound() const;
   void setAllFound(const std::vector<FoundBox>& all);
   void labelBuildings(double near_m);
   bool fitOutlines();
-  /// Buildings farther from the robot keep the labels that they have: no frame that is worked on
-  /// sees them.
+  /// Buildings farther from the robot keep the labels that they have: no active frame sees them.
   double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
-  std::size_t firstWorkedOn() const;
+  std::size_t firstActive() const;
   std::size_t firstKept() const;
   std::vector<Frame*> framesFrom(std::size_t first);
   bool isInReach(const FoundBox& found) const;
@@ -80,12 +86,12 @@ struct HandmapEstimator::State {
   std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
   MapCorrection correction;
   std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
-  struct Passing {              ///< an observation: its pose relative to a key frame
+  struct Observed {             ///< an observation: its pose relative to a key frame
     double time_s;
     std::size_t frame;
     Pose2 offset;
   };
-  std::vector<Passing> observations;
+  std::vector<Observed> observations;
   SharedListWriter<StampedPose> poses;  ///< of the observations
   SharedList<StampedPose> trajectory;   ///< the same, to be shown
   std::size_t first_moved = 0;          ///< frame; those before stand where `poses` has them

@@ -30,7 +30,7 @@ Sides sidesOf(const RefinedBuilding& refined, const FoundBox* found, double head
 
 void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
                             const HasReached& has_reached) {
-  constexpr double kSlightDoubt = 0.1;
+  constexpr double kSlightDoubt = 0.1;  // choice: nobody asks about less
   const Labels::Label label = labels_.of(b, found);
   const Building& drawn = drawing_.buildings[b];
   if (drawn.fixed) return;
@@ -61,7 +61,7 @@ void MapCorrection::correctAll(std::span<const FoundBox> found, const HasReached
 }
 
 void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReached& has_reached) {
-  constexpr std::size_t kOthers = 100;
+  constexpr std::size_t kOthers = 100;  // a key frame; choice
   for (const std::size_t b : labels_.nearby()) correct(b, found, has_reached);
   for (std::size_t i = 0; i < std::min(kOthers, drawing_.buildings.size()); ++i) {
     last_ = (last_ + 1) % drawing_.buildings.size();

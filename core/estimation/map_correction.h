@@ -6,7 +6,8 @@
 #include <span>
 
 #include "core/base/shared_list.h"
-#include "core/estimation/labels.h"
+#include "core/estimation/drawing/refined_building.h"
+#include "core/estimation/labels/labels.h"
 
 namespace handmap {
 

@@ -36,7 +36,7 @@ BuildingSampler::BuildingSampler(const RefinedBuilding& refined) : walls_(refine
 }
 
 Rectangle BuildingSampler::operator()(RandomStream& random) const {
-  constexpr double kLeast = 1.0;  // metres
+  constexpr double kLeast = 1.0;  // metres; choice: what is drawn has an inside
   const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
   const Eigen::Vector4d offset = root_ * unit;
   Box box = walls_;

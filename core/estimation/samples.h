@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/estimation/assignment.h"
-#include "core/estimation/drawn_box.h"
+#include "core/estimation/drawing/refined_building.h"
+#include "core/estimation/labels/assignment.h"
 
 namespace handmap {
 

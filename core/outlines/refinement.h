@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/estimation/drawing_motion.h"
+#include "core/estimation/drawing/drawing_motion.h"
 #include "core/outlines/map_fit.h"
 
 namespace handmap {

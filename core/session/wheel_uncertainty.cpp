@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/estimation/smoother.h"
+#include "core/estimation/smoothing/odometry_noise.h"
 
 namespace handmap {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/estimation/box.h"
-#include "core/estimation/frame.h"
+#include "core/estimation/buildings/box.h"
+#include "core/estimation/walls/frame.h"
 
 namespace handmap {
 

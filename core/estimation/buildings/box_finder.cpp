@@ -1,0 +1,302 @@
+#include "core/estimation/buildings/box_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/parallel.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kParallel = toRadians(7.0);  // choice: tilts of 4.5° and the box
+constexpr double kNear = 2.0;    // metres between a wall and the box that explains it; choice
+constexpr double kAgreed = 0.5;  // metres between the ends of a wall and of its box; choice: a cell
+constexpr double kPromising = 30.0;      // nats that a local search may bring; choice
+constexpr int kMostSeeds = 3;            // an observation; choice: so much time
+constexpr std::size_t kMostRivals = 20;  // choice: so much memory
+constexpr double kLeastGap = 1.0;        // metres between two buildings; choice: two cells
+constexpr double kGain = 1.0;            // nats that a change must bring; choice
+constexpr double kCommonArea = 0.15;     // of the smaller of two that cannot both be; choice
+constexpr double kAlike = 0.8;           // of the larger of two that are the same; choice
+constexpr std::size_t kHeading = 4;      // index of the heading among the parameters
+constexpr double kImpossible = -1e9;     // nats
+// Metres that a search looks at first: what was seen before, halves of a box, a
+// candidate, a seed. Choices.
+constexpr double kSettledStep_m = 0.1;
+constexpr double kPieceStep_m = 0.5;
+constexpr double kCandidateStep_m = 1.0;
+constexpr double kSeedStep_m = 1.5;
+
+void change(Box& box, std::size_t parameter, double by) {
+  if (parameter == kHeading) {
+    box.heading += by;
+  } else {
+    box.reach[parameter] += by;
+  }
+}
+
+/// The part of a wall of a box where a wall was found: from `begin` to `end`, from the pivot on.
+struct Stretch {
+  std::size_t wall;
+  double begin;
+  double end;
+  std::size_t first() const { return (wall + 3) % 4; }   ///< the wall at the beginning
+  std::size_t second() const { return (wall + 1) % 4; }  ///< and at the end
+};
+
+std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
+  const Vec2 middle = (wall.a + wall.b) / 2.0;
+  const Vec2 outward = -perpendicular(unitVector(wall.heading()));
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec2 normal = box.sideNormal(k);
+    if (normal.dot(outward) < std::cos(kParallel)) continue;
+    if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear) continue;
+    Stretch stretch{k, 0.0, 0.0};
+    const Vec2 along = box.sideNormal(stretch.second());
+    stretch.begin = along.dot(wall.a - box.pivot);
+    stretch.end = along.dot(wall.b - box.pivot);
+    if (stretch.begin > box.reach[stretch.second()]) continue;
+    if (stretch.end < -box.reach[stretch.first()]) continue;
+    return stretch;
+  }
+  return std::nullopt;
+}
+
+double area(const Box& box) { return signedArea(box.polygon()); }
+
+double commonArea(const Box& a, const Box& b) {
+  const Rectangle first = a.rectangle();
+  const Rectangle second = b.rectangle();
+  const double reach =
+      (std::hypot(first.width, first.depth) + std::hypot(second.width, second.depth)) / 2.0;
+  if ((first.centre - second.centre).norm() > reach) return 0.0;
+  return intersectionArea(a.polygon(), b.polygon());
+}
+
+bool collide(const Box& a, const Box& b) {
+  return commonArea(a, b) > kCommonArea * std::min(area(a), area(b));
+}
+
+bool alike(const Box& a, const Box& b) {
+  return commonArea(a, b) > kAlike * std::max(area(a), area(b));
+}
+
+}  // namespace
+
+double BoxFinder::objective(const Box& box, BoxScorer& scorer) const {
+  double prior = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double size = box.reach[axis] + box.reach[axis + 2];
+    if (size < options_.least_size_m) return kImpossible;
+    const double off = (size - options_.typical_size_m) / options_.typical_size_m;
+    prior -= 0.5 * off * off;
+  }
+  return prior + scorer(box);
+}
+
+Box BoxFinder::seed(const FoundWall& wall) const {
+  return {(wall.a + wall.b) / 2.0,
+          wall.heading(),
+          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0},
+          nullptr};
+}
+
+void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
+                       const SensorModel& sensor) const {
+  constexpr double kLeastStep = 0.04;  // metres; choice: below the noise
+  const double long_side =
+      std::max(found.box.reach[0] + found.box.reach[2], found.box.reach[1] + found.box.reach[3]);
+  BoxScorer scorer(found.box, frames, sensor);
+  found.score = objective(found.box, scorer);
+  for (double step = step_m; step >= kLeastStep; step /= 2.0) {
+    for (std::size_t parameter = 0; parameter <= kHeading; ++parameter) {
+      const double by = parameter == kHeading ? step / long_side : step;
+      for (const double sign : {1.0, -1.0}) {
+        bool better = false;
+        for (int tries = 0; tries < 4; ++tries) {
+          Box changed = found.box;
+          change(changed, parameter, sign * by);
+          const double score = objective(changed, scorer);
+          if (score <= found.score) break;
+          found.box = changed;
+          found.score = score;
+          better = true;
+        }
+        if (better) break;
+      }
+    }
+  }
+}
+
+void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
+                             const SensorModel& sensor) const {
+  constexpr double kProbe = 2.0;    // metres; choice
+  constexpr double kTelling = 4.0;  // nats; choice
+  BoxScorer scorer(found.box, frames, sensor, 1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (found.reachSigma(k) < kProbe / 2.0) continue;
+    const auto score_at = [&](double reach) {
+      Box changed = found.box;
+      changed.reach[k] = reach;
+      return objective(changed, scorer);
+    };
+    double best = found.box.reach[k];
+    double best_score = score_at(best);
+    for (double off = -2.0 * kProbe; off <= 2.0 * kProbe; off += kProbe / 4.0) {
+      const double score = score_at(found.box.reach[k] + off);
+      if (score <= best_score) continue;
+      best = found.box.reach[k] + off;
+      best_score = score;
+    }
+    const double drop = best_score - std::max(score_at(best - kProbe), score_at(best + kProbe));
+    if (drop < kTelling) continue;
+    found.box.reach[k] = best;
+    found.setReachSigma(k, std::min(found.reachSigma(k), kProbe / std::sqrt(2.0 * drop)));
+  }
+}
+
+/// Whether the wall belongs to the box; where it tells of a longer or shorter one, the box follows.
+bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
+                      const SensorModel& sensor) const {
+  const auto stretch = found.box.outline ? std::nullopt : stretchOn(found.box, wall);
+  if (stretch) {
+    const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed &&
+                        std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed;
+    if (agrees || !found.in_sight || found.predates(frames)) return true;
+    BoxScorer scorer(found.box, frames, sensor);
+    const Box before = found.box;
+    for (int ends = 1; ends <= 3; ++ends) {
+      Box changed = before;
+      if (ends & 1) changed.reach[stretch->first()] = -stretch->begin;
+      if (ends & 2) changed.reach[stretch->second()] = stretch->end;
+      const double score = objective(changed, scorer);
+      if (score < found.score + kGain) continue;
+      found.box = changed;
+      found.score = score;
+    }
+    return true;
+  }
+  const Polygon corners = found.box.polygon();
+  return distanceTo(corners, wall.a) < kNear && distanceTo(corners, wall.b) < kNear;
+}
+
+std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<FoundWall>& walls,
+                                       std::span<const Frame* const> frames,
+                                       const SensorModel& sensor) const {
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<Stretch> stretches;
+    for (const FoundWall& wall : walls) {
+      const std::optional<Stretch> stretch = stretchOn(found.box, wall);
+      if (stretch && stretch->wall == k) stretches.push_back(*stretch);
+    }
+    std::sort(stretches.begin(), stretches.end(),
+              [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i) {
+      const double gap_begin = stretches[i].end;
+      const double gap_end = stretches[i + 1].begin;
+      if (gap_end - gap_begin < kLeastGap) continue;
+      FoundBox low = found;
+      FoundBox high = found;
+      low.box.reach[stretches[i].second()] = gap_begin;
+      high.box.reach[stretches[i].first()] = -gap_end;
+      BoxScorer scorer(found.box, frames, sensor);
+      if (objective(low.box, scorer) + objective(high.box, scorer) < found.score - kPromising) {
+        continue;
+      }
+      refine(low, kPieceStep_m, frames, sensor);
+      refine(high, kPieceStep_m, frames, sensor);
+      if (low.score > options_.least_score && high.score > options_.least_score &&
+          low.score + high.score > found.score + kGain) {
+        return {low, high};
+      }
+    }
+  }
+  return {found};
+}
+
+void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
+                       std::span<const Frame* const> frames, const SensorModel& sensor) {
+  std::erase_if(rivals_, [&](const FoundBox& rival) {
+    return !BoxView(rival.box, frames.back()->pose).inReach(sensor.rangeLimit());
+  });
+  parallelFor(boxes.size(), [&](std::size_t b) {
+    if (!boxes[b].in_sight) return;
+    FoundBox refined = boxes[b];
+    refine(refined, kSettledStep_m, frames, sensor);
+    if (!boxes[b].predates(frames) || refined.score > boxes[b].score) boxes[b] = refined;
+  });
+  int seeds = 0;
+  for (const FoundWall& wall : walls) {
+    bool explained = false;
+    for (FoundBox& found : boxes) explained |= adopt(found, wall, frames, sensor);
+    if (explained || ++seeds > kMostSeeds) continue;
+    FoundBox found{seed(wall)};
+    refine(found, kSeedStep_m, frames, sensor);
+    if (found.score < options_.least_score) continue;
+    found.id = newId();
+    boxes.push_back(found);
+  }
+  std::vector<FoundBox> pieces;
+  for (const FoundBox& found : boxes) {
+    if (!found.in_sight || found.box.outline || found.predates(frames)) {
+      pieces.push_back(found);
+      continue;
+    }
+    std::vector<FoundBox> parts = split(found, walls, frames, sensor);
+    for (std::size_t i = 1; i < parts.size(); ++i) parts[i].id = newId();
+    pieces.insert(pieces.end(), parts.begin(), parts.end());
+  }
+  boxes = std::move(pieces);
+  prune(boxes);
+}
+
+bool BoxFinder::replace(std::span<const FoundBox> boxes, FoundBox& found,
+                        std::span<const Box> candidates, std::span<const Frame* const> frames,
+                        const SensorModel& sensor) const {
+  if (candidates.empty()) return false;
+  FoundBox best = found;
+  BoxScorer scorer(best.box, frames, sensor);
+  best.score = kImpossible;
+  for (const Box& candidate : candidates) {
+    const double score = objective(candidate, scorer);
+    if (score <= best.score) continue;
+    best.box = candidate;
+    best.score = score;
+  }
+  refine(best, kCandidateStep_m, frames, sensor);
+  double there = found.score;
+  for (const FoundBox& other : boxes) {
+    if (other.id != found.id && other.in_sight && collide(other.box, best.box)) {
+      there += other.score;
+    }
+  }
+  if (best.score < there + kGain) return false;
+  found = best;
+  return true;
+}
+
+void BoxFinder::prune(std::vector<FoundBox>& boxes) {
+  std::stable_sort(boxes.begin(), boxes.end(), [](const FoundBox& a, const FoundBox& b) {
+    return a.in_sight != b.in_sight ? b.in_sight : a.score > b.score;
+  });
+  boxes.insert(boxes.end(), rivals_.begin(), rivals_.end());
+  rivals_.clear();
+  const auto any = [](const std::vector<FoundBox>& others, auto relation, const FoundBox& found) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const FoundBox& other) { return relation(found.box, other.box); });
+  };
+  std::vector<FoundBox> kept;
+  for (const FoundBox& found : boxes) {
+    if (found.score < options_.least_score) continue;
+    if (!any(kept, collide, found)) {
+      kept.push_back(found);
+    } else if (found.in_sight && rivals_.size() < kMostRivals && !any(rivals_, alike, found)) {
+      rivals_.push_back(found);
+    }
+  }
+  boxes = std::move(kept);
+}
+
+}  // namespace handmap

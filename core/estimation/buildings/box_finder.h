@@ -1,0 +1,60 @@
+// Buildings from walls and rays, without the drawing.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/estimation/buildings/box_score.h"
+#include "core/estimation/buildings/found_box.h"
+#include "core/estimation/walls/wall_detection.h"
+
+namespace handmap {
+
+struct FinderOptions {
+  double least_score = 40.0;     ///< nats; less is no building; choice
+  double typical_size_m = 15.0;  ///< of sides that nobody saw; choice: a house
+  double least_size_m = 2.5;     ///< choice: a garage
+};
+
+/// Keeps a list of buildings up to date with walls detected in the evidence and with the rays
+/// themselves.
+class BoxFinder {
+ public:
+  explicit BoxFinder(const FinderOptions& options) : options_(options) {}
+
+  /// Changes and drops boxes in sight and adds new ones. `frames`: the last ones, back to those
+  /// that saw the first of what is in sight.
+  void update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
+              std::span<const Frame* const> frames, const SensorModel& sensor);
+  /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.
+  void refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
+              const SensorModel& sensor) const;
+  /// Puts the best of some candidates in the place of `found`, which is one of `boxes`, where it
+  /// explains the rays better than that and what else stands there. Returns whether it did; then
+  /// prune() is due.
+  bool replace(std::span<const FoundBox> boxes, FoundBox& found, std::span<const Box> candidates,
+               std::span<const Frame* const> frames, const SensorModel& sensor) const;
+  /// Of boxes that cannot both be the surer stays. The other one comes back when that is given up.
+  void prune(std::vector<FoundBox>& boxes);
+  /// Finds the walls that no returns are from (rear walls, behind which there is free space) where
+  /// the rays tell them, and says how well they are known.
+  void locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
+                    const SensorModel& sensor) const;
+
+ private:
+  double objective(const Box& box, BoxScorer& scorer) const;
+  bool adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
+             const SensorModel& sensor) const;
+  /// The pieces of a box whose walls were found apart, where they explain the rays better.
+  std::vector<FoundBox> split(const FoundBox& found, const std::vector<FoundWall>& walls,
+                              std::span<const Frame* const> frames,
+                              const SensorModel& sensor) const;
+  Box seed(const FoundWall& wall) const;
+  FoundId newId() { return static_cast<FoundId>(found_so_far_++); }
+
+  FinderOptions options_;
+  std::int32_t found_so_far_ = 0;
+  std::vector<FoundBox> rivals_;  ///< where a surer box stands
+};
+
+}  // namespace handmap

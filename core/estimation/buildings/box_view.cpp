@@ -1,0 +1,99 @@
+#include "core/estimation/buildings/box_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handmap {
+
+namespace {
+
+constexpr float kMiss = -1.0F;
+
+}  // namespace
+
+BoxSlabs::BoxSlabs(const Box& box, const Pose2& robot) {
+  const Pose2 own = between({box.pivot.x(), box.pivot.y(), box.heading}, robot);
+  x_ = static_cast<float>(own.x);
+  y_ = static_cast<float>(own.y);
+  cos_ = static_cast<float>(std::cos(own.heading));
+  sin_ = static_cast<float>(std::sin(own.heading));
+  high_x_ = static_cast<float>(box.reach[0]);
+  high_y_ = static_cast<float>(box.reach[1]);
+  low_x_ = static_cast<float>(-box.reach[2]);
+  low_y_ = static_cast<float>(-box.reach[3]);
+  const float dx = std::max({0.0F, x_ - high_x_, low_x_ - x_});
+  const float dy = std::max({0.0F, y_ - high_y_, low_y_ - y_});
+  nearest_ = std::sqrt(dx * dx + dy * dy);
+  inside_ = nearest_ == 0.0F;
+  if (!box.outline) return;
+  for (const Vec2& share : *box.outline) {
+    corner_x_[corners_] = low_x_ + static_cast<float>(share.x()) * (high_x_ - low_x_);
+    corner_y_[corners_] = low_y_ + static_cast<float>(share.y()) * (high_y_ - low_y_);
+    ++corners_;
+  }
+  if (!inside_) return;
+  // A ray in any direction leaves a polygon that it begins in once more than it enters it.
+  inside_ = false;
+  for (std::size_t i = 0, last = corners_ - 1; i < corners_; last = i++) {
+    if ((corner_y_[i] > y_) == (corner_y_[last] > y_)) continue;
+    const float share = (y_ - corner_y_[i]) / (corner_y_[last] - corner_y_[i]);
+    if (x_ < corner_x_[i] + share * (corner_x_[last] - corner_x_[i])) inside_ = !inside_;
+  }
+}
+
+Entry BoxSlabs::entryIntoOutline(float dx, float dy) const {
+  Entry entry{kMiss, 0.0F, 0};
+  for (std::size_t i = 0, last = corners_ - 1; i < corners_; last = i++) {
+    const float along_x = corner_x_[i] - corner_x_[last];
+    const float along_y = corner_y_[i] - corner_y_[last];
+    const float facing = dx * along_y - dy * along_x;  // outward normal times direction
+    if (facing >= 0.0F) continue;
+    const float to_x = corner_x_[last] - x_;
+    const float to_y = corner_y_[last] - y_;
+    const float distance = (to_x * along_y - to_y * along_x) / facing;
+    const float at = (to_x * dy - to_y * dx) / facing;
+    if (distance < 0.0F || at < 0.0F || at > 1.0F) continue;
+    if (entry.distance >= 0.0F && distance >= entry.distance) continue;
+    entry = {distance, -facing / std::hypot(along_x, along_y), static_cast<int>(i)};
+  }
+  return entry;
+}
+
+BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
+  const Vec2 middle = robot.toOwn(box.rectangle().centre);
+  const double direction = std::atan2(middle.y(), middle.x());
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec2 corner = robot.toOwn(box.boxCorner(k));
+    const double turn = normalizedAngle(std::atan2(corner.y(), corner.x()) - direction);
+    low = std::min(low, turn);
+    high = std::max(high, turn);
+  }
+  if (inBox()) {
+    low = -kPi;
+    high = kPi;
+  }
+  low_bearing_ = static_cast<float>(direction + low);
+  high_bearing_ = static_cast<float>(direction + high);
+}
+
+Entry BoxSlabs::entry(const FrameRay& ray) const {
+  const float dx = cos_ * ray.x - sin_ * ray.y;
+  const float dy = sin_ * ray.x + cos_ * ray.y;
+  if (corners_ > 0) return entryIntoOutline(dx, dy);
+  Entry entry{kMiss, 0.0F, 0};
+  if (x_ > high_x_ ? dx < 0.0F : x_ < low_x_ && dx > 0.0F) {
+    const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_) / dx;
+    const float y = y_ + distance * dy;
+    if (y >= low_y_ && y <= high_y_) entry = {distance, std::abs(dx), dx < 0.0F ? 0 : 2};
+  }
+  if (entry.distance < 0.0F && (y_ > high_y_ ? dy < 0.0F : y_ < low_y_ && dy > 0.0F)) {
+    const float distance = ((dy < 0.0F ? high_y_ : low_y_) - y_) / dy;
+    const float x = x_ + distance * dx;
+    if (x >= low_x_ && x <= high_x_) entry = {distance, std::abs(dy), dy < 0.0F ? 1 : 3};
+  }
+  return entry;
+}
+
+}  // namespace handmap

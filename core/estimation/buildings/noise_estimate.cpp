@@ -1,0 +1,110 @@
+#include "core/estimation/buildings/noise_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/estimation/buildings/box_view.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kForgetting = 0.97;         // a key frame; choice: 70 m
+constexpr float kSteep = 0.5F;               // least cosine of the angle of incidence; choice
+constexpr double kLeastReturns = 60.0;       // a bin; choice: σ to 10 %
+constexpr double kLeastSigma = 0.03;         // metres; choice: a laser
+constexpr double kLeastInformation = 400.0;  // 1/m²: 5 cm; choice
+constexpr double kAssumedSystematic = 0.03;  // metres; choice, until it is measured
+constexpr double kLeastSystematic = 0.01;    // metres; choice: plaster
+constexpr double kMostSystematic = 0.2;      // metres; choice: recesses
+constexpr double kMuch = 1.3;                // ratio of σ; choice: as the evidence is sure of
+constexpr double kMuchBias = 0.1;            // of σ; choice
+
+}  // namespace
+
+void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
+                        const SensorModel& sensor) {
+  for (Bin& bin : bins_) {
+    bin.weight *= kForgetting;
+    bin.squares *= kForgetting;
+  }
+  together_.weight *= kForgetting;
+  together_.squares *= kForgetting;
+  for (const FoundBox& found : boxes) {
+    const BoxView view(found.box, frame.pose);
+    if (view.inside() || !view.inReach(sensor.rangeLimit())) continue;
+    std::array<double, kMostWalls> weights{};
+    std::array<double, kMostWalls> errors{};
+    view.forRays(frame.rays, [&](const FrameRay& ray) {
+      if (ray.sight.label == SensorModel::kSilent) return;
+      const Entry entry = view.entry(ray);
+      if (entry.distance < 0.0F || entry.cosine < kSteep) return;
+      const auto index = static_cast<std::size_t>(entry.distance / kBin);
+      const RangeNoise& noise = sensor.options().noise;
+      const auto distance = static_cast<double>(entry.distance);
+      const double error = static_cast<double>(ray.sight.range) - distance - noise.bias(distance);
+      const double sigma = noise.at(distance);
+      if (index >= bins_.size() || std::abs(error) > 4.0 * sigma) return;
+      const double weight = sensor.responsibility(ray.sight.label, error, sigma);
+      bins_[index].weight += weight;
+      bins_[index].squares += weight * error * error;
+      const double across = weight / (sigma * sigma);
+      weights[static_cast<std::size_t>(entry.wall)] += across;
+      errors[static_cast<std::size_t>(entry.wall)] += across * error * entry.cosine;
+    });
+    for (std::size_t k = 0; k < found.box.walls(); ++k) {
+      if (weights[k] < kLeastInformation) continue;
+      const double mean = errors[k] / weights[k];
+      together_.weight += 1.0;
+      together_.squares += mean * mean - 1.0 / weights[k];
+    }
+  }
+}
+
+double NoiseEstimate::systematic() const {
+  if (together_.weight < 5.0) return kAssumedSystematic;
+  const double variance = together_.squares / together_.weight;
+  return std::clamp(std::sqrt(std::max(variance, 0.0)), kLeastSystematic, kMostSystematic);
+}
+
+RangeNoise NoiseEstimate::fitted(const RangeNoise& assumed) const {
+  Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  int bins = 0;
+  for (std::size_t i = 0; i < bins_.size(); ++i) {
+    if (bins_[i].weight < kLeastReturns) continue;
+    const double distance = (static_cast<double>(i) + 0.5) * kBin;
+    const double sigma = std::sqrt(bins_[i].squares / bins_[i].weight);
+    const Eigen::Vector2d slope(1.0, distance * distance);
+    // The relative error of a σ depends on the number of returns alone.
+    const double weight = bins_[i].weight / (sigma * sigma + kLeastSigma * kLeastSigma);
+    matrix += weight * slope * slope.transpose();
+    right += weight * sigma * slope;
+    ++bins;
+  }
+  if (bins < 2) return assumed;
+  const Eigen::Vector2d fit = matrix.ldlt().solve(right);
+  RangeNoise noise{fit[0], fit[1], assumed.bias_per_m};
+  if (fit[1] < 0.0) {
+    noise.offset_m = right[0] / matrix(0, 0);
+    noise.quadratic_per_m = 0.0;
+  }
+  if (noise.offset_m < kLeastSigma) {
+    noise.offset_m = kLeastSigma;
+    noise.quadratic_per_m = std::max(0.0, (right[1] - kLeastSigma * matrix(0, 1)) / matrix(1, 1));
+  }
+  return noise;
+}
+
+bool differMuch(const RangeNoise& a, const RangeNoise& b) {
+  for (const double distance : {8.0, 24.0}) {
+    const double ratio = a.at(distance) / b.at(distance);
+    if (ratio > kMuch || ratio < 1.0 / kMuch) return true;
+    if (std::abs(a.bias(distance) - b.bias(distance)) > kMuchBias * b.at(distance)) return true;
+  }
+  return false;
+}
+
+}  // namespace handmap

@@ -1,0 +1,130 @@
+// Buildings found, followed and labelled.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/estimation/estimator_state.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kLastPoses = 200;  // that tell which side a building is on; choice
+/// Key frames that have seen a building when its outline is tried. Choice: twice as many each time.
+constexpr std::array kOutlineTries = {3, 6, 12, 24};
+constexpr double kOutlineStep_m = 0.5;  // of the search of a box that was an outline; choice
+
+}  // namespace
+
+bool HandmapEstimator::State::isInSight(const FoundBox& box) const {
+  return !box.dormant && isInReach(box);
+}
+
+bool HandmapEstimator::State::isInReach(const FoundBox& box) const {
+  return BoxView(box.box, frames.back().pose).inReach(options.range_limit_m);
+}
+
+void HandmapEstimator::State::updateDirections() {
+  const Vec2 here = frames.back().pose.position();
+  const DrawingMotion& motion = labels.motion();
+  std::vector<double> drawn;
+  for (const std::size_t b : labels.nearby()) {
+    const Building& building = drawing.buildings[b];
+    const Rectangle box = building.box();
+    const double reach = options.range_limit_m + 0.5 * std::hypot(box.width, box.depth) +
+                         drawing.uncertaintyOf(building).position;
+    if ((motion(box.centre) - here).norm() < reach)
+      drawn.push_back(box.heading + labels.freeTurn());
+  }
+  directions.update(drawn, evidence.frames(), sensor, evidence.evidence());
+  smoother.expectHeadings({directions.drawn(), labels.headingScatter(found)});
+}
+
+void HandmapEstimator::State::findBuildings() {
+  const std::vector<FoundWall> walls = detectWalls(
+      evidence.evidence(), frames.back().pose.position(), options.range_limit_m, options.detection);
+  const std::vector<Frame*> last = framesFrom(firstActive());
+  for (FoundBox& box : found) box.in_sight = isInSight(box);
+  const auto dormant = std::stable_partition(found.begin(), found.end(),
+                                             [](const FoundBox& box) { return !box.dormant; });
+  const std::vector<FoundBox> aside(dormant, found.end());
+  found.erase(dormant, found.end());
+  finder.update(found, walls, {last.begin(), last.end()}, sensor);
+  found.insert(found.end(), aside.begin(), aside.end());
+}
+
+/// What has been out of sight for long becomes dormant: the trajectory may have drifted since. It
+/// is so no longer where something is in sight that was there before it became dormant.
+void HandmapEstimator::State::followBuildings() {
+  const std::size_t now = frames.back().number;
+  std::size_t oldest = now;
+  for (FoundBox& box : found) {
+    if (box.last_frame > now) {  // a new one
+      box.first_frame = frames[firstActive()].number;
+      box.last_frame = now;
+    }
+    if (isInSight(box)) {
+      box.last_frame = now;
+      oldest = std::min(oldest, box.first_frame);
+    } else if (box.last_frame + static_cast<std::size_t>(options.most_active) < now) {
+      box.dormant = true;
+    }
+  }
+  for (FoundBox& box : found) {
+    if (!box.dormant || box.last_frame < oldest || !isInReach(box)) continue;
+    box.dormant = false;
+    box.last_frame = now;
+  }
+}
+
+void HandmapEstimator::State::updateNoise() {
+  noise.add(frames.back(), found, sensor);
+  clutter.add(frames.back(), found, sensor);
+  smoother.setSystematic(noise.systematic());
+  SensorOptions changed = sensor.options();
+  changed.noise = noise.fitted(changed.noise);
+  changed.noise.bias_per_m = smoother.biasPerMetre();
+  changed.clutter = clutter.measured();
+  if (differMuch(changed.noise, sensor.options().noise) ||
+      differMuch(changed.clutter, sensor.options().clutter)) {
+    evidence.changeSensor(sensor, changed);
+  }
+}
+
+void HandmapEstimator::State::labelBuildings(double near_m) {
+  std::vector<Pose2> trajectory_here;
+  const std::size_t last = std::min(frames.size(), kLastPoses);
+  for (std::size_t i = frames.size() - last; i < frames.size(); ++i) {
+    trajectory_here.push_back(frames[i].pose);
+  }
+  labels.update(found, trajectory_here, near_m);
+}
+
+/// Gives what was found for a drawn polygon the outline of that. Returns whether anything changed:
+/// the labels are then to be found anew.
+bool HandmapEstimator::State::fitOutlines() {
+  const std::vector<Frame*> last = framesFrom(firstActive());
+  const std::span<const Frame* const> frames_seen(last.begin(), last.end());
+  bool changed = false;
+  for (const std::size_t b : labels.nearby()) {
+    const std::optional<FoundId> id = labels.foundOf(b);
+    FoundBox* box = id ? findBox(found, *id) : nullptr;
+    if (!box || !box->in_sight || box->box.outline == outlines[b]) continue;
+    if (box->box.outline) {  // that of another drawn building
+      box->box.outline = nullptr;
+      finder.refine(*box, kOutlineStep_m, frames_seen, sensor);
+      changed = true;
+      continue;
+    }
+    const auto& tries = kOutlineTries;
+    if (std::find(tries.begin(), tries.end(), box->observations) == tries.end()) continue;
+    const Rectangle drawn = drawing.buildings[b].box();
+    *box = box->nearestTo(drawn.heading + labels.motion().turn());
+    changed |=
+        finder.replace(found, *box, placements(box->box, outlines[b], drawn), frames_seen, sensor);
+  }
+  if (changed) finder.prune(found);
+  return changed;
+}
+
+}  // namespace handmap

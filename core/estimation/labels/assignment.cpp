@@ -1,0 +1,244 @@
+#include "core/estimation/labels/assignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+#include "core/map/map_flags.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kFreeScale = 0.25;  // one σ; of 0.7 to 1.4
+constexpr double kFan =
+    toRadians(8.0);           // between the hypotheses of a free turn, and their σ; choice
+constexpr int kFanSteps = 5;  // to either side: ±40°
+
+Vec2 originOf(const Map& drawing) {
+  return drawing.start ? drawing.start->position() : Vec2::Zero();
+}
+
+/// The density of found buildings that no one drew, by metre and metre.
+double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
+  constexpr double kMargin = 20.0;  // metres; choice
+  std::vector<Vec2> corners;
+  for (const Building& building : drawing.buildings) {
+    for (const Vec2& corner : building.footprint()) corners.push_back(corner);
+  }
+  if (corners.empty()) return options.undrawn;
+  const Bounds bounds = boundsOf(corners);
+  const Vec2 size = bounds.high - bounds.low + Vec2::Constant(2.0 * kMargin);
+  return options.undrawn * static_cast<double>(drawing.buildings.size()) / (size.x() * size.y());
+}
+
+class Assigner {
+ public:
+  Assigner(const Map& drawing, std::span<const FoundBox> found, std::span<const Pose2> way,
+           const AssignmentOptions& options)
+      : drawing_(drawing),
+        found_(found),
+        way_(way),
+        options_(options),
+        log_undrawn_(std::log(undrawnDensity(drawing, options))) {
+    for (const Building& building : drawing.buildings) {
+      drawn_at_.push_back(building.box().centre);
+      const double phantom = mayNotExist(building) ? options.uncertain_phantom : options.phantom;
+      log_present_.push_back(std::log((1.0 - phantom) / phantom));
+    }
+    for (const FoundBox& box : found) {
+      found_at_.push_back(box.box.rectangle().centre);
+      half_size_.push_back(halfSize(box.box.rectangle()));
+      sides_.push_back(sideOf(found_at_.back()));
+    }
+  }
+
+  std::vector<Hypothesis> operator()(const std::vector<Hypothesis>& roots) {
+    std::vector<Branch> beam;
+    for (const Hypothesis& root : roots) {
+      beam.push_back(
+          {std::vector<int>(drawing_.buildings.size(), kNone), root.motion, root.log_weight});
+    }
+    for (const std::size_t building : inOrder()) beam = grown(beam, building);
+    std::vector<Hypothesis> hypotheses;
+    double sum = 0.0;
+    for (const Branch& branch : beam) {
+      const double weight = std::exp(branch.log_weight - beam.front().log_weight);
+      hypotheses.push_back({named(branch.found_of), branch.motion, branch.log_weight, weight});
+      sum += weight;
+    }
+    for (Hypothesis& h : hypotheses) h.weight /= sum;
+    return hypotheses;
+  }
+
+ private:
+  static constexpr int kNone = -1;
+  /// A hypothesis that grows: what was found by its place in `found_`.
+  struct Branch {
+    std::vector<int> found_of;
+    DrawingMotion motion;
+    double log_weight = 0.0;
+  };
+
+  std::vector<FoundId> named(const std::vector<int>& found_of) const {
+    std::vector<FoundId> ids;
+    for (const int f : found_of) {
+      ids.push_back(f == kNone ? FoundId::None : found_[static_cast<std::size_t>(f)].id);
+    }
+    return ids;
+  }
+
+  /// The branches with one building more, left out or given each found one that it may be; the best
+  /// of them.
+  std::vector<Branch> grown(const std::vector<Branch>& beam, std::size_t building) const {
+    std::vector<Branch> next;
+    const int side = sideOf(beam.front().motion(drawn_at_[building]));
+    for (const Branch& branch : beam) {
+      next.push_back(branch);
+      const Vec2 expected = branch.motion(drawn_at_[building]);
+      const double reach = reachOf(building, branch.motion);
+      for (std::size_t f = 0; f < found_.size(); ++f) {
+        if ((found_at_[f] - expected).norm() > reach + half_size_[f]) continue;
+        if (!isTaken(branch, f)) extend(branch, building, f, side, next);
+      }
+    }
+    std::stable_sort(next.begin(), next.end(),
+                     [](const Branch& a, const Branch& b) { return a.log_weight > b.log_weight; });
+    next.resize(std::min(next.size(), static_cast<std::size_t>(options_.hypotheses)));
+    return next;
+  }
+
+  /// The nearest to the start first: what is known of the whole drawing grows outwards.
+  std::vector<std::size_t> inOrder() const {
+    std::vector<std::size_t> order(drawing_.buildings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<double> distance;
+    for (const Vec2& at : drawn_at_) distance.push_back((at - originOf(drawing_)).norm());
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
+    return order;
+  }
+
+  static bool isTaken(const Branch& branch, std::size_t found) {
+    const auto& taken = branch.found_of;
+    return std::find(taken.begin(), taken.end(), static_cast<int>(found)) != taken.end();
+  }
+
+  static double halfSize(const Rectangle& box) { return std::hypot(box.width, box.depth) / 2.0; }
+
+  /// No pairing() lies farther from where a building is expected.
+  double reachOf(std::size_t building, const DrawingMotion& motion) const {
+    constexpr double kMost = 6.0;  // σ; beyond the gate of pairing()
+    const Building& drawn = drawing_.buildings[building];
+    const Uncertainty uncertainty = drawing_.uncertaintyOf(drawn);
+    const double own = std::hypot(uncertainty.position, uncertainty.size);
+    return kMost * (own + motion.sigmaAt(drawn_at_[building])) +
+           motion.scale() * halfSize(drawn.box());
+  }
+
+  /// Of the robot's way: 1 left, −1 right, 0 where there is none.
+  int sideOf(const Vec2& point) const {
+    const auto nearer = [&](const Pose2& a, const Pose2& b) {
+      return (a.position() - point).squaredNorm() < (b.position() - point).squaredNorm();
+    };
+    const auto nearest = std::min_element(way_.begin(), way_.end(), nearer);
+    if (nearest == way_.end()) return 0;
+    return nearest->toOwn(point).y() > 0.0 ? 1 : -1;
+  }
+
+  double disorder(const Branch& branch, std::size_t building, std::size_t found) const {
+    double price = 0.0;
+    for (std::size_t other = 0; other < branch.found_of.size(); ++other) {
+      const int its_found = branch.found_of[other];
+      if (its_found == kNone) continue;
+      const Vec2 drawn_way = drawn_at_[other] - drawn_at_[building];
+      const Vec2 found_way = found_at_[static_cast<std::size_t>(its_found)] - found_at_[found];
+      if (drawn_way.dot(found_way) < 0.0) price += options_.disorder;
+    }
+    return price;
+  }
+
+  void extend(const Branch& branch, std::size_t building, std::size_t f, int side,
+              std::vector<Branch>& next) const {
+    const Building& drawn = drawing_.buildings[building];
+    const std::optional<Pairing> pair =
+        pairing(drawn, drawing_.uncertaintyOf(drawn), found_[f], branch.motion, options_);
+    if (!pair) return;
+    // The same walls of a building that no one drew: anywhere, of any size.
+    const double undrawn =
+        log_undrawn_ * (pair->walls - pair->widths) / 2.0 - pair->widths * std::log(kSizeRange);
+    const double side_price = sides_[f] == side ? 0.0 : options_.wrong_side;
+
+    Branch extended = branch;
+    extended.found_of[building] = static_cast<int>(f);
+    extended.log_weight += pair->log_likelihood - undrawn + log_present_[building] -
+                           disorder(branch, building, f) - side_price;
+    extended.motion = pair->motion;
+    next.push_back(std::move(extended));
+  }
+
+  const Map& drawing_;
+  std::span<const FoundBox> found_;
+  std::span<const Pose2> way_;
+  const AssignmentOptions& options_;
+  std::vector<Vec2> drawn_at_;
+  std::vector<Vec2> found_at_;
+  std::vector<double> half_size_;  ///< of the found ones
+  std::vector<int> sides_;         ///< of the found buildings
+  double log_undrawn_;
+  std::vector<double> log_present_;  ///< of the drawn ones
+};
+
+}  // namespace
+
+AssignmentOptions withStated(const WholeUncertainty& whole, AssignmentOptions options) {
+  constexpr double kLeast = 1e-4;  // share and radians: 5 cm in 500 m, and no covariance of rank 0
+  if (whole.scale) options.scale_sigma = std::max(*whole.scale, kLeast);
+  if (whole.turn) {
+    options.turn_sigma = std::max(*whole.turn, kLeast);
+    options.free_turn |= *whole.turn > kFan;  // one Gaussian in (a, b) does not reach so far
+  }
+  return options;
+}
+
+std::vector<Hypothesis> rootHypotheses(const Map& drawing, const AssignmentOptions& options) {
+  const double shift = options.shift_share * drawing.uncertainty.position;
+  const double scale = options.free_scale ? kFreeScale : options.scale_sigma;
+  const double turn = options.free_turn ? kFan : options.turn_sigma;
+  const Eigen::Vector4d sigma(scale, turn, shift, shift);
+  std::vector<Hypothesis> roots;
+  for (int step = 0; step <= (options.free_turn ? 2 * kFanSteps : 0); ++step) {
+    const double angle = kFan * (step % 2 == 0 ? step / 2 : -(step + 1) / 2);
+    Hypothesis root;
+    root.motion.origin = originOf(drawing);
+    root.motion.mean.head<2>() = unitVector(angle);
+    Eigen::Matrix4d axes = Eigen::Matrix4d::Identity();
+    axes.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    root.motion.covariance = axes * sigma.cwiseAbs2().asDiagonal() * axes.transpose();
+    roots.push_back(std::move(root));
+  }
+  return roots;
+}
+
+void settle(std::vector<Hypothesis>& roots, const Building& drawn, const Uncertainty& uncertainty,
+            const FoundBox& found, const AssignmentOptions& options) {
+  std::vector<Hypothesis> settled;
+  for (Hypothesis& root : roots) {
+    const auto pair = pairing(drawn, uncertainty, found, root.motion, options);
+    if (!pair) continue;
+    root.motion = pair->motion;
+    root.log_weight += pair->log_likelihood;
+    settled.push_back(std::move(root));
+  }
+  if (!settled.empty()) roots = std::move(settled);
+}
+
+std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
+                               std::span<const Pose2> way, const std::vector<Hypothesis>& roots,
+                               const AssignmentOptions& options) {
+  return Assigner(drawing, found, way, options)(roots);
+}
+
+}  // namespace handmap

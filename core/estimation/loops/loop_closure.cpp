@@ -1,0 +1,111 @@
+#include "core/estimation/loops/loop_closure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kHeading = 4;  // index among the parameters
+constexpr double kGate = 12.0;    // squared Mahalanobis distance of one parameter; choice: 3.5 σ
+constexpr double kChance = 60.0;  // metres over which walls of other buildings are spread; choice
+constexpr double kSure = 10.0;    // nats; choice: as the acceptance of an outline (FIELD.md 2, 4)
+
+/// A way to close the loop that grows pair by pair: what the drift is if it is right.
+struct Trial {
+  std::vector<SameBuilding> pairs;
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance;
+  double evidence = 0.0;
+
+  bool has(const SameBuilding& pair) const {
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const SameBuilding& other) { return other.old == pair.old; });
+  }
+};
+
+class LoopCloser {
+ public:
+  LoopCloser(std::span<const FoundBox> boxes, std::span<const SameBuilding> candidates,
+             const DriftPrior& prior)
+      : candidates_(candidates), here_(prior.here) {
+    root_.covariance = Eigen::Vector3d(prior.shift_m, prior.shift_m, prior.turn)
+                           .cwiseAbs2()
+                           .asDiagonal()
+                           .toDenseMatrix();
+    for (const SameBuilding& pair : candidates) {
+      agreements_.push_back(compare(*findBox(boxes, pair.old), *findBox(boxes, pair.again)));
+    }
+  }
+
+  /// Begun with each pair, the best.
+  std::optional<Trial> best() const {
+    std::optional<Trial> best;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      std::optional<Trial> trial = extended(root_, i);
+      if (!trial) continue;
+      grow(*trial);
+      if (!best || trial->evidence > best->evidence) best = std::move(trial);
+    }
+    return best;
+  }
+
+ private:
+  /// Adds the pair that brings most until none brings anything.
+  void grow(Trial& trial) const {
+    while (true) {
+      std::optional<Trial> best;
+      for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        if (trial.has(candidates_[i])) continue;
+        std::optional<Trial> next = extended(trial, i);
+        if (next && next->evidence > (best ? best->evidence : trial.evidence)) best = next;
+      }
+      if (!best) return;
+      trial = std::move(*best);
+    }
+  }
+
+  std::optional<Trial> extended(const Trial& trial, std::size_t candidate) const {
+    const std::vector<Agreement>& agreements = agreements_[candidate];
+    if (agreements.empty()) return std::nullopt;
+    Trial next = trial;
+    next.pairs.push_back(candidates_[candidate]);
+    for (const Agreement& agreement : agreements) {
+      Eigen::RowVector3d slope(0.0, 0.0, 1.0);
+      if (agreement.old_parameter != kHeading) {
+        slope << agreement.normal.x(), agreement.normal.y(),
+            agreement.normal.dot(perpendicular(agreement.point - here_));
+      }
+      const Eigen::Vector3d seen = next.covariance * slope.transpose();
+      const double variance = slope.dot(seen) + agreement.variance;
+      const double error = agreement.error - slope.dot(next.drift);
+      const double distance = error * error / variance;
+      if (distance > kGate) return std::nullopt;
+      const double spread = agreement.old_parameter == kHeading ? kPi / 2.0 : kChance;
+      next.evidence += std::log(spread / std::sqrt(2.0 * kPi * variance)) - 0.5 * distance;
+      next.drift += seen * (error / variance);
+      next.covariance -= seen * seen.transpose() / variance;
+    }
+    return next;
+  }
+
+  std::span<const SameBuilding> candidates_;
+  Vec2 here_;
+  Trial root_;
+  std::vector<std::vector<Agreement>> agreements_;  ///< by candidate
+};
+
+}  // namespace
+
+std::optional<std::vector<SameBuilding>> closeLoop(std::span<const FoundBox> boxes,
+                                                   std::span<const SameBuilding> candidates,
+                                                   const DriftPrior& prior) {
+  std::optional<Trial> best = LoopCloser(boxes, candidates, prior).best();
+  if (!best || best->pairs.size() < 2 || best->evidence < kSure) return std::nullopt;
+  return std::move(best->pairs);
+}
+
+}  // namespace handmap

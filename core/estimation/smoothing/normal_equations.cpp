@@ -1,0 +1,50 @@
+#include "core/estimation/smoothing/normal_equations.h"
+
+namespace handmap {
+
+namespace {
+
+/// Shares by which the diagonal is raised, one after the other, where a factor fails. Choice: from
+/// above rounding to a step that is half of a gradient step.
+constexpr double kDampings[] = {0.0, 1e-9, 1e-6, 1e-3, 1.0};
+
+Eigen::SparseMatrix<double> damped(const Eigen::SparseMatrix<double>& matrix, double share) {
+  Eigen::SparseMatrix<double> raised(matrix.rows(), matrix.cols());
+  raised.setIdentity();
+  raised.diagonal() = share * (matrix.diagonal().array().abs() + 1.0).matrix();
+  return matrix + raised;
+}
+
+}  // namespace
+
+Eigen::SparseMatrix<double> NormalEquations::matrix() const {
+  Eigen::SparseMatrix<double> matrix(size(), size());
+  matrix.setFromTriplets(triplets_.begin(), triplets_.end());
+  return matrix;
+}
+
+/// A negative pivot is no failure to Eigen, but to what is a sum of squares.
+bool NormalSolver::factorize(const Eigen::SparseMatrix<double>& matrix) {
+  factor_.compute(matrix);
+  return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0.0).all();
+}
+
+std::optional<Eigen::VectorXd> NormalSolver::solve(const NormalEquations& equations) {
+  solved_ = false;
+  const Eigen::SparseMatrix<double> matrix = equations.matrix();
+  if (!matrix.diagonal().allFinite() || !equations.right().allFinite()) return std::nullopt;
+  for (const double damping : kDampings) {
+    if (!factorize(damping > 0.0 ? damped(matrix, damping) : matrix)) continue;
+    Eigen::VectorXd step = factor_.solve(equations.right());
+    if (factor_.info() != Eigen::Success || !step.allFinite()) continue;
+    solved_ = true;
+    return step;
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd NormalSolver::covarianceColumn(int index) const {
+  return factor_.solve(Eigen::VectorXd::Unit(factor_.rows(), index));
+}
+
+}  // namespace handmap

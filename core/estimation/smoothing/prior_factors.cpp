@@ -1,0 +1,112 @@
+#include "core/estimation/smoothing/prior_factors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kSizeDamping = 4.0;    // metres an iteration, one σ; choice
+constexpr double kPlaceDamping = 40.0;  // metres an iteration, one σ; choice: of no account
+constexpr double kUnknownHeading =
+    0.2;  // radians, one σ, where the drawing has no direction; choice
+constexpr double kHeadingClamp = 2.0;  // σ; choice: a building may stand as it likes
+constexpr double kLeastKnown = 0.3;    // metres, one σ; choice: as the poses that saw it
+constexpr double kSameWall = 0.1;      // metres, one σ; choice: frames of two visits
+constexpr double kSameHeading = 0.01;  // radians, the same
+constexpr double kTogether = 2.0;  // times σ; choice: what stands together is drawn wrong together
+constexpr double kCauchySquared = 4.0;  // a wall; choice: some labels are wrong
+constexpr double kNowhere = 1e6;        // m²
+
+}  // namespace
+
+ScalarFactor<1> headingFactor(const Box& box, const HeadingPrior& prior) {
+  double turned = 0.0;
+  double sigma = kUnknownHeading;
+  for (const double heading : prior.headings) {
+    const double against = std::remainder(box.heading - heading, kPi / 2.0);
+    if (sigma == prior.sigma && std::abs(against) > std::abs(turned)) continue;
+    turned = against;
+    sigma = prior.sigma;
+  }
+  const double most = kHeadingClamp * sigma;
+  return {std::clamp(turned, -most, most), Eigen::Matrix<double, 1, 1>::Ones(),
+          1.0 / (sigma * sigma)};
+}
+
+void addReachDamping(int box_at, NormalEquations& equations) {
+  constexpr double kSize = 1.0 / (kSizeDamping * kSizeDamping);
+  constexpr double kPlace = 0.25 / (kPlaceDamping * kPlaceDamping);
+  for (int k = 0; k < 2; ++k) {
+    equations.add(box_at + k, box_at + k, kSize + kPlace);
+    equations.add(box_at + k + 2, box_at + k + 2, kSize + kPlace);
+    equations.add(box_at + k + 2, box_at + k, kSize - kPlace);
+  }
+}
+
+void addKnownWalls(const FoundBox& found, int box_at, NormalEquations& equations) {
+  for (int k = 0; k < 4; ++k) {
+    const double sigma = std::max(found.reachSigma(static_cast<std::size_t>(k)), kLeastKnown);
+    equations.add(box_at + k, box_at + k, 1.0 / (sigma * sigma));
+  }
+}
+
+void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at,
+             NormalEquations& equations) {
+  for (const Agreement& agreement : compare(old, again)) {
+    const double sigma = agreement.old_parameter < 4 ? kSameWall : kSameHeading;
+    ScalarFactor<2 * kBoxSize> factor;
+    factor.residual = agreement.error;
+    factor.slope << agreement.old_slope, agreement.again_slope;
+    factor.weight = 1.0 / (sigma * sigma);
+    equations.add(factor, std::array{NormalEquations::Unknowns{old_at, kBoxSize},
+                                     NormalEquations::Unknowns{again_at, kBoxSize}});
+  }
+}
+
+DrawnWallsFactor drawnWallsFactor(const FoundBox& found, const SeenWalls& seen,
+                                  const DrawingPrior::Anchor& anchor, const DrawingMotion& motion) {
+  const DrawnBox drawn(*anchor.drawn, anchor.uncertainty, motion, found.box);
+  // Walls that were not seen may be anywhere.
+  Eigen::Matrix4d covariance = kTogether * kTogether * drawn.covariance();
+  for (Eigen::Index k = 0; k < 4; ++k) {
+    if (!seen.has(k)) covariance(k, k) += kNowhere;
+  }
+  DrawnWallsFactor factor;
+  factor.weight = covariance.inverse();
+  factor.residual = Eigen::Map<const Eigen::Vector4d>(found.box.reach.data()) - drawn.mean();
+  factor.by_motion = drawn.slope();
+  // Cauchy's weight.
+  factor.weight /=
+      1.0 + factor.residual.dot(factor.weight * factor.residual) / (kCauchySquared * seen.count);
+  return factor;
+}
+
+void addDrawing(const SmoothingGraph& graph, const StateLayout& layout,
+                NormalEquations& equations) {
+  const DrawingPrior& drawing = *graph.drawing;
+  const int motion_at = layout.motion();
+  const Eigen::Matrix4d prior = drawing.expected.covariance.inverse();
+  equations.addBlock(motion_at, motion_at, prior);
+  equations.right({motion_at, kMotionSize}) -=
+      prior * (drawing.motion.mean - drawing.expected.mean);
+  for (const DrawingPrior::Anchor& anchor : drawing.anchors) {
+    const std::size_t box = layout.indexOf(anchor.box);
+    const FoundBox& found = graph.boxes[box];
+    const SeenWalls seen(found);
+    if (seen.count == 0) continue;
+    const DrawnWallsFactor factor = drawnWallsFactor(found, seen, anchor, drawing.motion);
+    const int box_at = layout.box(box);
+    const Eigen::Matrix4d across = factor.by_motion.transpose() * factor.weight;
+    equations.addBlock(box_at, box_at, factor.weight);
+    equations.addBlock(motion_at, box_at, -across);
+    equations.addBlock(motion_at, motion_at, Eigen::Matrix4d(across * factor.by_motion));
+    equations.right({box_at, 4}) -= factor.weight * factor.residual;
+    equations.right({motion_at, kMotionSize}) += across * factor.residual;
+  }
+}
+
+}  // namespace handmap

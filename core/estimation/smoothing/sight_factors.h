@@ -1,0 +1,52 @@
+// What a frame says of a building: how far each return is from the wall that it would be of, and at
+// which bearings the building ends.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/estimation/buildings/box_view.h"
+#include "core/estimation/buildings/found_box.h"
+#include "core/estimation/buildings/silhouette.h"
+#include "core/estimation/smoothing/factor.h"
+#include "core/estimation/walls/sensor_model.h"
+
+namespace handmap {
+
+/// How ranges and walls are off beside the noise of the sensor.
+struct SightErrors {
+  double slack_m = 0.0;  ///< across a wall, one σ: what poses and boxes may be off
+  double systematic_m =
+      0.0;                  ///< across a wall, one σ: what all returns of a frame are off together
+  double bias_per_m = 0.0;  ///< see RangeNoise
+};
+
+/// Distance of a return across the wall that its ray meets. States: pose, box, bias.
+class ReturnFactors {
+ public:
+  /// Keeps references.
+  ReturnFactors(const Pose2& pose, const Box& box, const SensorModel& sensor,
+                const SightErrors& errors);
+  /// nullopt where it is no return from the wall at `entry`.
+  std::optional<ScalarFactor<SightEquations::kSize>> operator()(const FrameRay& ray,
+                                                                const Entry& entry) const;
+
+ private:
+  const Pose2& pose_;
+  const Box& box_;
+  const SensorModel& sensor_;
+  const SightErrors& errors_;
+  double cos_;
+  double sin_;
+  std::array<Vec2, kMostWalls> normals_;
+};
+
+/// Bearing of the corner from the pose, less that at which the returns stop. The same states.
+ScalarFactor<SightEquations::kSize> endFactor(const Pose2& pose, const Box& box, const SeenEnd& end,
+                                              const SightErrors& errors);
+
+/// All of them; nullopt where the frame saw no wall of the box.
+std::optional<SightEquations> sightEquations(const Frame& frame, const Box& box,
+                                             const SensorModel& sensor, const SightErrors& errors);
+
+}  // namespace handmap

@@ -1,0 +1,87 @@
+#include "core/estimation/walls/wall_evidence.h"
+
+#include <bit>
+#include <cmath>
+
+#include "core/base/parallel.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kGrazing = 0.05;  // sine of the angle below which a ray tells nothing; choice: 3°
+
+}  // namespace
+
+WallImage::WallImage(double heading_rad, double cell_m, double window_m)
+    : heading_(heading_rad),
+      cell_(cell_m),
+      size_(static_cast<int>(std::bit_ceil(static_cast<unsigned>(window_m / cell_m)))),
+      along_(unitVector(heading_rad)),
+      across_(perpendicular(along_)),
+      cells_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)) {}
+
+void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& sensor, int sign) {
+  // Half a cell is what the grid itself is off.
+  const double slack = 0.5 * cell_;
+  const double along = along_.dot(pose.position());
+  const double across = across_.dot(pose.position());
+  const double turn = pose.heading - heading_;
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  const int mask = size_ - 1;
+  const double first = std::ceil(across / cell_ - 0.5);
+  for (const FrameRay& ray : frame.rays) {
+    const double rise = s * ray.x + c * ray.y;
+    if (rise < kGrazing) continue;
+    const double run = c * ray.x - s * ray.y;
+    const auto ray_slack = static_cast<float>(slack / rise);
+    double reach = ray.sight.range;
+    if (ray.sight.label != SensorModel::kSilent) {
+      reach += 1.5 * sensor.reach(ray.sight.range) + 4.0 * ray_slack;
+    }
+    const double step = cell_ / rise;
+    const double column_step = run / rise;
+    auto row = static_cast<int>(first);
+    double distance = ((first + 0.5) * cell_ - across) / rise;
+    double column = (along + distance * run) / cell_;
+    for (; distance < reach; distance += step, column += column_step, ++row) {
+      const float ratio = sensor(ray.sight, static_cast<float>(distance), ray_slack);
+      const auto value = static_cast<std::int32_t>(std::lround(ratio * kScale));
+      const auto index = static_cast<std::ptrdiff_t>(static_cast<int>(std::floor(column)) & mask);
+      cells_[static_cast<std::size_t>(index * size_ + (row & mask))] += sign * value;
+    }
+  }
+}
+
+void WallEvidence::include(double heading, std::span<const ActiveFrame> held,
+                           const SensorModel& sensor) {
+  const std::size_t first = images_.size();
+  for (int side = 0; side < 4; ++side) {
+    images_.emplace_back(heading + side * kPi / 2.0, cell_, window_);
+  }
+  parallelFor(images_.size() - first, [&](std::size_t i) {
+    for (const ActiveFrame& active : held) {
+      images_[first + i].apply(*active.frame, active.held_at, sensor, 1);
+    }
+  });
+}
+
+void WallEvidence::exclude(double heading) {
+  for (std::size_t i = 0; i < images_.size(); i += 4) {
+    if (images_[i].heading() != heading) continue;
+    const auto first = images_.begin() + static_cast<std::ptrdiff_t>(i);
+    images_.erase(first, first + 4);
+    return;
+  }
+}
+
+void WallEvidence::add(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
+  parallelFor(images_.size(), [&](std::size_t i) { images_[i].apply(frame, pose, sensor, 1); });
+}
+
+void WallEvidence::remove(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
+  parallelFor(images_.size(), [&](std::size_t i) { images_[i].apply(frame, pose, sensor, -1); });
+}
+
+}  // namespace handmap

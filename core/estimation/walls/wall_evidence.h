@@ -1,0 +1,73 @@
+// Evidence for walls kept over frames: one image for each direction that a wall may face.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/estimation/walls/frame.h"
+
+namespace handmap {
+
+/// Evidence for walls along `heading`, seen from below: walls whose outward normal is
+/// −perpendicular(unitVector(heading)). A cell holds the summed log ratio of the rays that cross
+/// the row of the cell there, so that the evidence for a wall is the sum of its cells. The plane is
+/// wrapped around a square: a window that moves with the robot. Numbers are fixed-point, so that a
+/// frame taken out leaves no trace.
+class WallImage {
+ public:
+  static constexpr double kScale = 256.0;  ///< units a nat; choice: 0.4 % of a nat, 8 million nats
+
+  /// The window is at least `window_m` wide.
+  WallImage(double heading_rad, double cell_m, double window_m);
+
+  double heading() const { return heading_; }
+  double cell() const { return cell_; }
+  int size() const { return size_; }  ///< cells a side, a power of two
+  const Vec2& along() const { return along_; }
+  const Vec2& across() const { return across_; }
+  /// The cells of one column, by wrapped row.
+  const std::int32_t* column(int index) const {
+    return cells_.data() + static_cast<std::ptrdiff_t>(index & (size_ - 1)) * size_;
+  }
+  double at(int column_index, int row) const {
+    return column(column_index)[row & (size_ - 1)] / kScale;
+  }
+
+  /// Adds (sign 1) or takes out (sign −1) what the rays of a frame say from `pose`.
+  void apply(const Frame& frame, const Pose2& pose, const SensorModel& sensor, int sign);
+
+ private:
+  double heading_;
+  double cell_;
+  int size_;
+  Vec2 along_;
+  Vec2 across_;
+  std::vector<std::int32_t> cells_;
+};
+
+/// A frame that is worked on, and the pose at which the evidence holds it.
+struct ActiveFrame {
+  Frame* frame;
+  Pose2 held_at;
+};
+
+/// The images of the four sides of every direction, over the last frames.
+class WallEvidence {
+ public:
+  WallEvidence(double cell_m, double window_m) : cell_(cell_m), window_(window_m) {}
+
+  /// Looks for walls of one more direction (modulo π/2); `held`: the frames that it holds.
+  void include(double heading, std::span<const ActiveFrame> held, const SensorModel& sensor);
+  void exclude(double heading);
+  void add(const Frame& frame, const Pose2& pose, const SensorModel& sensor);
+  void remove(const Frame& frame, const Pose2& pose, const SensorModel& sensor);
+  const std::vector<WallImage>& images() const { return images_; }
+
+ private:
+  double cell_;
+  double window_;
+  std::vector<WallImage> images_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,111 @@
+#include "core/estimation/walls/wall_evidence.h"
+
+#include <gtest/gtest.h>
+
+#include "core/estimation/walls/wall_detection.h"
+#include "tests/core/estimation/scene.h"
+
+namespace handmap {
+namespace {
+
+constexpr double kCell = 0.25;
+constexpr double kWindow = 160.0;
+
+/// The sum over the rays that cross the wall from below, the plain way.
+double plainEvidence(const Frame& frame, double from_x, double to_x, double y,
+                     const SensorModel& sensor) {
+  double sum = 0.0;
+  for (const FrameRay& ray : frame.rays) {
+    const Vec2 direction = unitVector(frame.pose.heading + static_cast<double>(ray.bearing));
+    if (direction.y() < 0.05) continue;
+    const double distance = (y - frame.pose.y) / direction.y();
+    const double x = frame.pose.x + distance * direction.x();
+    if (distance < 0.0 || x < from_x || x >= to_x) continue;
+    sum += static_cast<double>(sensor(ray.sight, static_cast<float>(distance),
+                                      static_cast<float>(0.5 * kCell / direction.y())));
+  }
+  return sum;
+}
+
+TEST(WallImage, IsTheSumOverTheRaysThatCross) {
+  RandomStream random(3);
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  for (int round = 0; round < 10; ++round) {
+    const Box box = boxOf({{random.uniform(-5.0, 5.0), 20.0}, 20.0, 8.0, 0.0});
+    const Pose2 pose{random.uniform(-8.0, 8.0), random.uniform(0.0, 6.0),
+                     random.uniform(-3.0, 3.0)};
+    const Frame frame = seenFrom(pose, {box}, 0.2, random);
+    WallImage image(0.0, kCell, kWindow);
+    image.apply(frame, pose, sensor, 1);
+    for (int row = 40; row < 90; row += 7) {
+      const int from = -30;
+      const int to = 25;
+      double sum = 0.0;
+      for (int column = from; column < to; ++column) sum += image.at(column, row);
+      const double plain =
+          plainEvidence(frame, from * kCell, to * kCell, (row + 0.5) * kCell, sensor);
+      EXPECT_NEAR(sum, plain, 0.01 * std::abs(plain) + 1.0) << row;
+    }
+  }
+}
+
+TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
+  RandomStream random(4);
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
+  WallEvidence evidence(kCell, kWindow);
+  evidence.include(0.1, {}, sensor);
+  const Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
+  evidence.add(frame, frame.pose, sensor);
+  evidence.remove(frame, frame.pose, sensor);
+  for (const WallImage& image : evidence.images()) {
+    for (int column = 0; column < image.size(); ++column) {
+      for (int row = 0; row < image.size(); ++row) ASSERT_EQ(image.at(column, row), 0.0);
+    }
+  }
+}
+
+TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
+  RandomStream random(6);
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
+  Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
+  WallEvidence first(kCell, kWindow);
+  first.include(0.2, {}, sensor);
+  first.add(frame, frame.pose, sensor);
+  WallEvidence later(kCell, kWindow);
+  const ActiveFrame held{&frame, frame.pose};
+  later.include(0.7, {}, sensor);
+  later.include(0.2, {&held, 1}, sensor);
+  later.exclude(0.7);
+  ASSERT_EQ(later.images().size(), 4u);
+  for (int column = 0; column < first.images()[0].size(); ++column) {
+    for (int row = 0; row < first.images()[0].size(); ++row) {
+      ASSERT_EQ(first.images()[0].at(column, row), later.images()[0].at(column, row));
+    }
+  }
+}
+
+TEST(DetectWalls, NeighboursWithAGapAreTwoWalls) {
+  RandomStream random(5);
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  const std::vector<Box> boxes{boxOf({{-15.0, 15.0}, 20.0, 8.0, toRadians(3.0)}),
+                               boxOf({{15.0, 15.0}, 24.0, 8.0, 0.0})};
+  WallEvidence evidence(kCell, kWindow);
+  evidence.include(0.0, {}, sensor);
+  for (double x = -20.0; x <= 20.0; x += 5.0) {
+    const Frame frame = seenFrom({x, 0.0, 0.0}, boxes, 0.2, random);
+    evidence.add(frame, frame.pose, sensor);
+  }
+  const auto walls = detectWalls(evidence, Vec2::Zero(), 40.0, DetectionOptions{});
+  ASSERT_GE(walls.size(), 2u);
+  EXPECT_LT(walls[0].a.x() * walls[1].a.x(), 0.0);
+  for (const FoundWall& wall : {walls[0], walls[1]}) {
+    const Rectangle front = boxes[wall.a.x() < 0.0 ? 0 : 1].rectangle();
+    EXPECT_NEAR(wall.length(), front.width, 1.0);
+    EXPECT_NEAR(wall.heading(), front.heading, toRadians(1.6));
+  }
+}
+
+}  // namespace
+}  // namespace handmap
