@@ -17,11 +17,10 @@ constexpr std::size_t kFromStart = 10;
 void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
                                        const Scan& scan) {
   if (!scan.first_looked_at.empty() && !frames.empty()) {
-    evidence.changeFrames(sensor, [&] {
-      for (std::size_t i = firstKept(); i < frames.size(); ++i) {
-        if (frames[i].ray_by_ray) addSilence(frames[i], scan.first_looked_at, sensor.rangeLimit());
-      }
-    });
+    for (std::size_t i = firstKept(); i < frames.size(); ++i) {
+      if (frames[i].ray_by_ray) addSilence(frames[i], scan.first_looked_at, sensor.rangeLimit());
+    }
+    evidence.weighAnew(sensor);
   }
   frames.push_back(makeFrame(time_s, odometry, at, scan));
   frames.back().odometry_noise = frames.size() <= kFromStart ? 1.0 : odometry_noise;

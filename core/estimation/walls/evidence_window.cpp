@@ -46,14 +46,14 @@ void EvidenceWindow::reinsert(ActiveFrame& active, const SensorModel& sensor) {
 }
 
 void EvidenceWindow::reinsertAll(const SensorModel& sensor, const std::stop_token& stop) {
-  for (ActiveFrame& active : frames_) {
-    if (stop.stop_requested()) return;
-    reinsert(active, sensor);
-  }
+  if (stop.stop_requested()) return;
+  for (ActiveFrame& active : frames_) active.held_at = active.frame->pose;
+  evidence_.putAnew(frames_, sensor);
 }
 
 void EvidenceWindow::changeSensor(SensorModel& sensor, const SensorOptions& options) {
-  changeFrames(sensor, [&] { sensor = SensorModel(options, sensor.rangeLimit()); });
+  sensor = SensorModel(options, sensor.rangeLimit());
+  evidence_.putAnew(frames_, sensor);
 }
 
 }  // namespace handmap

@@ -19,13 +19,8 @@ class EvidenceWindow {
   void add(Frame& frame, const SensorModel& sensor);
   /// Puts in all frames where they are now; when `stop` was requested that is left to add().
   void reinsertAll(const SensorModel& sensor, const std::stop_token& stop = {});
-  /// Takes all frames out, lets `change` change what they saw, and puts them in again.
-  template <typename Change>
-  void changeFrames(const SensorModel& sensor, Change change) {
-    for (const ActiveFrame& a : frames_) evidence_.remove(*a.frame, a.held_at, sensor);
-    change();
-    for (const ActiveFrame& a : frames_) evidence_.add(*a.frame, a.held_at, sensor);
-  }
+  /// After what they saw was changed.
+  void weighAnew(const SensorModel& sensor) { evidence_.putAnew(frames_, sensor); }
   /// Weighs all with another model, which takes the place of `sensor`.
   void changeSensor(SensorModel& sensor, const SensorOptions& options);
 

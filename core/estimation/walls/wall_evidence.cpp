@@ -1,5 +1,6 @@
 #include "core/estimation/walls/wall_evidence.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -11,6 +12,16 @@ namespace {
 
 constexpr double kGrazing = 0.05;  // sine of the angle below which a ray tells nothing; choice: 3°
 
+std::int32_t fixedPoint(float ratio) {
+  return static_cast<std::int32_t>(std::lround(ratio * WallImage::kScale));
+}
+
+/// std::floor() without a call.
+int wholeBelow(double value) {
+  const int whole = static_cast<int>(value);
+  return value < whole ? whole - 1 : whole;
+}
+
 }  // namespace
 
 WallImage::WallImage(double heading_rad, double cell_m, double window_m)
@@ -21,6 +32,13 @@ WallImage::WallImage(double heading_rad, double cell_m, double window_m)
       across_(perpendicular(along_)),
       cells_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)) {}
 
+std::int32_t& WallImage::cellAt(double column, int row) {
+  const auto index = static_cast<std::ptrdiff_t>(wholeBelow(column) & (size_ - 1));
+  return cells_[static_cast<std::size_t>(index * size_ + (row & (size_ - 1)))];
+}
+
+void WallImage::clear() { std::fill(cells_.begin(), cells_.end(), 0); }
+
 void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& sensor, int sign) {
   // Half a cell is what the grid itself is off.
   const double slack = 0.5 * cell_;
@@ -29,27 +47,33 @@ void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& 
   const double turn = pose.heading - heading_;
   const double c = std::cos(turn);
   const double s = std::sin(turn);
-  const int mask = size_ - 1;
   const double first = std::ceil(across / cell_ - 0.5);
+  const std::int32_t passed = sign * fixedPoint(sensor.passed());
+  const std::int32_t silent = sign * fixedPoint(sensor.silent());
   for (const FrameRay& ray : frame.rays) {
     const double rise = s * ray.x + c * ray.y;
     if (rise < kGrazing) continue;
     const double run = c * ray.x - s * ray.y;
     const auto ray_slack = static_cast<float>(slack / rise);
+    const bool is_silent = ray.sight.label == SensorModel::kSilent;
     double reach = ray.sight.range;
-    if (ray.sight.label != SensorModel::kSilent) {
-      reach += 1.5 * sensor.reach(ray.sight.range) + 4.0 * ray_slack;
+    double clear = ray.sight.range;  // farther than anything that the return may be of
+    if (!is_silent) {
+      const double around = 1.5 * sensor.reach(ray.sight.range);
+      reach += around + 4.0 * ray_slack;
+      clear -= around + 6.0 * ray_slack;
     }
     const double step = cell_ / rise;
     const double column_step = run / rise;
     auto row = static_cast<int>(first);
     double distance = ((first + 0.5) * cell_ - across) / rise;
     double column = (along + distance * run) / cell_;
+    for (; distance < clear; distance += step, column += column_step, ++row) {
+      cellAt(column, row) += is_silent ? silent : passed;
+    }
     for (; distance < reach; distance += step, column += column_step, ++row) {
       const float ratio = sensor(ray.sight, static_cast<float>(distance), ray_slack);
-      const auto value = static_cast<std::int32_t>(std::lround(ratio * kScale));
-      const auto index = static_cast<std::ptrdiff_t>(static_cast<int>(std::floor(column)) & mask);
-      cells_[static_cast<std::size_t>(index * size_ + (row & mask))] += sign * value;
+      cellAt(column, row) += sign * fixedPoint(ratio);
     }
   }
 }
@@ -74,6 +98,15 @@ void WallEvidence::exclude(double heading) {
     images_.erase(first, first + 4);
     return;
   }
+}
+
+void WallEvidence::putAnew(std::span<const ActiveFrame> held, const SensorModel& sensor) {
+  parallelFor(images_.size(), [&](std::size_t i) {
+    images_[i].clear();
+    for (const ActiveFrame& active : held) {
+      images_[i].apply(*active.frame, active.held_at, sensor, 1);
+    }
+  });
 }
 
 void WallEvidence::add(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {

@@ -49,6 +49,37 @@ TEST(WallImage, IsTheSumOverTheRaysThatCross) {
   }
 }
 
+TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
+  RandomStream random(6);
+  const SensorModel sensor(SensorOptions{}, 40.0);
+  const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
+  WallEvidence evidence(kCell, kWindow);
+  evidence.include(0.1, {}, sensor);
+  std::vector<Frame> frames;
+  for (double x = -4.0; x <= 4.0; x += 2.0) {
+    frames.push_back(seenFrom({x, 0.0, 0.1}, {box}, 0.2, random));
+  }
+  std::vector<ActiveFrame> held;
+  for (Frame& frame : frames) {
+    held.push_back({&frame, frame.pose});
+    evidence.add(frame, frame.pose, sensor);
+  }
+  const auto cells = [&] {
+    std::vector<double> all;
+    for (const WallImage& image : evidence.images()) {
+      for (int column = 0; column < image.size(); ++column) {
+        for (int row = 0; row < image.size(); ++row) all.push_back(image.at(column, row));
+      }
+    }
+    return all;
+  };
+  const std::vector<double> one_by_one = cells();
+  evidence.add(frames.front(), {7.0, -3.0, 1.0}, sensor);
+  EXPECT_NE(cells(), one_by_one);
+  evidence.putAnew(held, sensor);
+  EXPECT_EQ(cells(), one_by_one);
+}
+
 TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
   RandomStream random(4);
   const SensorModel sensor(SensorOptions{}, 40.0);
