@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/estimation/smoothing/landmark_factor.h"
 
 namespace handmap {
@@ -68,15 +69,23 @@ std::vector<int> Smoother::addBuildings(const SmoothingGraph& graph, double slac
                                         NormalEquations& equations) const {
   const SightErrors errors{slack_m, systematic_m_, bias_per_m_};
   std::vector<int> observations(graph.boxes.size());
+  std::vector<std::size_t> seeing;  // frames that may have seen a box
+  std::vector<std::optional<SightEquations>> sights;
   for (std::size_t b = 0; b < graph.boxes.size() && !stop.stop_requested(); ++b) {
     const FoundBox& found = graph.boxes[b];
+    seeing.clear();
     for (std::size_t i = 0; i < graph.frames.size(); ++i) {
-      const Frame& frame = *graph.frames[i];
-      if (frame.number < found.first_frame || frame.number > found.last_frame) continue;
-      const auto sight = sightEquations(frame, found.box, sensor_, errors);
-      if (!sight) continue;
-      equations.add(sight->matrix, sight->right,
-                    std::array{Unknowns{layout_.pose(i), kPoseSize},
+      const std::size_t number = graph.frames[i]->number;
+      if (number >= found.first_frame && number <= found.last_frame) seeing.push_back(i);
+    }
+    sights.resize(seeing.size());
+    parallelFor(seeing.size(), [&](std::size_t i) {
+      sights[i] = sightEquations(*graph.frames[seeing[i]], found.box, sensor_, errors);
+    });
+    for (std::size_t i = 0; i < seeing.size(); ++i) {
+      if (!sights[i]) continue;
+      equations.add(sights[i]->matrix, sights[i]->right,
+                    std::array{Unknowns{layout_.pose(seeing[i]), kPoseSize},
                                Unknowns{layout_.box(b), kBoxSize}, Unknowns{layout_.bias(), 1}});
       ++observations[b];
     }
