@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/estimation/drawing_motion.h"
+#include "core/estimation/drawing/drawing_motion.h"
 #include "core/map/map.h"
 #include "core/outlines/seen_frames.h"
 
