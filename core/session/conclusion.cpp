@@ -45,13 +45,15 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
                                    const std::function<void(double)>& progress) {
   if (stop.stop_requested()) return std::nullopt;
   const double alone = known.sharpness(known.alone.poses);
-  if (!known.walls) {
+  if (stop.stop_requested()) return std::nullopt;
+  PlacedRays placed = placeRays(known.seen, known.alone.poses, stop);
+  if (!known.walls && placed.showsStructure()) {
     if (auto conclusion = asDrawn(drawing, known, alone, seed, stop)) return conclusion;
   }
   Way way = believed(known, alone);
   std::optional<FoundMap> found;
   if (way.by == Way::By::Buildings) found.emplace(FoundMap{known.found, known.motion});
-  const PlacedRays placed = placeRays(known.seen, way.poses, stop);
+  if (way.by != known.alone.by) placed = placeRays(known.seen, way.poses, stop);
   if (stop.stop_requested()) return std::nullopt;
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
   if (!refined) return std::nullopt;
