@@ -26,6 +26,7 @@ class RigDialog : public QDialog {
   RigForm& form() { return *form_; }
   /// Reads a rig file; false: it cannot be read, and the person was told.
   bool open(const QString& path);
+  using QDialog::open;
   bool save(const QString& path);
 
  public Q_SLOTS:

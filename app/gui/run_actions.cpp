@@ -2,8 +2,9 @@
 
 #include <QMenu>
 #include <QSettings>
+#include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <span>
 
 #include "app/gui/dialogs.h"
 #include "app/gui/file_actions.h"
@@ -24,7 +25,6 @@ namespace handmap {
 namespace {
 constexpr auto kRecordingFolderKey = "files/recording_folder";
 constexpr auto kAcceptTopic = "accept";
-constexpr qsizetype kMostNamed = 8;
 constexpr std::size_t kMostDoubtfulOffered = 3;
 
 /// How probably the shown pose is right.
@@ -255,7 +255,8 @@ void RunActions::onFinished(bool cancelled) {
   parts_.messages.show(MessageBar::Kind::Info,
                        tr("The run is done. %1").arg(Words::changes(changes, drawing)),
                        scoreInWords(*result));
-  for (const BuildingChange& change : changes.doubtful | std::views::take(kMostDoubtfulOffered)) {
+  const std::size_t offered = std::min(changes.doubtful.size(), kMostDoubtfulOffered);
+  for (const BuildingChange& change : std::span(changes.doubtful).first(offered)) {
     const QString id = QString::fromStdString(drawing.buildings[change.building].id);
     parts_.messages.addAction(id, [this, id] { Q_EMIT parts_.buildings.showRequested(id); });
   }

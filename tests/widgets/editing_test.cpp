@@ -247,7 +247,7 @@ class EditingTest : public QObject {
                              "{\"format\":\"handmap\",\"version\":1,\"buildings\":[{}]}"}) {
       QMimeData data;
       data.setText(QString::fromUtf8(text));
-      QVERIFY_EXCEPTION_THROWN(objectsOf(data), Error);
+      QVERIFY_THROWS_EXCEPTION(Error, objectsOf(data));
     }
   }
 
