@@ -24,7 +24,8 @@ class AnchoredWay {
   /// `way`: poses of all observations so far, in any one frame, as told without the map; those of
   /// before may have changed too. One more than before.
   void add(const std::vector<Pose2>& way, WayNoise noise);
-  /// All observations of a way at once, as if they came one by one; nothing may have been added yet.
+  /// All observations of a way at once, as if they came one by one, and the end; nothing may have
+  /// been added yet. Of no use any more where `stop` was requested.
   void lay(const std::vector<Pose2>& way, WayNoise noise, const std::stop_token& stop);
   /// After the last observation: each keyframe is laid on the walls anew by what was seen before
   /// and after it, until nothing moves any more or `stop` is requested.

@@ -105,6 +105,19 @@ TEST(AnchoredWay, GoesOnByItsOwnWayWhereNoWallIsInSight) {
   EXPECT_GT(localized.sigma_m, 1.0);
 }
 
+TEST(AnchoredWay, LaysAWholeWayAtOnce) {
+  const World world = twoRowWorld(17);
+  const Drive drive = handmap::drive(world);
+  SeenFrames seen(drive.range_limit_m);
+  for (std::size_t i = 0; i < drive.way.size(); ++i) {
+    seen.add(i, drive.way[i], drive.percepts[i].scan, drive.percepts[i].points);
+  }
+  AnchoredWay anchored(world.map, seen);
+  anchored.lay(drive.way, WayNoise::Recorded, {});
+  EXPECT_LT(farthest(anchored.poses(), localize(world.map, drive).poses), 0.1);
+  EXPECT_LT(farthest(anchored.poses(), drive.truth), 1.0);
+}
+
 TEST(AnchoredWay, StopsWhenAsked) {
   const World world = twoRowWorld(17);
   const Drive drive = handmap::drive(world);
