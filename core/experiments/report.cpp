@@ -51,7 +51,7 @@ Look lookOf(Method method) { return method == Method::Paper ? Look::Paper : Look
 Report reportOf(const Experiment& experiment, const std::map<TrialKey, Trial>& trials) {
   const std::vector<TrialGroup> groups = groupsOf(experiment, trials);
   Report report;
-  const std::string below = "\n" + conditions(experiment, groups);
+  const std::string below = fmt::format("\n{}", conditions(experiment, groups));
   switch (experiment.kind) {
     case ExperimentKind::Table2:
       report.markdown = "# Table 2: success against the error of the drawing\n" + below;
