@@ -142,8 +142,8 @@ std::string trialLine(const Trial& trial) {
   std::string line = fmt::format("{},{},{}", nameOf(trial.key.method),
                                  formatNumber(trial.key.sigma_m), trial.key.number);
   for (const TrialBuilding& building : trial.buildings) {
-    for (const double measure : building.drawn) line += "," + rounded(measure);
-    for (const double measure : building.found) line += "," + rounded(measure);
+    for (const double measure : building.drawn) line.append(1, ',').append(rounded(measure));
+    for (const double measure : building.found) line.append(1, ',').append(rounded(measure));
     // Downwards, so that an IoU that is too small never becomes one that is not.
     line += fmt::format(",{},{}", formatNumber(std::floor(building.iou * 1e4) / 1e4),
                         building.overlaps ? 1 : 0);

@@ -57,7 +57,7 @@ std::string shown(const QCborValue& value) {
   if (value.isNull()) return "null";
   if (value.isMap()) return "an object";
   if (value.isArray()) return "a list";
-  if (value.isString()) return "\"" + value.toString().left(40).toStdString() + "\"";
+  if (value.isString()) return fmt::format("\"{}\"", value.toString().left(40).toStdString());
   if (value.isInteger()) return fmt::format("{}", value.toInteger());
   if (value.isDouble()) return fmt::format("{:g}", value.toDouble());
   return "another kind of value";
