@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "core/estimation/smoothing/odometry_noise.h"
+#include "core/map/start_uncertainty.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
 
@@ -27,8 +28,10 @@ constexpr double kInformation = 0.02;  // of a match: as of a loop, neighbours a
 /// What walls and poses of one window are off together; windows overlap, and share it.
 constexpr double kFloor_m = 0.3;
 constexpr double kFloorTurn = toRadians(0.6);
-constexpr double kStart_m = 1.0;  // of a start that is set by hand
+constexpr double kStart_m = 1.0;  // of a start that is set by hand, where nothing is said of it
 constexpr double kStartTurn = toRadians(3.0);
+constexpr double kLeastStart_m = 0.05;  // of one that is said to be exact
+constexpr double kLeastStartTurn = toRadians(0.2);
 constexpr double kKernel = 9.0;  // χ²: walls may be others, odometry may slip
 constexpr int kSteps = 12;
 constexpr std::size_t kAlike = 8;  // keyframes in a row that are about as uncertain
@@ -71,7 +74,17 @@ std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
 }  // namespace
 
 AnchoredWay::AnchoredWay(const Map& map, const SeenFrames& seen)
-    : start_(map.start.value()), seen_(seen), walls_(map), pose_(start_) {}
+    : start_(map.start.value()),
+      start_sigma_(kStart_m, kStart_m, kStartTurn),
+      seen_(seen),
+      walls_(map),
+      pose_(start_) {
+  if (const auto said = startUncertaintyOf(map.unknown)) {
+    start_sigma_ = {std::max(said->position, kLeastStart_m),
+                    std::max(said->position, kLeastStart_m),
+                    std::max(said->heading, kLeastStartTurn)};
+  }
+}
 
 MotionFactor AnchoredWay::motion(const Keyframe& from, const Keyframe& to) const {
   const Pose2 driven = between(way_[from.observation], way_[to.observation]);
@@ -115,7 +128,7 @@ void AnchoredWay::lay(const std::vector<Pose2>& way, WayNoise noise, const std::
 void AnchoredWay::work(std::size_t observation) {
   Keyframe now{observation, start_, {}};
   if (keyframes_.empty()) {
-    covariance_ = Eigen::Vector3d(kStart_m, kStart_m, kStartTurn).cwiseAbs2().asDiagonal();
+    covariance_ = start_sigma_.cwiseAbs2().asDiagonal();
   } else {
     const Keyframe& before = keyframes_.back();
     now.pose = before.pose * between(way_[before.observation], way_[observation]);
@@ -202,12 +215,11 @@ void AnchoredWay::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& f
 /// The first pose is the map.
 PoseGraph AnchoredWay::graph() const {
   PoseGraph graph({Pose2{}});
-  const Eigen::Vector3d start(kStart_m, kStart_m, kStartTurn);
   for (std::size_t i = 0; i < keyframes_.size(); ++i) {
     const Keyframe& keyframe = keyframes_[i];
     graph.addPose(keyframe.pose);
     if (i == 0) {
-      graph.addEdge({0, 1, {start_, start.cwiseInverse().asDiagonal()}, kKernel});
+      graph.addEdge({0, 1, {start_, start_sigma_.cwiseInverse().asDiagonal()}, kKernel});
     } else {
       graph.addEdge({i, i + 1, motion(keyframes_[i - 1], keyframe), kKernel});
     }

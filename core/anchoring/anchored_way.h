@@ -62,6 +62,7 @@ class AnchoredWay {
   Pose2 corrected(std::size_t observation, std::size_t keyframe) const;
 
   Pose2 start_;
+  Eigen::Vector3d start_sigma_;  ///< x, y and heading
   const SeenFrames& seen_;
   WallMap walls_;
   std::vector<Pose2> way_;

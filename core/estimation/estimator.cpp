@@ -12,6 +12,9 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
   requireReadyToRun(drawing);
   EstimatorOptions stated = options;
   stated.assignment = withStated(drawing.whole, options.assignment);
+  if (const auto start = startUncertaintyOf(drawing.unknown)) {
+    stated.assignment = withStart(*start, stated.assignment);
+  }
   state_ = std::make_unique<State>(drawing, stated, seed);
   state_->pose = *drawing.start;
   state_->correction.correctAll({}, state_->hasReached());
@@ -51,10 +54,12 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
     state.frames.pop_back();
   } else if (!moved) {
     state.addObservation(time_s, motion);
+    state.reached(EstimatorPhase::Way);
     return;
   }
   state.addFrame(time_s, odometry, state.pose, scan);
   state.addObservation(time_s, Pose2{});
+  state.reached(EstimatorPhase::Way);
   state.smoothWindow();
   state.process(stop, progress);
   state.pose = state.frames.back().pose;
@@ -65,6 +70,7 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
 /// frame is needed for the next one to be processed.
 void HandmapEstimator::State::process(const std::stop_token& stop,
                                       const std::function<void(double)>& progress) {
+  reached(EstimatorPhase::Poses);
   odometry_estimate.add(frames);
   smoother.setHeadingVariance(odometry_estimate.headingVariance());
   if (progress) progress(0.4);
@@ -72,15 +78,19 @@ void HandmapEstimator::State::process(const std::stop_token& stop,
   evidence.add(frames.back(), sensor);
   updateDirections();
   if (stop.stop_requested()) return;
+  reached(EstimatorPhase::Evidence);
   findBuildings();
   followBuildings();
+  reached(EstimatorPhase::Detection);
   if (!stop.stop_requested()) updateNoise();
   if (progress) progress(0.9);
   labelBuildings(nearM());  // they are labelled by their places among those that were found
+  reached(EstimatorPhase::Labels);
   if (closeLoop(stop) || smoothPeriodically(stop)) labelBuildings(nearM());
   if (stop.stop_requested()) return;
   if (fitOutlines()) labelBuildings(nearM());
   correction.correctSome(found, hasReached());
+  reached(EstimatorPhase::Correction);
 }
 
 void HandmapEstimator::finish(const std::stop_token& stop) {

@@ -13,6 +13,7 @@
 #include "core/estimation/labels/assignment.h"
 #include "core/estimation/smoothing/odometry_noise.h"
 #include "core/map/map.h"
+#include "core/perception/local_map.h"
 #include "core/recording/trajectory.h"
 
 namespace handmap {
@@ -47,6 +48,9 @@ struct BuildingSwarm {
   std::vector<Rectangle> members;
 };
 
+/// What a step does, in this order; an observation near the last key frame ends with the first.
+enum class EstimatorPhase { Way, Poses, Evidence, Detection, Labels, Correction };
+
 class HandmapEstimator {
  public:
   /// The drawing needs buildings and a start pose. Throws BadInput otherwise.
@@ -68,6 +72,10 @@ class HandmapEstimator {
   /// as far as `stop` allows.
   void finish(const std::stop_token& stop = {});
 
+  /// `watch` is called after each phase of the steps that follow, in their thread, and may look at
+  /// everything below. Empty: nobody does.
+  void watch(std::function<void(EstimatorPhase)> watch);
+
   const Pose2& pose() const;
   const Eigen::Matrix3d& poseCovariance() const;
   /// What is no longer worked on is as it was the last time.
@@ -86,6 +94,14 @@ class HandmapEstimator {
   /// How the drawing as a whole lies.
   const DrawingMotion& drawingMotion() const;
   const std::vector<FoundBox>& found() const;
+  /// Which drawn building one of found() is.
+  std::optional<std::size_t> drawnOf(std::size_t found) const;
+  /// The walls that the evidence around the robot tells now.
+  std::vector<FoundWall> walls() const;
+  /// That evidence, as far as it speaks for walls, in the robot's frame.
+  LocalMap evidence() const;
+  /// See FrameReport.
+  double logLikelihood() const;
 
  private:
   struct State;

@@ -35,6 +35,12 @@ struct HandmapEstimator::State {
     for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
   }
 
+  /// Who looks sees the pose as it is by then; a step sets it at its end anyway.
+  void reached(EstimatorPhase phase) {
+    if (!watch) return;
+    if (phase != EstimatorPhase::Way) pose = frames.back().pose;
+    watch(phase);
+  }
   void process(const std::stop_token& stop, const std::function<void(double)>& progress);
   void addObservation(double time_s, const Pose2& offset);
   void updateTrajectory();
@@ -99,6 +105,7 @@ struct HandmapEstimator::State {
   Pose2 pose;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of `pose`, given the start
   std::vector<Eigen::Matrix3d> covariances;              ///< the same by key frame, when it was new
+  std::function<void(EstimatorPhase)> watch;
 };
 
 }  // namespace handmap

@@ -1,5 +1,6 @@
 // What the estimator shows.
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/random.h"
 #include "core/estimation/estimator_state.h"
@@ -70,6 +71,56 @@ std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
     swarms.push_back(std::move(swarm));
   }
   return swarms;
+}
+
+void HandmapEstimator::watch(std::function<void(EstimatorPhase)> watch) {
+  state_->watch = std::move(watch);
+}
+
+std::optional<std::size_t> HandmapEstimator::drawnOf(std::size_t found) const {
+  return state_->labels.drawnOf(found);
+}
+
+std::vector<FoundWall> HandmapEstimator::walls() const {
+  if (state_->frames.empty()) return {};
+  return detectWalls(state_->evidence.evidence(), state_->frames.back().pose.position(),
+                     state_->options.range_limit_m, state_->options.detection);
+}
+
+/// Whatever the direction of the wall: the strongest counts.
+LocalMap HandmapEstimator::evidence() const {
+  constexpr float kSure = 5.0F;  // nats in a cell: as strong as is shown
+  const State& state = *state_;
+  LocalMap map(state.options.cell_m, state.options.range_limit_m);
+  if (state.frames.empty()) return map;
+  const Pose2& robot = state.frames.back().pose;
+  for (int row = 0; row < map.cells().rows; ++row) {
+    for (int column = 0; column < map.cells().cols; ++column) {
+      const Vec2 own((column + 0.5) * map.cell() - map.range(),
+                     (row + 0.5) * map.cell() - map.range());
+      const Vec2 at = robot.toOuter(own);
+      for (const WallImage& image : state_->evidence.evidence().images()) {
+        const double nats =
+            image.at(static_cast<int>(std::floor(image.along().dot(at) / image.cell())),
+                     static_cast<int>(std::floor(image.across().dot(at) / image.cell())));
+        float& cell = map.cells()(row, column);
+        cell = std::max(cell, std::min(static_cast<float>(nats) / kSure, 1.0F));
+      }
+    }
+  }
+  return map;
+}
+
+double HandmapEstimator::logLikelihood() const {
+  const State& state = *state_;
+  if (state.frames.empty()) return 0.0;
+  const Frame* const newest = &state.frames.back();
+  double sum = 0.0;
+  for (const FoundBox& box : state.found) {
+    if (!state.isInSight(box)) continue;
+    sum += BoxScorer(box.box, {&newest, 1}, state.sensor, 1)(box.box);
+  }
+  return sum;
 }
 
 std::function<Map()> HandmapEstimator::refinedMapLater() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -18,8 +19,16 @@ namespace {
 
 // What a stream of random numbers is for; swarms use kSwarms + the index of their building.
 constexpr std::uint32_t kMotion = 0;
+constexpr std::uint32_t kStart = 0xffffffff;
 constexpr std::uint32_t kResampling = 1;
 constexpr std::uint32_t kSwarms = 2;
+
+std::vector<SlamTrace::WeighedPose> weighed(const std::vector<Particle>& particles) {
+  std::vector<SlamTrace::WeighedPose> poses;
+  poses.reserve(particles.size());
+  for (const Particle& particle : particles) poses.push_back({particle.pose, particle.weight});
+  return poses;
+}
 
 }  // namespace
 
@@ -39,12 +48,30 @@ FastSlamPsom::FastSlamPsom(const Map& drawing, const Pose2& start_odometry,
   first.weight = 1.0 / options.slam_particles;
   first.map = SwarmMap(models_.size());
   particles_.assign(static_cast<std::size_t>(options.slam_particles), first);
+  if (const auto sure = startUncertaintyOf(drawing.unknown)) scatter(*sure);
+}
+
+/// The paper takes the start for known. Particles of a start that is not lie as it may lie; the
+/// first is where it is drawn.
+void FastSlamPsom::scatter(const StartUncertainty& start) {
+  for (std::size_t i = 1; i < particles_.size(); ++i) {
+    RandomStream random(seed_, 0, static_cast<std::uint32_t>(i), kStart);
+    Pose2& pose = particles_[i].pose;
+    pose.x += random.normal(0.0, start.position);
+    pose.y += random.normal(0.0, start.position);
+    pose.heading = normalizedAngle(pose.heading + random.normal(0.0, start.heading));
+  }
 }
 
 bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& local_map,
-                        const std::stop_token& stop, const std::function<void(double)>& progress) {
+                        const std::stop_token& stop, const std::function<void(double)>& progress,
+                        SlamTrace* trace) {
   const Pose2 motion = between(odometry_, odometry);
   samplePoses(time_s, motion);
+  if (trace != nullptr) {
+    trace->predicted = weighed(next_);
+    trace->watched = best_;
+  }
   near_ = buildingsNear(local_map.range());
   sums_.reset(local_map);
   const std::vector<std::size_t> order = byHeading();
@@ -52,7 +79,8 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
   parallelFor(next_.size(), [&](std::size_t place) {
     if (stop.stop_requested()) return;
     const std::size_t i = order[place];
-    updateMap(next_[i], static_cast<std::uint32_t>(i), local_map.range(), stop);
+    SlamTrace* const watching = trace != nullptr && trace->watched == i ? trace : nullptr;
+    updateMap(next_[i], static_cast<std::uint32_t>(i), local_map.range(), stop, watching);
     const std::size_t before = done++;
     const auto percent = [&](std::size_t count) { return 100 * count / next_.size(); };
     if (!progress || percent(before) == percent(before + 1)) return;
@@ -62,7 +90,7 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
   particles_.swap(next_);
   odometry_ = odometry;
   ++frame_;
-  resample();
+  resample(trace);
   return true;
 }
 
@@ -118,7 +146,7 @@ std::vector<std::size_t> FastSlamPsom::buildingsNear(double range_m) const {
 }
 
 void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index, double range_m,
-                             const std::stop_token& stop) {
+                             const std::stop_token& stop, SlamTrace* trace) {
   const Vec2 ahead = unitVector(particle.pose.heading);
   std::vector<Visible> visible;
   visible.reserve(near_.size());
@@ -130,7 +158,7 @@ void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index, double ran
     if (way.squaredNorm() >= range_m * range_m) continue;
     // m_t,b ← PSO(m_{t-1},b, z_t, x_t)
     visible.push_back({building, models_[building].drawn(), false});
-    likelihood += refineBuilding(particle, index, ahead, visible.back(), stop);
+    likelihood += refineBuilding(particle, index, ahead, visible.back(), stop, trace);
   }
   // w_t = p(z_t | x_t, m_t): the likelihood with the best latest map
   particle.weight *= likelihood;
@@ -140,7 +168,7 @@ void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index, double ran
 
 /// The score of the best state.
 double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, const Vec2& ahead,
-                                    Visible& seen, const std::stop_token& stop) {
+                                    Visible& seen, const std::stop_token& stop, SlamTrace* trace) {
   const Building& drawn = drawing_.buildings[seen.building];
   const BuildingModel& model = models_[seen.building];
   const WallLikelihood walls(model, particle.pose, ahead, sums_);
@@ -165,7 +193,7 @@ double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, con
                                               : sampleSwarm(model.drawn().width,
                                                             drawing_.uncertaintyOf(drawn),
                                                             options_.pso_particles, random));
-  refine(*swarm, scores, options_, random, stop);
+  refine(*swarm, scores, options_, random, stop, watchOf(seen.building, trace));
   seen.state = stateOf(seen.building, swarm->best);
   seen.refined = true;
   const auto moved = static_cast<double>(std::hypot(swarm->mean[Swarm::X], swarm->mean[Swarm::Y]));
@@ -175,6 +203,21 @@ double FastSlamPsom::refineBuilding(Particle& particle, std::uint32_t index, con
   const auto result = static_cast<double>(swarm->best_score);
   particle.map.set(seen.building, std::move(swarm));
   return result;
+}
+
+/// Of the building of the particle that is looked at; empty where none is.
+SwarmWatch FastSlamPsom::watchOf(std::size_t building, SlamTrace* trace) const {
+  if (trace == nullptr) return {};
+  trace->buildings.push_back({building, {}});
+  return [this, trace, building](const Swarm& swarm) {
+    SlamTrace::Iteration iteration;
+    for (std::size_t i = 0; i < swarm.members(); ++i) {
+      iteration.members.push_back(models_[building].box(stateOf(building, swarm.member(i))));
+    }
+    iteration.best = models_[building].box(stateOf(building, swarm.best));
+    iteration.best_score = static_cast<double>(swarm.best_score);
+    trace->buildings.back().iterations.push_back(std::move(iteration));
+  };
 }
 
 BuildingState FastSlamPsom::stateOf(std::size_t building, const Swarm::Values& values) const {
@@ -208,14 +251,16 @@ bool FastSlamPsom::isPlausible(const Pose2& robot, const std::vector<Visible>& v
   return true;
 }
 
-void FastSlamPsom::resample() {
+void FastSlamPsom::resample(SlamTrace* trace) {
   const auto refusing = std::any_of(particles_.begin(), particles_.end(), [](const Particle& p) {
     return p.plausible && p.weight > 0.0;
   });
   std::vector<double> weights;
   for (const Particle& particle : particles_) weights.push_back(particle.weight);
+  const double likelihood = std::accumulate(weights.begin(), weights.end(), 0.0);
   normalize(weights);
   for (std::size_t i = 0; i < weights.size(); ++i) particles_[i].weight = weights[i];
+  if (trace != nullptr) trace->weighed = weighed(particles_);
   const double size = effectiveSampleSize(weights);
 
   if (refusing) {
@@ -226,12 +271,16 @@ void FastSlamPsom::resample() {
   }
   best_ =
       static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  last_step_ = {size, particles_[best_].visible};
+  last_step_ = {size, particles_[best_].visible, likelihood};
   const double count = static_cast<double>(weights.size());
   if (size >= options_.resample_below * count) return;
 
   RandomStream random(seed_, frame_, 0, kResampling);
   const std::vector<int> drawn = systematicResample(weights, random.uniform());
+  if (trace != nullptr) {
+    trace->resampled = true;
+    trace->survivors = std::set<int>(drawn.begin(), drawn.end()).size();
+  }
   parallelFor(drawn.size(), [&](std::size_t i) {
     next_[i] = particles_[static_cast<std::size_t>(drawn[i])];
     next_[i].weight = 1.0 / count;

@@ -9,7 +9,9 @@
 
 #include "core/localization/line_sums.h"
 #include "core/localization/path.h"
+#include "core/localization/slam_trace.h"
 #include "core/localization/swarm_map.h"
+#include "core/map/start_uncertainty.h"
 
 namespace handmap {
 
@@ -26,6 +28,7 @@ struct Particle {
 struct StepResult {
   double effective_sample_size = 0.0;
   int visible_buildings = 0;  ///< of the best particle
+  double likelihood = 0.0;    ///< p(z_t): of the observation, all particles together
 };
 
 class FastSlamPsom {
@@ -38,9 +41,10 @@ class FastSlamPsom {
   /// One observation: `odometry` in the odometry frame, `local_map` around the robot. Parallel in
   /// the caller's oneTBB arena; the result does not depend on the number of threads. Returns false
   /// and leaves the state as it was when `stop` was requested. `progress` may be called from any
-  /// thread.
+  /// thread. `trace`: is told what happens in between.
   bool step(double time_s, const Pose2& odometry, const LocalMap& local_map,
-            const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
+            const std::stop_token& stop = {}, const std::function<void(double)>& progress = {},
+            SlamTrace* trace = nullptr);
 
   const std::vector<Particle>& particles() const { return particles_; }
   const Particle& best() const { return particles_[best_]; }
@@ -61,16 +65,18 @@ class FastSlamPsom {
     bool refined;         ///< false: as drawn
   };
 
+  void scatter(const StartUncertainty& start);
   void samplePoses(double time_s, const Pose2& motion);
   std::vector<std::size_t> byHeading() const;
   std::vector<std::size_t> buildingsNear(double range_m) const;
   void updateMap(Particle& particle, std::uint32_t index, double range_m,
-                 const std::stop_token& stop);
+                 const std::stop_token& stop, SlamTrace* trace);
   double refineBuilding(Particle& particle, std::uint32_t index, const Vec2& ahead, Visible& seen,
-                        const std::stop_token& stop);
+                        const std::stop_token& stop, SlamTrace* trace);
+  SwarmWatch watchOf(std::size_t building, SlamTrace* trace) const;
   BuildingState stateOf(std::size_t building, const Swarm::Values& values) const;
   bool isPlausible(const Pose2& robot, const std::vector<Visible>& visible) const;
-  void resample();
+  void resample(SlamTrace* trace);
   Estimate estimateOf(std::size_t building, const Swarm& best) const;
 
   Map drawing_;

@@ -114,10 +114,11 @@ Swarm sampleSwarm(double drawn_width, const Uncertainty& uncertainty, int member
 }
 
 void refine(Swarm& swarm, const SwarmScore& score, const SlamOptions& options, RandomStream& random,
-            const std::stop_token& stop) {
+            const std::stop_token& stop, const SwarmWatch& watch) {
   OwnBests own_bests(swarm);
   swarm.best_score = 0.0F;
   own_bests.update(swarm, score);
+  if (watch) watch(swarm);
   if (swarm.best_score <= 0.0F) return;
 
   std::vector<float> numbers;
@@ -131,6 +132,7 @@ void refine(Swarm& swarm, const SwarmScore& score, const SlamOptions& options, R
     }
     keepWide(swarm.positions(Swarm::Width));
     own_bests.update(swarm, score);
+    if (watch) watch(swarm);
   }
   ++swarm.observations;
   swarm.updateMoments();

@@ -63,10 +63,13 @@ Swarm sampleSwarm(double drawn_width, const Uncertainty& uncertainty, int member
 /// Scores every member.
 using SwarmScore = std::function<void(const Swarm& swarm, std::span<float> scores)>;
 
+/// Called with the swarm as it is: before the first iteration and after each.
+using SwarmWatch = std::function<void(const Swarm& swarm)>;
+
 /// v ← w v + c₁ r₁ (p − x) + c₂ r₂ (g − x), x ← x + v, at most `pso_iterations` times or until the
 /// members have met. Scores of earlier observations are forgotten: p and g start anew. Ends early,
 /// without a meaning, when `stop` was requested.
 void refine(Swarm& swarm, const SwarmScore& score, const SlamOptions& options, RandomStream& random,
-            const std::stop_token& stop = {});
+            const std::stop_token& stop = {}, const SwarmWatch& watch = {});
 
 }  // namespace handmap

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/map_limits.h"
+#include "core/map/start_uncertainty.h"
 
 namespace handmap {
 
@@ -192,6 +193,7 @@ Map parseMap(std::string_view text, const std::string& source) {
   Map map;
   map.unknown = json.others({"format", "version", "name", "start", "uncertainty", "buildings",
                              "landmarks", "route", "underlays", "georeference", "refinement"});
+  startUncertaintyOf(map.unknown, source);  // said here, where it can be told, if it is wrong
   map.name = json.textOr("name", kMaxTextBytes, "");
   if (const auto start = json.find("start")) {
     const Vec2 at = position(*start);

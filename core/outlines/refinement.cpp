@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/map/start_uncertainty.h"
 #include "core/outlines/agreement.h"
 
 namespace handmap {
@@ -17,6 +18,8 @@ constexpr double kSlack_m = 0.3;
 // Of the start as it is drawn, one σ.
 constexpr double kStartTurn = toRadians(1.0);
 constexpr double kStart_m = 0.3;
+constexpr double kLeastStart_m = 0.01;
+constexpr double kLeastStartTurn = toRadians(0.01);
 
 Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
   Polygon outline;
@@ -147,8 +150,11 @@ std::variant<Rectangle, Polygon> moved(std::variant<Rectangle, Polygon> shape,
   return shape;
 }
 
-/// Nothing but the start tells how a way without the buildings lies on the drawing.
-double startTurnOf(const Map& drawing) { return drawing.whole.turn.value_or(kStartTurn); }
+/// How well the start tells how a way without the buildings lies on the drawing.
+StartUncertainty startOf(const Map& drawing) {
+  return startUncertaintyOf(drawing.unknown)
+      .value_or(StartUncertainty{kStart_m, drawing.whole.turn.value_or(kStartTurn)});
+}
 
 /// The drawing with the outlines that were found, in the frame of the way.
 Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
@@ -236,7 +242,9 @@ std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMa
     if (results.empty()) return std::nullopt;
   }
   Map fitted = fittedMap(drawing, found, tasks, results);
-  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, startTurnOf(drawing));
+  const StartUncertainty start = startOf(drawing);
+  const Agreement agreement = agreementOf(drawing, fitted, std::max(start.position, kLeastStart_m),
+                                          std::max(start.heading, kLeastStartTurn));
   return settled(drawing, std::move(fitted), agreement, !found);
 }
 

@@ -7,6 +7,7 @@
 #include "core/localization/fastslam_psom.h"
 #include "core/session/handmap_method.h"
 #include "core/session/localization_method.h"
+#include "core/session/paper_phases.h"
 #include "core/session/pose_trust.h"
 
 namespace handmap {
@@ -29,15 +30,28 @@ Eigen::Matrix3d covarianceOf(const std::vector<Particle>& particles, const Pose2
 class PaperMethod : public EstimationMethod {
  public:
   PaperMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
+      : drawing_(drawing), slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
-    return slam_.step(time_s, odometry, percept.local_map, stop, progress);
+    SlamTrace trace;
+    const Pose2 before = slam_.best().pose;
+    if (!slam_.step(time_s, odometry, percept.local_map, stop, progress,
+                    recorder_ ? &trace : nullptr)) {
+      return false;
+    }
+    if (recorder_ != nullptr) {
+      tellPhases(trace, {slam_, drawing_, percept.local_map, before}, *recorder_);
+    }
+    return true;
   }
+  void trace(PhaseRecorder* recorder) override { recorder_ = recorder; }
   void describe(FrameReport& report) const override {
     report.effective_sample_size = slam_.lastStep().effective_sample_size;
     report.visible_buildings = slam_.lastStep().visible_buildings;
+    if (slam_.lastStep().likelihood > 0.0) {
+      report.log_likelihood = std::log(slam_.lastStep().likelihood);
+    }
     report.pose = slam_.best().pose;
     stateTrust(covarianceOf(slam_.particles(), report.pose), report);
   }
@@ -65,7 +79,9 @@ class PaperMethod : public EstimationMethod {
   }
 
  private:
+  Map drawing_;
   FastSlamPsom slam_;
+  PhaseRecorder* recorder_ = nullptr;
 };
 
 }  // namespace

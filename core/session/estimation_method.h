@@ -7,6 +7,7 @@
 
 #include "core/estimation/estimator.h"
 #include "core/perception/perception.h"
+#include "core/session/phase.h"
 #include "core/session/run_session.h"
 #include "core/session/snapshot.h"
 
@@ -23,6 +24,9 @@ class EstimationMethod {
   /// requested. `progress` may be called from any thread.
   virtual bool step(double time_s, const Pose2& odometry, const Percept& percept,
                     const std::stop_token& stop, const std::function<void(double)>& progress) = 0;
+  /// The steps that follow tell it their phases, where the method has any; nullptr: no longer.
+  /// Looking changes nothing.
+  virtual void trace(PhaseRecorder* /*recorder*/) {}
   /// After the last observation, as far as `stop` allows. Returns whether the result has changed.
   virtual bool finish(const std::stop_token& /*stop*/,
                       const std::function<void(double)>& /*progress*/) {

@@ -4,7 +4,9 @@
 
 #include "core/anchoring/anchored_way.h"
 #include "core/estimation/estimator.h"
+#include "core/map/start_uncertainty.h"
 #include "core/session/conclusions.h"
+#include "core/session/handmap_phases.h"
 #include "core/session/pose_trust.h"
 #include "core/session/wheel_uncertainty.h"
 #include "core/trajectory/scan_trajectory.h"
@@ -49,7 +51,12 @@ class HandmapMethod : public EstimationMethod {
     wheels_.add(odometry);
     followTrajectory();
     const Pose2& here = trajectory_.poses().back();
+    if (recorder_ != nullptr) {
+      estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_,
+                                     [this](FrameReport& report) { describe(report); }));
+    }
     estimator_.step(time_s, here, percept.scan, stop, progress);
+    estimator_.watch({});
     seen_.add(observations_++, odometry, percept.scan, percept.points);
     if (anchored_) {
       anchored_->add(trajectory_.poses(), by_scans_ ? WayNoise::Scans : WayNoise::Recorded);
@@ -61,6 +68,8 @@ class HandmapMethod : public EstimationMethod {
     if (on_the_way_) conclusions_.begin(way_m_, [this] { return concluding(); });
     return true;
   }
+
+  void trace(PhaseRecorder* recorder) override { recorder_ = recorder; }
 
   bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
     conclusions_ = {};
@@ -76,6 +85,8 @@ class HandmapMethod : public EstimationMethod {
   void describe(FrameReport& report) const override {
     report.effective_sample_size = estimator_.effectiveSampleSize();
     report.visible_buildings = estimator_.visibleBuildings();
+    report.log_likelihood = estimator_.logLikelihood();
+    report.loops = trajectory_.loops();
     report.pose = pose();
     stateTrust(poseCovariance(), report);
   }
@@ -214,6 +225,14 @@ class HandmapMethod : public EstimationMethod {
       if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
     }
     covariance.diagonal().head<2>().array() += kReference_m * kReference_m;
+    if (const auto start = startUncertaintyOf(drawing_.unknown)) {
+      // The walls are corrected from where the robot is: what its start is off, all is off.
+      const Vec2 way = pose().position() - drawing_.start->position();
+      const Vec2 lever = perpendicular(way) * start->heading;
+      covariance.topLeftCorner<2, 2>() += lever * lever.transpose();
+      covariance.diagonal() +=
+          Eigen::Vector3d(start->position, start->position, start->heading).cwiseAbs2();
+    }
     return covariance;
   }
 
@@ -228,6 +247,7 @@ class HandmapMethod : public EstimationMethod {
   bool by_scans_ = false;
   int loops_ = 0;
   HandmapEstimator estimator_;
+  PhaseRecorder* recorder_ = nullptr;
   std::optional<AnchoredWay> anchored_;
   double way_m_ = 0.0;  ///< by the recorded odometry
   Conclusions conclusions_;

@@ -28,6 +28,7 @@ void takePictures(Snapshot& to, const Snapshot& from) {
   to.disparity = from.disparity;
   to.buildings = from.buildings;
   to.pictured = from.pictured;
+  to.panning = from.panning;
 }
 
 }  // namespace

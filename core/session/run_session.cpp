@@ -81,8 +81,12 @@ struct RunSession::State {
                                           const std::function<void(double)>& progress);
   /// Every observation's; else it is rendered for whoever looks at it.
   bool readsLocalMap() const { return settings.method == Method::Paper; }
-  std::shared_ptr<const Snapshot> snapshot(const Observation& observation, LazyLocalMap local_map,
-                                           const Pictures& pictures);
+  /// What is of the observation alone.
+  void fillSeen(Snapshot& snapshot, const Tape::Taken& seen, const LazyLocalMap& local_map) const;
+  std::shared_ptr<const Snapshot> snapshot(const Tape::Taken& seen, const LazyLocalMap& local_map,
+                                           PhaseRecorder* phases);
+  std::optional<PhaseRecorder> recorder(const Tape::Taken& seen,
+                                        const LazyLocalMap& local_map) const;
   std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
                                                const std::function<void(double)>& progress);
   void fill(Snapshot& snapshot) const;
@@ -101,6 +105,7 @@ struct RunSession::State {
   RunCounts counts;
   std::shared_ptr<const Snapshot> newest;
   bool finished = false;
+  bool tracing = false;
   Clock::time_point begin = Clock::now();
 };
 
@@ -115,6 +120,8 @@ RunSession::RunSession(Map drawing, std::shared_ptr<Tape> tape, const RunSetting
 RunSession::~RunSession() = default;
 
 const SourceInfo& RunSession::source() const { return state_->source(); }
+void RunSession::setTracing(bool on) { state_->tracing = on; }
+
 const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->skipped; }
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
 
@@ -168,37 +175,74 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   Waiting waiting(progress);
   bool done = false;
   const Pose2 odometry = state.given(observation.time_s, observation.odometry);
-  state.arena.execute(
-      [&] { done = state.method->step(observation.time_s, odometry, *percept, stop, progress); });
+  auto phases = state.recorder(*taken, local_map);
+  state.method->trace(phases ? &*phases : nullptr);
+  state.arena.execute([&] {
+    done = state.method->step(observation.time_s, odometry, *percept, stop, waiting.progress());
+  });
+  state.method->trace(nullptr);
   if (!done) return nullptr;
-  report.ms.slam = millisecondsSince(slam_begin);
-  report.ms.total = millisecondsSince(begin);
+  report.ms.slam = millisecondsSince(slam_begin) - waiting.ms();
+  report.ms.total = millisecondsSince(begin) - waiting.ms();
   report.frame = observation.frame;
   report.time_s = observation.time_s;
   report.odometry_guessed = observation.odometry_guessed;
   state.method->describe(report);
   state.frames.push_back(report);
   state.counts.add(*percept, report);
-  return state.snapshot(observation, local_map, taken->pictures);
+  return state.snapshot(*taken, local_map, phases ? &*phases : nullptr);
 }
 
-std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Observation& observation,
-                                                            LazyLocalMap local_map,
-                                                            const Pictures& pictures) {
+void RunSession::State::fillSeen(Snapshot& snapshot, const Tape::Taken& seen,
+                                 const LazyLocalMap& local_map) const {
+  const Observation& observation = seen.entry.perceived->observation;
+  snapshot.index = static_cast<int>(frames.size() + skipped.size());
+  snapshot.count = source().observations;
+  snapshot.report.frame = observation.frame;
+  snapshot.report.time_s = observation.time_s;
+  snapshot.truth = poseAt(source().truth, observation.time_s);
+  snapshot.local_map = local_map;
+  snapshot.image = seen.pictures.image;
+  snapshot.disparity = seen.pictures.disparity;
+  snapshot.buildings = seen.pictures.buildings;
+  snapshot.pictured = observation.frame;
+  snapshot.panning = seen.pictures.panning;
+  snapshot.seen = seen.entry.perceived;
+}
+
+/// Where the phases of the next step are to be told.
+std::optional<PhaseRecorder> RunSession::State::recorder(const Tape::Taken& seen,
+                                                         const LazyLocalMap& local_map) const {
+  if (!tracing) return std::nullopt;
+  Snapshot before;
+  if (newest) {
+    before = *newest;
+    before.phases = nullptr;
+  } else {
+    before.report.pose = *drawing.start;
+    before.map = Lazy<Map>(refinedMap());
+  }
+  fillSeen(before, seen, readsLocalMap() ? LazyLocalMap() : local_map.again());
+  ++before.index;
+  return PhaseRecorder(std::move(before));
+}
+
+std::shared_ptr<const Snapshot> RunSession::State::snapshot(const Tape::Taken& seen,
+                                                            const LazyLocalMap& local_map,
+                                                            PhaseRecorder* phases) {
+  const Observation& observation = seen.entry.perceived->observation;
   const Pose2 driven = between(source().start_odometry, observation.odometry);
   odometry.push_back({observation.time_s, *drawing.start * driven});
 
   auto snapshot = std::make_shared<Snapshot>();
-  snapshot->index = static_cast<int>(frames.size() + skipped.size());
-  snapshot->count = source().observations;
+  fillSeen(*snapshot, seen, local_map);
   fill(*snapshot);
   snapshot->odometry = odometry.share();
-  snapshot->truth = poseAt(source().truth, observation.time_s);
-  snapshot->local_map = std::move(local_map);
-  snapshot->image = pictures.image;
-  snapshot->disparity = pictures.disparity;
-  snapshot->buildings = pictures.buildings;
-  snapshot->pictured = observation.frame;
+  if (phases != nullptr) {
+    auto told = std::make_shared<std::vector<Phase>>(phases->take());
+    for (Phase& phase : *told) phase.shown.odometry = snapshot->odometry;
+    snapshot->phases = std::move(told);
+  }
   newest = snapshot;
   return snapshot;
 }
@@ -213,6 +257,7 @@ std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(
   if (!changed) return nullptr;
   method->describe(frames.back());
   auto snapshot = std::make_shared<Snapshot>(*newest);
+  snapshot->phases = nullptr;
   fill(*snapshot);
   return snapshot;
 }

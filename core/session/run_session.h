@@ -56,6 +56,9 @@ class RunSession {
   std::shared_ptr<const Snapshot> step(const std::stop_token& stop = {},
                                        const std::function<void(double)>& progress = {});
 
+  /// Snapshots of the steps that follow tell their phases; nothing else changes.
+  void setTracing(bool on);
+
   const std::vector<SkippedFrame>& skipped() const;
   /// Of what was worked in so far: to be told at the end.
   std::vector<RunWarning> warnings() const;

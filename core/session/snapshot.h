@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "core/recording/trajectory.h"
 
 namespace handmap {
+
+struct Perceived;
+struct Phase;
 
 struct ParticleView {
   Pose2 pose;
@@ -49,6 +53,17 @@ struct FrameReport {
   /// Probability that the pose is off by no more than kWithin_m.
   std::array<double, kWithin_m.size()> within{};
   bool odometry_guessed = false;  ///< see Observation
+  /// Of the observation, nats: by the published method that of its particles, by ours how much
+  /// better the buildings in sight explain what was seen than nothing does. Absent: not known.
+  std::optional<double> log_likelihood;
+  int loops = 0;  ///< closed so far
+};
+
+/// Which view of a stop an image is.
+struct Panning {
+  double pan = 0.0;  ///< radians, positive to the left
+  int view = 1;
+  int views = 1;
 };
 
 struct Snapshot {
@@ -68,6 +83,11 @@ struct Snapshot {
   cv::Mat1f disparity;                 ///< the same
   cv::Mat1f buildings;  ///< probability of each of its 16×16 windows, see StereoResult
   int pictured = 0;     ///< the frame that these three are of; an earlier one where it was long ago
+  Panning panning;      ///< of the three
+  /// What the sensors saw; gone where the run no longer keeps it.
+  std::weak_ptr<const Perceived> seen;
+  /// How the method came to it, where that was asked for.
+  std::shared_ptr<const std::vector<Phase>> phases;
 };
 
 }  // namespace handmap

@@ -6,6 +6,15 @@ namespace handmap {
 
 namespace {
 
+/// Of the last view with an image, which is the one that a percept has.
+Panning panningOf(const std::vector<View>& views) {
+  for (std::size_t i = views.size(); i-- > 0;) {
+    if (views[i].left.empty()) continue;
+    return {views[i].pan, static_cast<int>(i) + 1, static_cast<int>(views.size())};
+  }
+  return {};
+}
+
 std::size_t bytesOf(const Tape::Entry& entry) {
   if (!entry.perceived) return sizeof(Tape::Entry);
   const Percept& percept = entry.perceived->percept;
@@ -59,7 +68,8 @@ std::optional<Tape::Taken> Tape::perceive(const std::stop_token& stop) {
   try {
     std::optional<Percept> percept = perception_(*observation, stop);
     if (!percept) return std::nullopt;
-    taken.pictures = {percept->image, percept->disparity, percept->buildings};
+    taken.pictures = {percept->image, percept->disparity, percept->buildings,
+                      panningOf(observation->views)};
     percept->image = cv::Mat();
     percept->disparity = cv::Mat1f();
     percept->buildings = cv::Mat1f();

@@ -13,6 +13,7 @@
 
 #include "core/perception/perception.h"
 #include "core/recording/observation.h"
+#include "core/session/snapshot.h"
 
 namespace handmap {
 
@@ -32,6 +33,7 @@ struct Pictures {
   cv::Mat image;
   cv::Mat1f disparity;
   cv::Mat1f buildings;
+  Panning panning;
 };
 
 class Tape {

@@ -203,10 +203,18 @@ AssignmentOptions withStated(const WholeUncertainty& whole, AssignmentOptions op
   return options;
 }
 
+AssignmentOptions withStart(const StartUncertainty& start, AssignmentOptions options) {
+  options.start_m = start.position;
+  options.start_turn = start.heading;
+  options.free_turn |= start.heading > kFan;
+  return options;
+}
+
 std::vector<Hypothesis> rootHypotheses(const Map& drawing, const AssignmentOptions& options) {
-  const double shift = options.shift_share * drawing.uncertainty.position;
+  const double shift =
+      std::hypot(options.shift_share * drawing.uncertainty.position, options.start_m);
   const double scale = options.free_scale ? kFreeScale : options.scale_sigma;
-  const double turn = options.free_turn ? kFan : options.turn_sigma;
+  const double turn = options.free_turn ? kFan : std::hypot(options.turn_sigma, options.start_turn);
   const Eigen::Vector4d sigma(scale, turn, shift, shift);
   std::vector<Hypothesis> roots;
   for (int step = 0; step <= (options.free_turn ? 2 * kFanSteps : 0); ++step) {

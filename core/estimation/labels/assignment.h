@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/estimation/labels/pairing.h"
+#include "core/map/start_uncertainty.h"
 
 namespace handmap {
 
@@ -20,12 +21,18 @@ struct AssignmentOptions : PairingOptions {
   double turn_sigma = kUsualTurnSigma;
   bool free_scale = false;  ///< the drawing may be 0.7 to 1.4 times as large
   bool free_turn = false;   ///< and turned by ±40° about the robot's start
+  /// Of the robot's start on the drawing, one σ: as much as the drawing may lie elsewhere.
+  double start_m = 0.0;
+  double start_turn = 0.0;  ///< radians
   double shift_share =
       0.3;  ///< of the whole drawing, as a share of the uncertainty of a building; choice
 };
 
 /// With what the drawing itself says of its scale and turn. A turn that may be large is left free.
 AssignmentOptions withStated(const WholeUncertainty& whole, AssignmentOptions options);
+
+/// With what it says of the robot's start.
+AssignmentOptions withStart(const StartUncertainty& start, AssignmentOptions options);
 
 /// One way to assign all; what the assigned ones say of the whole drawing is marginalised exactly
 /// (Rao-Blackwell: a discrete particle with a Gaussian of its own).

@@ -274,5 +274,24 @@ TEST(Path, LongPathsAreReleasedWithoutRecursion) {
   EXPECT_EQ(path.poses().size(), 500000U);
 }
 
+TEST(FastSlamPsom, ParticlesOfAStartThatIsNotSureLieAsItMayLie) {
+  Map map = street();
+  SlamOptions options;
+  options.slam_particles = 4000;
+  const FastSlamPsom sure(map, {}, options, 1);
+  for (const Particle& particle : sure.particles()) EXPECT_EQ(particle.pose, *map.start);
+  setStartUncertainty(map.unknown, StartUncertainty{2.0, toRadians(10.0)});
+  const FastSlamPsom slam(map, {}, options, 1);
+  EXPECT_EQ(slam.particles().front().pose, *map.start);
+  double squares = 0.0;
+  double turns = 0.0;
+  for (const Particle& particle : slam.particles()) {
+    squares += particle.pose.position().squaredNorm();
+    turns += particle.pose.heading * particle.pose.heading;
+  }
+  EXPECT_NEAR(std::sqrt(squares / options.slam_particles), 2.0 * std::sqrt(2.0), 0.15);
+  EXPECT_NEAR(toDegrees(std::sqrt(turns / options.slam_particles)), 10.0, 0.5);
+}
+
 }  // namespace
 }  // namespace handmap

@@ -206,6 +206,23 @@ TEST(Assignment, TakesWhatTheDrawingStatesOfItsScaleAndTurn) {
   EXPECT_TRUE(withStated({{}, toRadians(20.0)}, {}).free_turn);
 }
 
+TEST(Assignment, AStartThatIsNotSureLetsTheDrawingLieElsewhere) {
+  Map drawing;
+  drawing.start = Pose2{};
+  drawing.uncertainty = {1.0, 1.0};
+  const auto sigma_of = [&](const StartUncertainty& start) {
+    return rootHypotheses(drawing, withStart(start, {})).front().motion.sigmaAt(Vec2::Zero());
+  };
+  const double exact = sigma_of({});
+  EXPECT_NEAR(sigma_of({3.0, 0.0}), std::hypot(exact, 3.0 * std::sqrt(2.0)), 1e-9);
+  const auto turned = rootHypotheses(drawing, withStart({0.0, toRadians(5.0)}, {}));
+  ASSERT_EQ(turned.size(), 1U);
+  EXPECT_NEAR(std::sqrt(turned.front().motion.covariance(1, 1)),
+              std::hypot(kUsualTurnSigma, toRadians(5.0)), 1e-9);
+  EXPECT_GT(rootHypotheses(drawing, withStart({0.0, toRadians(20.0)}, {})).size(), 1U)
+      << "one Gaussian does not reach so far";
+}
+
 TEST(Assignment, WhatMayNotExistNeedsABetterMatch) {
   Case c;
   c.drawing.start = Pose2{};
