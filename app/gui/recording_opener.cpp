@@ -1,17 +1,13 @@
 #include "app/gui/recording_opener.h"
 
-#include <variant>
-
 namespace handmap {
 
 namespace {
 
-using Opened = std::shared_ptr<const Recording>;
-using Answer = std::variant<Opened, RunFailure>;
-
-Answer opening(const std::filesystem::path& folder, const std::stop_token& stop) {
+template <typename Answer>
+Answer answerOf(const std::function<Answer()>& open) {
   try {
-    return std::make_shared<const Recording>(openRecording(folder, stop));
+    return open();
   } catch (const Error& error) {
     return failureOf(error);
   } catch (const std::exception& error) {
@@ -35,19 +31,31 @@ void RecordingOpener::forget() {
   stop_ = {};
 }
 
-void RecordingOpener::open(const QString& folder) {
-  forget();
-  startInBackground([self = self_, request = request_, stop = stop_.get_token(),
-                     path = std::filesystem::path(folder.toStdString())] {
-    self->post([request, answer = opening(path, stop)](RecordingOpener& opener) {
+void RecordingOpener::begin(std::function<Answer()> open) {
+  startInBackground([self = self_, request = request_, open = std::move(open)] {
+    self->post([request, answer = answerOf(open)](RecordingOpener& opener) {
       if (request != opener.request_) return;
-      if (const Opened* recording = std::get_if<Opened>(&answer)) {
-        Q_EMIT opener.opened(*recording);
+      if (const auto* opened = std::get_if<Opened>(&answer)) {
+        Q_EMIT opener.opened(opened->recording, opened->acts);
+      } else if (const auto* poses = std::get_if<Poses>(&answer)) {
+        Q_EMIT opener.posesOpened(*poses);
       } else {
         Q_EMIT opener.failed(std::get<RunFailure>(answer));
       }
     });
   });
+}
+
+void RecordingOpener::open(const QString& folder) {
+  forget();
+  begin([stop = stop_.get_token(), path = std::filesystem::path(folder.toStdString())]() -> Answer {
+    return Opened{std::make_shared<const Recording>(openRecording(path, stop)), readActs(path)};
+  });
+}
+
+void RecordingOpener::openPoses(const QString& tum_file) {
+  forget();
+  begin([path = tum_file.toStdString()]() -> Answer { return readTum(path).poses(); });
 }
 
 }  // namespace handmap

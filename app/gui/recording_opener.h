@@ -1,10 +1,13 @@
-// Opens recordings in threads of their own: a big one takes its time.
+// Opens recordings, and files of poses, in threads of their own: a big one takes its time.
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
 #include <stop_token>
+#include <variant>
 
+#include "core/recording/acts.h"
 #include "core/recording/recording.h"
 #include "widgets/background/background.h"
 #include "widgets/run/run_worker.h"
@@ -20,13 +23,26 @@ class RecordingOpener : public QObject {
 
   /// What was asked for before is forgotten, and ends.
   void open(const QString& folder);
+  void openPoses(const QString& tum_file);
   void forget();
 
  Q_SIGNALS:
-  void opened(const std::shared_ptr<const handmap::Recording>& recording);
+  /// With what a person said while it was made.
+  void opened(const std::shared_ptr<const handmap::Recording>& recording,
+              const std::vector<handmap::Act>& acts);
+  void posesOpened(const std::vector<handmap::StampedPose>& poses);
   void failed(const handmap::RunFailure& failure);
 
  private:
+  struct Opened {
+    std::shared_ptr<const Recording> recording;
+    std::vector<Act> acts;
+  };
+  using Poses = std::vector<StampedPose>;
+  using Answer = std::variant<Opened, Poses, RunFailure>;
+
+  void begin(std::function<Answer()> open);
+
   int request_ = 0;                                  ///< an answer to another one is dropped
   std::stop_source stop_;                            ///< of the latest
   std::shared_ptr<Lifeline<RecordingOpener>> self_;  ///< shared with the threads

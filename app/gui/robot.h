@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/recording/acts.h"
 #include "core/recording/recording.h"
 #include "core/rendering/rendered_recording.h"
 #include "core/simulation/world.h"
@@ -22,6 +23,8 @@ struct Robot {
   QString opening;  ///< what it does before the first observation, where that takes long
   /// It has no end: a run with it ends when the person ends the drive. nullptr for all others.
   std::shared_ptr<LiveLink> live = {};
+  /// What a person said while it was recorded: a run does it again.
+  std::vector<Act> acts = {};
   /// Called in the thread of the run. The options are those of recordings. Tells the share done of
   /// opening. nullptr when the stop was requested before it was done.
   std::function<std::unique_ptr<ObservationSource>(const ReplayOptions&, const std::stop_token&,
