@@ -1,10 +1,12 @@
 #include "widgets/run/camera_panel.h"
 
 #include <QPainter>
+#include <cmath>
 
 #include <opencv2/imgproc.hpp>
 
 #include "core/classification/overlay.h"
+#include "widgets/style/colours.h"
 
 namespace handmap {
 
@@ -51,6 +53,13 @@ void CameraPanel::setSnapshot(std::shared_ptr<const Snapshot> snapshot) {
   update();
 }
 
+void CameraPanel::setWitnesses(const std::vector<cv::Rect>& windows) {
+  if (windows == witnesses_) return;
+  witnesses_ = windows;
+  setAccessibleName(snapshot_ ? tr("Camera: %1").arg(caption()) : tr("Camera"));
+  update();
+}
+
 QString CameraPanel::caption() const {
   if (!snapshot_) return {};
   QString text =
@@ -60,10 +69,31 @@ QString CameraPanel::caption() const {
                .arg(snapshot_->pictured)
                .arg(snapshot_->report.frame);
   }
+  const Panning& panning = snapshot_->panning;
+  if (panning.views > 1 || panning.pan != 0.0) {
+    text += tr(" · looks %1° (%2 of %3)")
+                .arg(std::lround(toDegrees(panning.pan)))
+                .arg(panning.view)
+                .arg(panning.views);
+  }
+  if (!witnesses_.empty()) {
+    text += tr(" · %n window(s) placed the wall", nullptr, static_cast<int>(witnesses_.size()));
+  }
   const cv::Mat1f& windows = snapshot_->buildings;
   if (windows.empty()) return text;
   const int buildings = cv::countNonZero(windows > kJudgedBuilding);
   return text + tr(" · %1 % building").arg(100 * buildings / static_cast<int>(windows.total()));
+}
+
+void CameraPanel::paintWitnesses(QPainter& painter, const QRect& area) const {
+  const double scale = static_cast<double>(area.width()) / image_.width();
+  const Colours& colours = Colours::of(palette());
+  painter.setPen(QPen(colours[Role::Selection], 1.5));
+  painter.setBrush(colours.brush(Role::Selection));
+  for (const cv::Rect& window : witnesses_) {
+    painter.drawRect(QRectF(area.x() + scale * window.x, area.y() + scale * window.y,
+                            scale * window.width, scale * window.height));
+  }
 }
 
 void CameraPanel::paintEvent(QPaintEvent*) {
@@ -84,10 +114,13 @@ void CameraPanel::paintEvent(QPaintEvent*) {
                    fontMetrics().elidedText(caption(), Qt::ElideRight, width() - 2 * kGap));
   const QSize half(width(), (height() - line - kGap) / 2);
   int top = line;
-  for (const QImage& image : {image_, disparity_}) {
+  for (const QImage* shown : {&image_, &disparity_}) {
+    const QImage& image = *shown;
     if (image.isNull()) continue;
     const QSize size = image.size().scaled(half, Qt::KeepAspectRatio);
-    painter.drawImage(QRect(QPoint((width() - size.width()) / 2, top), size), image);
+    const QRect area(QPoint((width() - size.width()) / 2, top), size);
+    painter.drawImage(area, image);
+    if (&image == &image_) paintWitnesses(painter, area);
     top += size.height() + kGap;
   }
 }

@@ -22,6 +22,9 @@ class CameraPanel : public QWidget {
 
   /// nullptr shows that there is nothing yet.
   void setSnapshot(std::shared_ptr<const Snapshot> snapshot);
+  const Snapshot* snapshot() const { return snapshot_.get(); }
+  /// Pixels of the left image that placed the wall that is asked about.
+  void setWitnesses(const std::vector<cv::Rect>& windows);
   /// Which frame it is, when, and how much of the image is judged to be buildings.
   QString caption() const;
 
@@ -31,8 +34,11 @@ class CameraPanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintWitnesses(QPainter& painter, const QRect& area) const;
+
   std::shared_ptr<const Snapshot> snapshot_;
   std::shared_ptr<const Snapshot> converted_;  ///< what the images are of: made when painted
+  std::vector<cv::Rect> witnesses_;
   QImage image_;
   QImage disparity_;
 };

@@ -56,6 +56,7 @@ ChartsPanel::ChartsPanel(QWidget* parent) : QWidget(parent) {
   time_plot_ = addPlot(tr("Time per observation (ms)"));
   budget_table_ = new BudgetTable;
   inner->layout()->addWidget(budget_table_);
+  likelihood_plot_ = addPlot(tr("Log likelihood of what was seen (nats)"));
   size_plot_ = addPlot(tr("Effective sample size (particles)"));
   addSeries();
   soon_.setSingleShot(true);
@@ -89,6 +90,7 @@ void ChartsPanel::addSeries() {
   pose_error_line_ = pose_plot_->addLine();
   for (QLineSeries*& line : change_lines_) line = change_plot_->addLine();
   map_error_line_ = error_plot_->addLine();
+  likelihood_line_ = likelihood_plot_->addLine();
   size_line_ = size_plot_->addLine();
   QLineSeries* below = nullptr;
   for (std::size_t i = 0; i < kStages.size(); ++i) {
@@ -132,7 +134,8 @@ void ChartsPanel::addSnapshot(const Snapshot& snapshot) {
 }
 
 void ChartsPanel::setCursor(std::optional<double> time_s) {
-  for (Plot* plot : {pose_plot_, change_plot_, error_plot_, time_plot_, size_plot_}) {
+  for (Plot* plot :
+       {pose_plot_, change_plot_, error_plot_, time_plot_, likelihood_plot_, size_plot_}) {
     plot->setCursor(time_s);
   }
 }
@@ -165,10 +168,13 @@ void ChartsPanel::redrawReports() {
   QList<QPointF> spreads;
   QList<QPointF> errors;
   QList<QPointF> sizes;
+  QList<QPointF> likelihoods;
   std::array<QList<QPointF>, kStages.size()> sums;
   double greatest_m = 0.0;
   double greatest_size = 0.0;
   double greatest_ms = 0.0;
+  double least_nats = 0.0;
+  double greatest_nats = 0.0;
   for (const ReportSeries::Point& point : series_.points()) {
     spreads.append({point.time_s, point.spread_m});
     sizes.append({point.time_s, point.effective_sample_size});
@@ -177,6 +183,11 @@ void ChartsPanel::redrawReports() {
     if (!std::isnan(point.error_m)) {
       errors.append({point.time_s, point.error_m});
       greatest_m = std::max(greatest_m, point.error_m);
+    }
+    if (!std::isnan(point.log_likelihood)) {
+      likelihoods.append({point.time_s, point.log_likelihood});
+      least_nats = std::min(least_nats, point.log_likelihood);
+      greatest_nats = std::max(greatest_nats, point.log_likelihood);
     }
     double sum_ms = 0.0;
     for (std::size_t i = 0; i < kStages.size(); ++i) {
@@ -188,12 +199,15 @@ void ChartsPanel::redrawReports() {
   spread_line_->replace(spreads);
   pose_error_line_->replace(errors);
   size_line_->replace(sizes);
+  likelihood_line_->replace(likelihoods);
+  likelihood_plot_->setVisible(!likelihoods.isEmpty());
   for (std::size_t i = 0; i < kStages.size(); ++i) tops_[i]->replace(sums[i]);
   const double first = spreads.isEmpty() ? 0.0 : spreads.front().x();
   const double last = spreads.isEmpty() ? 1.0 : spreads.back().x();
   pose_plot_->setRanges(first, last, greatest_m);
   size_plot_->setRanges(first, last, greatest_size);
   time_plot_->setRanges(first, last, greatest_ms);
+  likelihood_plot_->setRanges(first, last, greatest_nats, least_nats);
   const Colours& colours = Colours::of(palette());
   QString legend = inColour(colours[Role::Trajectory], tr("━ 1 σ as stated"));
   if (!errors.isEmpty()) {
@@ -240,13 +254,15 @@ void ChartsPanel::redrawChanges() {
 
 void ChartsPanel::applyPalette() {
   const Colours& colours = Colours::of(palette());
-  for (Plot* plot : {pose_plot_, change_plot_, error_plot_, time_plot_, size_plot_}) {
+  for (Plot* plot :
+       {pose_plot_, change_plot_, error_plot_, time_plot_, likelihood_plot_, size_plot_}) {
     plot->applyPalette();
   }
   spread_line_->setPen(QPen(colours[Role::Trajectory], 1.5));
   pose_error_line_->setPen(QPen(colours[Role::Truth], 1.5, Qt::DashLine));
   map_error_line_->setPen(QPen(colours[Role::Truth], 1.5, Qt::DashLine));
   size_line_->setPen(QPen(colours.particle(1.0), 1.5));
+  likelihood_line_->setPen(QPen(colours[Role::LocalMap], 1.5));
   for (std::size_t line = 0; line < kMostBuildings; ++line) {
     change_lines_[line]->setPen(changePen(line, colours));
   }

@@ -70,10 +70,12 @@ class ChartsPanel : public QWidget {
   Plot* change_plot_;
   Plot* error_plot_;
   Plot* time_plot_;
+  Plot* likelihood_plot_;
   Plot* size_plot_;
   QLineSeries* spread_line_;
   QLineSeries* pose_error_line_;
   QLineSeries* map_error_line_;
+  QLineSeries* likelihood_line_;
   QLineSeries* size_line_;
   QLabel* pose_legend_;
   QLabel* change_legend_;

@@ -6,9 +6,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QSettings>
 #include <QSlider>
 
 #include "widgets/run/corrected_map_item.h"
+#include "widgets/run/seen_item.h"
 
 namespace handmap {
 
@@ -53,6 +55,25 @@ void paintSample(QPainter& painter, const LayerSpec& spec, const Colours& colour
         painter.drawLine(QPointF(area.left(), area.center().y()),
                          QPointF(area.right(), area.top() + y * area.height()));
       }
+      return;
+    case Layer::Points:
+      painter.setPen(QPen(colours[role], 2.5, Qt::SolidLine, Qt::RoundCap));
+      for (const double x : {0.15, 0.4, 0.6, 0.85}) {
+        painter.drawPoint(QPointF(area.left() + x * area.width(), area.center().y()));
+      }
+      return;
+    case Layer::SeenWalls:
+      painter.setPen(QPen(colours[Role::Corrected], 1.6));
+      painter.drawLine(QPointF(area.left(), area.center().y()),
+                       QPointF(area.right(), area.center().y()));
+      painter.setPen(SeenItem::wallPen(colours));
+      painter.drawLine(QPointF(area.left() + 8.0, area.center().y()),
+                       QPointF(area.right() - 8.0, area.center().y()));
+      return;
+    case Layer::Sight:
+      painter.setPen(SeenItem::rangePen(colours));
+      painter.setBrush(SeenItem::sightBrush(colours));
+      painter.drawEllipse(area.adjusted(5.0, 0.0, -5.0, 0.0));
       return;
     case Layer::Particles:
       painter.setPen(QPen(colours.particle(1.0), 4.0, Qt::SolidLine, Qt::RoundCap));
@@ -125,6 +146,30 @@ void LayersPanel::setOn(Layer layer, bool on) { box(layer)->setChecked(on); }
 void LayersPanel::setAvailable(Layer layer, bool available) {
   box(layer)->setEnabled(available);
   if (QSlider* slider = sliders_[static_cast<std::size_t>(layer)]) slider->setEnabled(available);
+}
+
+namespace {
+
+QString keyOf(const LayerSpec& spec, const char* what) {
+  return QStringLiteral("layers/%1/%2").arg(QLatin1String(spec.id), QLatin1String(what));
+}
+
+}  // namespace
+
+void LayersPanel::save(QSettings& settings) const {
+  for (const LayerSpec& spec : kLayers) {
+    settings.setValue(keyOf(spec, "shown"), isOn(spec.layer));
+    const QSlider* slider = sliders_[static_cast<std::size_t>(spec.layer)];
+    if (slider) settings.setValue(keyOf(spec, "percent"), slider->value());
+  }
+}
+
+void LayersPanel::restore(const QSettings& settings) {
+  for (const LayerSpec& spec : kLayers) {
+    setOn(spec.layer, settings.value(keyOf(spec, "shown"), true).toBool());
+    QSlider* slider = sliders_[static_cast<std::size_t>(spec.layer)];
+    if (slider) slider->setValue(settings.value(keyOf(spec, "percent"), 100).toInt());
+  }
 }
 
 void LayersPanel::paintSamples() {

@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QLabel;
+class QSettings;
 class QSlider;
 
 namespace handmap {
@@ -22,6 +23,9 @@ class LayersPanel : public QWidget {
   void setOn(Layer layer, bool on);
   /// Greyed out where there is nothing of this layer to show.
   void setAvailable(Layer layer, bool available);
+  /// What is shown, and how strongly.
+  void save(QSettings& settings) const;
+  void restore(const QSettings& settings);
 
  Q_SIGNALS:
   void toggled(handmap::Layer layer, bool on);

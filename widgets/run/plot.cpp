@@ -72,9 +72,9 @@ QLineSeries* Plot::addLine() {
   return line;
 }
 
-void Plot::setRanges(double first_s, double last_s, double greatest) {
+void Plot::setRanges(double first_s, double last_s, double greatest, double least) {
   times_->setRange(first_s, std::max(last_s, first_s + 1.0));
-  values_->setRange(0.0, niceTop(greatest));
+  values_->setRange(least < 0.0 ? -niceTop(-least) : 0.0, niceTop(greatest));
 }
 
 void Plot::setCursor(std::optional<double> time_s) {

@@ -23,8 +23,8 @@ class Plot : public QChartView {
   /// With both axes; goes with the plot.
   QLineSeries* addLine();
   void add(QAbstractSeries* series);
-  /// From 0 to a round number above `greatest`.
-  void setRanges(double first_s, double last_s, double greatest);
+  /// From 0, or a round number below `least`, to one above `greatest`.
+  void setRanges(double first_s, double last_s, double greatest, double least = 0.0);
   void setTitle(const QString& title);
   void setCursor(std::optional<double> time_s);
   void applyPalette();

@@ -10,8 +10,8 @@ namespace {
 
 using Point = ReportSeries::Point;
 
-constexpr std::array kValues = {&Point::frame, &Point::time_s, &Point::effective_sample_size,
-                                &Point::spread_m, &Point::error_m};
+constexpr std::array kValues = {&Point::frame,    &Point::time_s,  &Point::effective_sample_size,
+                                &Point::spread_m, &Point::error_m, &Point::log_likelihood};
 constexpr std::array kTimes = {&StageTimes::read,      &StageTimes::stereo, &StageTimes::classify,
                                &StageTimes::local_map, &StageTimes::slam,   &StageTimes::total};
 
@@ -33,6 +33,7 @@ Point pointOf(const FrameReport& report, std::optional<double> error_m) {
           report.effective_sample_size,
           std::hypot(report.pose_sigma[0], report.pose_sigma[1]),
           error_m.value_or(std::numeric_limits<double>::quiet_NaN()),
+          report.log_likelihood.value_or(std::numeric_limits<double>::quiet_NaN()),
           report.ms};
 }
 

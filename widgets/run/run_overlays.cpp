@@ -8,16 +8,19 @@
 #include "widgets/run/local_map_item.h"
 #include "widgets/run/particles_item.h"
 #include "widgets/run/path_item.h"
+#include "widgets/run/phase_item.h"
 #include "widgets/run/pose_spread_item.h"
 #include "widgets/run/rays_item.h"
 #include "widgets/run/robot_item.h"
 #include "widgets/run/scene_points.h"
+#include "widgets/run/seen_item.h"
 #include "widgets/run/swarms_item.h"
 
 namespace handmap {
 
 RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
     : QObject(parent),
+      sight_(std::make_unique<SeenItem>(SeenItem::Part::Sight)),
       local_map_(std::make_unique<LocalMapItem>()),
       swarms_(std::make_unique<SwarmsItem>()),
       bands_(std::make_unique<BandsItem>()),
@@ -25,17 +28,21 @@ RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
       truth_(std::make_unique<PathItem>(Role::Truth)),
       odometry_(std::make_unique<PathItem>(Role::Odometry)),
       trajectory_(std::make_unique<PathItem>(Role::Trajectory)),
+      points_(std::make_unique<SeenItem>(SeenItem::Part::Points)),
+      seen_walls_(std::make_unique<SeenItem>(SeenItem::Part::Walls)),
       rays_(std::make_unique<RaysItem>()),
       particles_(std::make_unique<ParticlesItem>()),
       pose_spread_(std::make_unique<PoseSpreadItem>()),
       true_robot_(std::make_unique<RobotItem>(Role::Truth)),
       robot_(std::make_unique<RobotItem>(Role::Trajectory)),
-      changes_(std::make_unique<ChangesItem>()) {
+      changes_(std::make_unique<ChangesItem>()),
+      phase_(std::make_unique<PhaseItem>()) {
   visible_.fill(true);
   for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{
-           local_map_.get(), swarms_.get(), bands_.get(), corrected_.get(), truth_.get(),
-           odometry_.get(), trajectory_.get(), rays_.get(), particles_.get(), pose_spread_.get(),
-           true_robot_.get(), robot_.get(), changes_.get()}) {
+           sight_.get(), local_map_.get(), swarms_.get(), bands_.get(), corrected_.get(),
+           truth_.get(), odometry_.get(), trajectory_.get(), points_.get(), seen_walls_.get(),
+           rays_.get(), particles_.get(), pose_spread_.get(), true_robot_.get(), robot_.get(),
+           changes_.get(), phase_.get()}) {
     item->setZValue(z);
     item->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(item);
@@ -47,6 +54,9 @@ RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
 RunOverlays::~RunOverlays() = default;
 
 void RunOverlays::setColours(const Colours& colours) {
+  for (SeenItem* item : {sight_.get(), points_.get(), seen_walls_.get()}) {
+    item->setColours(colours);
+  }
   local_map_->setColours(colours);
   swarms_->setColours(colours);
   bands_->setColours(colours);
@@ -60,6 +70,7 @@ void RunOverlays::setColours(const Colours& colours) {
   true_robot_->setColours(colours);
   robot_->setColours(colours);
   changes_->setColours(colours);
+  phase_->setColours(colours);
 }
 
 std::vector<QGraphicsItem*> RunOverlays::itemsOf(Layer layer) const {
@@ -84,6 +95,12 @@ std::vector<QGraphicsItem*> RunOverlays::itemsOf(Layer layer) const {
       return {trajectory_.get(), robot_.get()};
     case Layer::Odometry:
       return {odometry_.get()};
+    case Layer::Points:
+      return {points_.get()};
+    case Layer::SeenWalls:
+      return {seen_walls_.get()};
+    case Layer::Sight:
+      return {sight_.get()};
     case Layer::Truth:
       return {truth_.get(), true_robot_.get()};
     default:
@@ -95,6 +112,7 @@ void RunOverlays::setLayerVisible(Layer layer, bool visible) {
   visible_[static_cast<std::size_t>(layer)] = visible;
   updateVisibility();
   if (layer == Layer::Corrected) tellOutlines();
+  if (layer == Layer::SeenWalls && visible) showSeen();
 }
 
 void RunOverlays::setLayerOpacity(Layer layer, double share) {
@@ -130,6 +148,17 @@ void RunOverlays::setTruthMap(const Map& truth) {
 }
 
 void RunOverlays::show(const Snapshot& snapshot) {
+  phase_->setPhase(nullptr);
+  display(snapshot);
+  Q_EMIT shown(snapshot);
+}
+
+void RunOverlays::showPhase(const Phase& phase) {
+  phase_->setPhase(&phase);
+  display(phase.shown);
+}
+
+void RunOverlays::display(const Snapshot& snapshot) {
   has_snapshot_ = true;
   has_true_pose_ = snapshot.truth.has_value();
   local_map_->setLocalMap(snapshot.local_map, snapshot.report.pose);
@@ -142,8 +171,20 @@ void RunOverlays::show(const Snapshot& snapshot) {
   pose_spread_->setReport(snapshot.report);
   robot_->setPose(snapshot.report.pose);
   if (snapshot.truth) true_robot_->setPose(*snapshot.truth);
+  seen_ = snapshot.seen.lock();
+  seen_from_ = snapshot.report.pose;
+  if (snapshot.local_map) seen_range_m_ = snapshot.local_map.range();
+  showSeen();
   updateVisibility();
-  Q_EMIT shown(snapshot);
+}
+
+void RunOverlays::showSeen() {
+  points_->setSeen(seen_, seen_from_, seen_range_m_);
+  sight_->setSeen(seen_, seen_from_, seen_range_m_);
+  if (!isOn(Layer::SeenWalls)) return;
+  const bool known = seen_ && shown_map_;
+  seen_walls_->setWalls(known ? seenWalls(*shown_map_, seen_from_, seen_->percept.scan)
+                              : std::vector<SeenWall>());
 }
 
 void RunOverlays::showMap(const Map& map) {
@@ -180,6 +221,9 @@ void RunOverlays::clear() {
   truth_->setPoses({});
   truth_->setBuildings({});
   local_map_->setLocalMap({}, {});
+  seen_.reset();
+  showSeen();
+  phase_->setPhase(nullptr);
   changes_->clear();
   showStory(nullptr, {});
   tellOutlines();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/session/phase.h"
 #include "core/session/snapshot.h"
 #include "core/session/wall_story.h"
 #include "widgets/run/layers.h"
@@ -23,9 +24,11 @@ class CorrectedMapItem;
 class LocalMapItem;
 class ParticlesItem;
 class PathItem;
+class PhaseItem;
 class PoseSpreadItem;
 class RaysItem;
 class RobotItem;
+class SeenItem;
 class SwarmsItem;
 
 class RunOverlays : public QObject {
@@ -53,6 +56,8 @@ class RunOverlays : public QObject {
   const std::optional<Map>& truthMap() const { return truth_map_; }
   /// Snapshots may come in any order.
   void show(const Snapshot& snapshot);
+  /// In the middle of an observation; until the next show().
+  void showPhase(const Phase& phase);
   void clear();
   /// nullptr: none.
   void showStory(const WallStory* story, std::optional<std::size_t> chosen_witness);
@@ -71,12 +76,15 @@ class RunOverlays : public QObject {
   void outlinesChanged(const QHash<QString, QPolygonF>& outlines);
 
  private:
+  void display(const Snapshot& snapshot);
   void showMap(const Map& map);
+  void showSeen();
   void tellOutlines();
   void updateVisibility();
   bool isOn(Layer layer) const { return visible_[static_cast<std::size_t>(layer)]; }
   std::vector<QGraphicsItem*> itemsOf(Layer layer) const;
 
+  std::unique_ptr<SeenItem> sight_;
   std::unique_ptr<LocalMapItem> local_map_;
   std::unique_ptr<SwarmsItem> swarms_;
   std::unique_ptr<BandsItem> bands_;
@@ -84,17 +92,23 @@ class RunOverlays : public QObject {
   std::unique_ptr<PathItem> truth_;
   std::unique_ptr<PathItem> odometry_;
   std::unique_ptr<PathItem> trajectory_;
+  std::unique_ptr<SeenItem> points_;
+  std::unique_ptr<SeenItem> seen_walls_;
   std::unique_ptr<RaysItem> rays_;
   std::unique_ptr<ParticlesItem> particles_;
   std::unique_ptr<PoseSpreadItem> pose_spread_;
   std::unique_ptr<RobotItem> true_robot_;
   std::unique_ptr<RobotItem> robot_;
   std::unique_ptr<ChangesItem> changes_;
+  std::unique_ptr<PhaseItem> phase_;
   std::array<bool, static_cast<std::size_t>(Layer::Count)> visible_;
   Map drawing_;
   std::optional<Map> truth_map_;
   std::optional<Map> shown_map_;
   std::vector<StampedPose> shown_way_;
+  std::shared_ptr<const Perceived> seen_;  ///< nullptr: not known, or no longer
+  Pose2 seen_from_;
+  double seen_range_m_ = 0.0;
   bool has_snapshot_ = false;
   bool has_true_pose_ = false;
   bool has_story_ = false;

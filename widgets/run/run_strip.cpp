@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "widgets/run/words.h"
 
@@ -31,7 +32,11 @@ QString signOf(Certainty certainty) {
 }  // namespace
 
 RunStrip::RunStrip(QWidget& over)
-    : QFrame(&over), certainty_(new QLabel), place_(new QLabel), follow_(new QToolButton) {
+    : QFrame(&over),
+      certainty_(new QLabel),
+      place_(new QLabel),
+      follow_(new QToolButton),
+      phase_(new QLabel) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   certainty_->setToolTip(tr("How far the shown pose is off at most, nine times of ten"));
@@ -39,14 +44,21 @@ RunStrip::RunStrip(QWidget& over)
   follow_->setAutoRaise(true);
   follow_->setToolTip(tr("Whether the view follows the robot: off, follow, follow and turn"));
   follow_->setFocusPolicy(Qt::TabFocus);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 2, 4, 2);
-  layout->setSizeConstraint(QLayout::SetNoConstraint);  // on a narrow canvas it is cut off
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(8, 2, 4, 2);
+  rows->setSpacing(0);
+  rows->setSizeConstraint(QLayout::SetNoConstraint);  // on a narrow canvas it is cut off
+  auto* layout = new QHBoxLayout;
+  rows->addLayout(layout);
   layout->addWidget(certainty_);
   layout->addWidget(place_);
   layout->addWidget(follow_);
+  phase_->setWordWrap(true);
+  phase_->setContentsMargins(0, 0, 8, 3);
+  rows->addWidget(phase_);
   connect(follow_, &QToolButton::clicked, this, &RunStrip::followRequested);
   over.installEventFilter(this);
+  phase_->hide();
   setMode(FollowRobot::Mode::Off);
   applyPalette();
   showNothing();
@@ -64,13 +76,25 @@ void RunStrip::show(const FrameReport& report, const Map& map) {
   place();
 }
 
+void RunStrip::showPhase(const QString& text) {
+  if (phase_->text() == text) return;
+  phase_->setText(text);
+  phase_->setVisible(!text.isEmpty());
+  setAccessibleName(words());
+  place();
+}
+
 void RunStrip::showNothing() {
   certainty_->clear();
   place_->clear();
+  showPhase({});
   hide();
 }
 
-QString RunStrip::words() const { return certainty_->text() + QLatin1Char(' ') + place_->text(); }
+QString RunStrip::words() const {
+  const QString line = certainty_->text() + QLatin1Char(' ') + place_->text();
+  return phase_->text().isEmpty() ? line : line + QLatin1Char('\n') + phase_->text();
+}
 
 void RunStrip::setMode(FollowRobot::Mode mode) {
   switch (mode) {

@@ -20,6 +20,8 @@ class RunStrip : public QFrame {
 
   /// `map`: as it is shown; to say what the robot is beside.
   void show(const FrameReport& report, const Map& map);
+  /// What an observation has come to in between, below; empty: nothing.
+  void showPhase(const QString& text);
   void showNothing();
   void setMode(FollowRobot::Mode mode);
   QString words() const;
@@ -38,6 +40,7 @@ class RunStrip : public QFrame {
   QLabel* certainty_;
   QLabel* place_;
   QToolButton* follow_;
+  QLabel* phase_;
 };
 
 }  // namespace handmap

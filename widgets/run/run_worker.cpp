@@ -21,7 +21,7 @@ RunFailure failureOf(const Error& error) {
 /// What the thread of the run owns.
 class RunWorker::Thread {
  public:
-  enum class Command { Run, Pause, Step };
+  enum class Command { Run, Pause, Step, StepPhases };
 
   Thread(RunJob job, RunWorker& worker)
       : job_(std::move(job)), worker_(worker), until_(job_.until) {}
@@ -35,6 +35,7 @@ class RunWorker::Thread {
  private:
   bool run(const std::stop_token& stop);
   bool mayGoOn(const std::stop_token& stop);
+  bool isTracing() const;
   void tellProgress(double share);
   void stepDone(std::shared_ptr<const Snapshot> snapshot);
   void addWarnings(const RunSession& session);
@@ -66,6 +67,11 @@ void RunWorker::Thread::give(Command command, int until) {
 std::shared_ptr<const RunResult> RunWorker::Thread::result() const {
   const std::scoped_lock lock(mutex_);
   return result_;
+}
+
+bool RunWorker::Thread::isTracing() const {
+  const std::scoped_lock lock(mutex_);
+  return command_ == Command::StepPhases;
 }
 
 // A step calls this from several threads. What is said is queued, so saying it under the mutex
@@ -101,7 +107,9 @@ void RunWorker::Thread::stepDone(std::shared_ptr<const Snapshot> snapshot) {
     result_ = std::move(result);
     const bool arrived = until_ > 0 && snapshot->index >= until_;
     if (arrived) until_ = 0;
-    if (command_ == Command::Step || (arrived && command_ == Command::Run)) {
+    const bool stepped =
+        command_ == Command::Step || (command_ == Command::StepPhases && result_->last->phases);
+    if (stepped || (arrived && command_ == Command::Run)) {
       command_ = Command::Pause;
     }
   }
@@ -135,6 +143,7 @@ bool RunWorker::Thread::run(const std::stop_token& stop) {
     if (mayGoOn(stop)) tellProgress(share);
   };
   while (mayGoOn(stop)) {
+    session.setTracing(isTracing());
     auto snapshot = session.step(stop, progress);
     reportSkipped(session);
     if (!snapshot) {
@@ -196,6 +205,7 @@ std::shared_ptr<const RunResult> RunWorker::result() const { return thread_->res
 void RunWorker::pause() { thread_->give(Thread::Command::Pause); }
 void RunWorker::resume() { thread_->give(Thread::Command::Run); }
 void RunWorker::step() { thread_->give(Thread::Command::Step); }
+void RunWorker::stepPhases() { thread_->give(Thread::Command::StepPhases); }
 void RunWorker::runUntil(int index) { thread_->give(Thread::Command::Run, index); }
 
 void RunWorker::cancel() {

@@ -67,6 +67,8 @@ class RunWorker : public QObject {
   void resume();
   /// Works on until the end of the next step, then pauses.
   void step();
+  /// The same; its snapshot tells the phases of the step.
+  void stepPhases();
   /// The same, until so many observations are worked in.
   void runUntil(int index);
   void cancel();

@@ -86,6 +86,11 @@ void TransportBar::setShown(int index, int count, const FrameReport& report) {
   frame_->setText(tr("%1 \u00b7 %2 s").arg(how_far).arg(report.time_s, 0, 'f', 1));
 }
 
+void TransportBar::setPhase(int index, int count, const QString& phase) {
+  const QString how_far = count > 0 ? tr("%1 / %2").arg(index).arg(count) : tr("%1").arg(index);
+  frame_->setText(tr("%1 \u00b7 %2").arg(how_far, phase));
+}
+
 void TransportBar::setSpeedEnabled(bool enabled) { speed_->setEnabled(enabled); }
 
 void TransportBar::setShareOfStep(double share) {

@@ -31,6 +31,8 @@ class TransportBar : public QWidget {
   void setExtent(int done, int count);
   /// What is shown: the state after so many observations.
   void setShown(int index, int count, const FrameReport& report);
+  /// The same in the middle of an observation.
+  void setPhase(int index, int count, const QString& phase);
   /// A live robot keeps to its own clock.
   void setSpeedEnabled(bool enabled);
   /// Of the observation that is worked on, or, before the first, of what opens the source.

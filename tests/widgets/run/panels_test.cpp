@@ -56,6 +56,52 @@ TEST(LayersPanel, ALayerWithNothingToShowIsGrey) {
   EXPECT_EQ(grey, 1);
 }
 
+TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {
+  const QTemporaryDir folder;
+  QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
+  const auto sliderOf = [](LayersPanel& panel, const QString& layer) {
+    for (auto* slider : panel.findChildren<QSlider*>()) {
+      if (slider->accessibleName().startsWith(layer)) return slider;
+    }
+    return static_cast<QSlider*>(nullptr);
+  };
+  {
+    LayersPanel panel;
+    panel.setOn(Layer::Points, false);
+    sliderOf(panel, "Swarms")->setValue(35);
+    panel.save(settings);
+  }
+  LayersPanel again;
+  std::map<Layer, double> heard;
+  QObject::connect(&again, &LayersPanel::opacityChanged, &again,
+                   [&heard](Layer layer, double share) { heard[layer] = share; });
+  again.restore(settings);
+  EXPECT_FALSE(again.isOn(Layer::Points));
+  EXPECT_TRUE(again.isOn(Layer::Sight));
+  EXPECT_EQ(sliderOf(again, "Swarms")->value(), 35);
+  EXPECT_DOUBLE_EQ(heard.at(Layer::Swarms), 0.35);
+  EXPECT_EQ(heard.size(), 1U);
+}
+
+TEST(CameraPanel, SaysWhichViewOfAStopItIsAndWhatPlacedTheWall) {
+  auto snapshot = std::make_shared<Snapshot>();
+  snapshot->image = cv::Mat1b::zeros(48, 64);
+  snapshot->report.frame = snapshot->pictured = 7;
+  CameraPanel panel;
+  panel.setSnapshot(snapshot);
+  EXPECT_FALSE(panel.caption().contains(QStringLiteral("looks")));
+  auto panned = std::make_shared<Snapshot>(*snapshot);
+  panned->panning = {toRadians(60.0), 6, 6};
+  panel.setSnapshot(panned);
+  EXPECT_TRUE(panel.caption().contains(QStringLiteral("looks 60° (6 of 6)")))
+      << panel.caption().toStdString();
+  panel.resize(320, 240);
+  const QImage plain = panel.grab().toImage();
+  panel.setWitnesses({cv::Rect(16, 16, 16, 16), cv::Rect(32, 16, 16, 16)});
+  EXPECT_TRUE(panel.caption().contains(QStringLiteral("2 window")));
+  EXPECT_NE(panel.grab().toImage(), plain);
+}
+
 Map mapWith(double x, double width, std::optional<Estimate> estimate) {
   Building building;
   building.id = "N1";

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
+#include "core/session/tape.h"
 #include "widgets/run/particles_item.h"
 
 namespace handmap {
@@ -124,6 +125,58 @@ TEST_F(RunOverlaysTest, EachLayerHasItsSwitch) {
     overlays_.setLayerVisible(layer, true);
     EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y())));
   }
+}
+
+/// The robot of fullSnapshot() looks up: rays to the lower wall of the building, which lies 10 m
+/// ahead and from x = 30 to 50, and a point of its own to the left.
+std::shared_ptr<const Perceived> seenFrom(const Pose2& robot) {
+  auto seen = std::make_shared<Perceived>();
+  for (double x = 40.0; x >= 32.0; x -= 0.5) {
+    const Vec2 end = robot.toOwn({x, 40.0});
+    Ray ray;
+    ray.bearing = static_cast<float>(std::atan2(end.y(), end.x()));
+    ray.range = static_cast<float>(end.norm());
+    ray.wall = 1.0F;
+    ray.returned = true;
+    seen->percept.scan.rays.push_back(ray);
+  }
+  seen->percept.points = {{2.0F, 15.0F, 0.5F, 0.0F}};  // at (5, 32)
+  return seen;
+}
+
+TEST_F(RunOverlaysTest, WhatTheRobotSeesNowIsShownWhileItIsKept) {
+  const auto snapshot = fullSnapshot();
+  for (const LayerSpec& spec : kLayers) overlays_.setLayerVisible(spec.layer, false);
+  auto seen = seenFrom(snapshot->report.pose);
+  snapshot->seen = seen;
+  overlays_.show(*snapshot);
+  const std::vector<std::pair<Layer, QPointF>> places = {
+      {Layer::Points, {5.0, 32.0}},
+      {Layer::SeenWalls, {36.0, 40.0}},
+      {Layer::Sight, {20.0, 50.0}},  // 20 m ahead: its limit
+  };
+  for (const auto& [layer, at] : places) {
+    EXPECT_TRUE(isBlank(darkestNear(picture(), at.x(), at.y())));
+    overlays_.setLayerVisible(layer, true);
+    EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y()))) << static_cast<int>(layer);
+    overlays_.setLayerVisible(layer, false);
+  }
+  overlays_.setLayerVisible(Layer::SeenWalls, true);
+  EXPECT_TRUE(isBlank(darkestNear(picture(), 46.0, 40.0))) << "a part that no ray met";
+  seen.reset();
+  overlays_.show(*snapshot);
+  EXPECT_TRUE(isBlank(darkestNear(picture(), 36.0, 40.0)));
+}
+
+TEST_F(RunOverlaysTest, APhaseIsShownUntilTheNextSnapshot) {
+  Phase phase;
+  phase.shown = *fullSnapshot();
+  phase.walls = {{{52.0, 5.0}, {58.0, 5.0}}};
+  overlays_.showPhase(phase);
+  EXPECT_FALSE(isBlank(darkestNear(picture(), 55.0, 5.0)));
+  EXPECT_FALSE(isBlank(darkestNear(picture(), 7.0, 20.0))) << "and all else";
+  overlays_.show(*fullSnapshot());
+  EXPECT_TRUE(isBlank(darkestNear(picture(), 55.0, 5.0)));
 }
 
 TEST_F(RunOverlaysTest, OutlinesAndBandsAreSwitchedApart) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/map_io.h"
+#include "core/session/phase.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/background/background.h"
 
@@ -140,6 +141,23 @@ TEST(RunWorker, StepsOneByOne) {
   EXPECT_EQ(heard.events().mid(3), (QStringList{"resumed", "#2", "paused"}));
   heard.worker().resume();
   ASSERT_TRUE(heard.wait("finished"));
+}
+
+TEST(RunWorker, AStepTellsItsPhasesWhereThatIsWanted) {
+  Heard heard(jobOf(3, 10));
+  heard.worker().stepPhases();
+  heard.worker().start();
+  ASSERT_TRUE(heard.wait("paused"));
+  const auto first = heard.worker().result()->last;
+  ASSERT_TRUE(first->phases);
+  EXPECT_GE(first->phases->size(), 5U);
+  EXPECT_EQ(heard.worker().history()->at(1)->phases, first->phases);
+  heard.worker().step();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().contains("#2"); }, kPatienceMs));
+  EXPECT_FALSE(heard.worker().result()->last->phases);
+  heard.worker().stepPhases();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().contains("#3"); }, kPatienceMs));
+  EXPECT_TRUE(heard.worker().result()->last->phases);
 }
 
 TEST(RunWorker, PausesInTheMiddleOfAStepAndStandsStill) {
