@@ -46,6 +46,17 @@ Map sampleMap() {
 class PanelsTest : public QObject {
   Q_OBJECT
 
+ private:
+  static QModelIndex rowOf(const QAbstractItemModel& model, const QString& key) {
+    return model
+        .match(model.index(0, 0), Qt::UserRole, key, 1, Qt::MatchExactly | Qt::MatchRecursive)
+        .value(0);
+  }
+  static void choose(QTreeView& tree, const QModelIndex& row) {
+    tree.selectionModel()->select(row,
+                                  QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  }
+
  private Q_SLOTS:
   void init() {
     document_ = std::make_unique<MapDocument>();
@@ -190,58 +201,120 @@ class PanelsTest : public QObject {
     QCOMPARE(field<QLabel>("estimate").text(), "none yet");
   }
 
-  void theListSelectsBothWays() {
+  void theTreeSelectsBothWays() {
     ObjectsPanel objects(*document_);
-    auto* list = objects.findChild<QTreeView*>();
-    QCOMPARE(list->model()->rowCount(), 6);
-    list->selectionModel()->select(list->model()->index(2, 0),
-                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    auto* tree = objects.findChild<QTreeView*>();
+    const QAbstractItemModel& model = *tree->model();
+    QCOMPARE(model.rowCount(), 4);  // start, route, buildings, landmarks
+    QCOMPARE(model.index(2, 0).data().toString(), "Buildings (3)");
+    QCOMPARE(model.rowCount(model.index(2, 0)), 3);
+    QVERIFY(tree->isExpanded(model.index(2, 0)));
+    choose(*tree, rowOf(model, "A"));
     QCOMPARE(document_->selection(), QStringList{"A"});
+    choose(*tree, model.index(2, 0));  // all of a kind
+    QCOMPARE(document_->selection(), QStringList({"A", "B", "C"}));
     document_->setSelection({"B", "gate", "C"});
-    QCOMPARE(list->selectionModel()->selectedRows().size(), 3);
+    QCOMPARE(tree->selectionModel()->selectedRows().size(), 3);
     QSignalSpy shown(&objects, &ObjectsPanel::showRequested);
-    Q_EMIT list->doubleClicked(list->model()->index(5, 0));
+    Q_EMIT tree->activated(rowOf(model, "gate"));
     QCOMPARE(shown.last()[0].toString(), "gate");
+    Q_EMIT tree->activated(model.index(2, 0));  // nothing to go to
+    QCOMPARE(shown.size(), 1);
     document_->removeSelected();
-    QCOMPARE(list->model()->rowCount(), 3);
+    QCOMPARE(model.rowCount(), 3);
+    QCOMPARE(model.rowCount(model.index(2, 0)), 1);
+    document_->undoStack().undo();
+    QCOMPARE(model.rowCount(model.index(2, 0)), 3);
+  }
+
+  void theTreeStaysAsItWasOpened() {
+    ObjectsPanel objects(*document_);
+    objects.show();
+    auto* tree = objects.findChild<QTreeView*>();
+    tree->collapse(tree->model()->index(2, 0));
+    Building building = document_->map().buildings[0];
+    building.id = "D";
+    document_->addBuilding(building);
+    QVERIFY(!tree->isExpanded(tree->model()->index(2, 0)));
+    QVERIFY(tree->isExpanded(tree->model()->index(3, 0)));
+    tree->setCurrentIndex(rowOf(*tree->model(), "gate"));
+    document_->addBuilding(building);
+    QCOMPARE(tree->currentIndex().data(Qt::UserRole).toString(), "gate");
+  }
+
+  void theTreeIsGoneThroughByKeys() {
+    ObjectsPanel objects(*document_);
+    objects.show();
+    objects.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&objects));
+    auto* tree = objects.findChild<QTreeView*>();
+    tree->setFocus();
+    tree->setCurrentIndex(tree->model()->index(2, 0));
+    QTest::keyClick(tree, Qt::Key_Down);
+    QCOMPARE(document_->selection(), QStringList{"A"});
+    QSignalSpy shown(&objects, &ObjectsPanel::showRequested);
+    QTest::keyClick(tree, Qt::Key_Return);
+    QCOMPARE(shown.size(), 1);
+    const QModelIndex row = tree->currentIndex();
+    QCOMPARE(row.data(Qt::AccessibleTextRole).toString(), "Building A");
+    QCOMPARE(row.siblingAtColumn(1).data(Qt::AccessibleTextRole).toString(), "shown");
   }
 
   void findingHidesButKeepsTheSelection() {
     ObjectsPanel objects(*document_);
-    auto* list = objects.findChild<QTreeView*>();
+    auto* tree = objects.findChild<QTreeView*>();
     document_->setSelection({"A"});
     objects.findChild<QLineEdit*>()->setText("MAIN");
-    QCOMPARE(list->model()->rowCount(), 1);
+    QCOMPARE(tree->model()->rowCount(), 1);  // the node of the landmarks
+    QCOMPARE(tree->model()->rowCount(tree->model()->index(0, 0)), 1);
     QCOMPARE(document_->selection(), QStringList{"A"});
     objects.findChild<QLineEdit*>()->clear();
-    QCOMPARE(list->selectionModel()->selectedRows().size(), 1);
+    QCOMPARE(tree->selectionModel()->selectedRows().size(), 1);
   }
 
-  void objectsAreRenamedHiddenAndLockedInTheList() {
+  void objectsAreRenamedHiddenAndLockedInTheTree() {
     ObjectsPanel objects(*document_);
     objects.show();
-    auto* model = objects.findChild<QTreeView*>()->model();
-    const auto row = [&](const QString& key) {
-      for (int i = 0; i < model->rowCount(); ++i)
-        if (model->index(i, 0).data(Qt::UserRole).toString() == key) return i;
-      return -1;
+    QAbstractItemModel& model = *objects.findChild<QTreeView*>()->model();
+    const auto set = [&](const QModelIndex& row, int column, Qt::CheckState state) {
+      return model.setData(row.siblingAtColumn(column), state, Qt::CheckStateRole);
     };
-    QVERIFY(model->setData(model->index(row("A"), 0), "Library", Qt::EditRole));
+    QVERIFY(model.setData(rowOf(model, "A"), "Library", Qt::EditRole));
     QCOMPARE(building("A").name, std::string("Library"));
-    QVERIFY(model->setData(model->index(row("A"), 2), Qt::Checked, Qt::CheckStateRole));
+    QVERIFY(set(rowOf(model, "A"), 2, Qt::Checked));
     QVERIFY(building("A").fixed);
     for (const char* key : {"A", "gate", "@route"}) {
-      QVERIFY(model->setData(model->index(row(key), 1), Qt::Unchecked, Qt::CheckStateRole));
-      QCOMPARE(model->index(row(key), 1).data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+      QVERIFY(set(rowOf(model, key), 1, Qt::Unchecked));
+      QCOMPARE(rowOf(model, key).siblingAtColumn(1).data(Qt::CheckStateRole).toInt(),
+               int(Qt::Unchecked));
     }
     QVERIFY(isHidden(building("A")) && isHidden(document_->map().landmarks[0]));
     QVERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Route).hidden);
+    QVERIFY(set(model.index(2, 0), 2, Qt::Checked));  // all buildings
+    QVERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Buildings).locked);
     const std::string file = formatMap(document_->map());
     QCOMPARE(formatMap(parseMap(file, "m")), file);  // which keeps it
     QVERIFY(isHidden(parseMap(file, "m").buildings[0]));
-    QVERIFY(!(model->flags(model->index(row("@start"), 0)) & Qt::ItemIsEditable));
+    QVERIFY(!(model.flags(rowOf(model, "@start")) & Qt::ItemIsEditable));
+    QVERIFY(!(model.flags(model.index(2, 0)) & Qt::ItemIsEditable));
     document_->undoStack().setIndex(0);
     QCOMPARE(document_->map(), sampleMap());
+  }
+
+  void howSureTheStartIsCanBeSaid() {
+    document_->setSelection({kStartKey});
+    QCOMPARE(number("start_position_sigma").text(), "0 m");
+    type(number("start_position_sigma"), "2.5");
+    type(number("start_heading_sigma"), "15");
+    const auto said = startUncertaintyOf(document_->map().unknown);
+    QVERIFY(said);
+    QCOMPARE(said->position, 2.5);
+    QCOMPARE(said->heading, toRadians(15.0));
+    QCOMPARE(formatMap(parseMap(formatMap(document_->map()), "m")), formatMap(document_->map()));
+    document_->undoStack().undo();
+    QCOMPARE(startUncertaintyOf(document_->map().unknown)->heading, 0.0);
+    document_->undoStack().setIndex(0);
+    QCOMPARE(document_->map(), sampleMap());  // where nothing was said
   }
 
   void layersAreHiddenLockedAndFaded() {

@@ -17,6 +17,10 @@ constexpr std::size_t kMostEdges = 400;
 constexpr int kRings = 5;
 constexpr int kRingAlpha = 9;
 constexpr double kMarkPx = 14.0;
+constexpr double kConeReach = 2.0;  // of the start's position σ
+constexpr double kCone_m = 10.0;    // at least
+constexpr int kConeSteps = 16;
+constexpr int kStartAlpha = 18;
 
 /// Of a wall: the place of the building and half of what its size is off.
 double sigmaOfWall(const Uncertainty& uncertainty) {
@@ -44,7 +48,16 @@ void DoubtItem::rebuild() {
   any_may_not_exist_ = false;
   drawn_ = {};
   update();
-  if (stateOf(layersOf(map), DrawingLayer::Buildings).hidden) return;
+  const LayerStates layers = layersOf(map);
+  start_.reset();
+  if (map.start && !stateOf(layers, DrawingLayer::Start).hidden) {
+    start_ = startUncertaintyOf(map.unknown);
+  }
+  if (start_) {
+    const double reach = std::max(kConeReach * start_->position, kCone_m);
+    bounds_ = QRectF(map.start->x - reach, map.start->y - reach, 2.0 * reach, 2.0 * reach);
+  }
+  if (stateOf(layers, DrawingLayer::Buildings).hidden) return;
   const BoxIndex& boxes = document_.buildingIndex();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Vec2 size = boxes.box(i).high - boxes.box(i).low;
@@ -98,10 +111,48 @@ void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
   painter->setWorldTransform(to_device);
 }
 
+/// A soft circle for where it may be, and a cone for where it may look: one σ each.
+void DoubtItem::paintStart(QPainter& painter, const QTransform& to_device) const {
+  const auto& start = document_.map().start;
+  if (!start_ || !start) return;
+  QColor ink = (*colours_)[Role::Start];
+  ink.setAlpha(kStartAlpha);
+  painter.save();
+  painter.setTransform(to_device, true);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ink);
+  const QPointF at(start->x, start->y);
+  for (int ring = 1; ring <= kRings; ++ring) {
+    const double radius = start_->position * ring / kRings;
+    painter.drawEllipse(at, radius, radius);
+  }
+  if (start_->heading > 0.0) {
+    const double reach = std::max(kConeReach * start_->position, kCone_m);
+    const double aside = std::min(start_->heading, kPi);
+    QPolygonF cone{at};
+    for (int step = -kConeSteps; step <= kConeSteps; ++step) {
+      const double heading = start->heading + aside * step / kConeSteps;
+      cone << at + reach * QPointF(std::cos(heading), std::sin(heading));
+    }
+    ink.setAlpha(2 * kStartAlpha);
+    painter.setBrush(ink);
+    painter.drawPolygon(cone);
+  }
+  ink.setAlpha(4 * kStartAlpha);
+  QPen edge(ink, 1.0, Qt::DashLine);
+  edge.setCosmetic(true);
+  painter.setPen(edge);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(at, start_->position, start_->position);
+  painter.restore();
+}
+
 void DoubtItem::paintEdges(QPainter& painter, const QTransform& to_device,
                            const QRectF& exposed) const {
   const double pixels_per_metre = std::hypot(to_device.m11(), to_device.m12());
   const std::vector<Edge> seen = edgesIn(exposed, pixels_per_metre);
+  paintStart(painter, to_device);
   painter.setBrush(Qt::NoBrush);
   QColor ink = (*colours_)[Role::Drawing];
   ink.setAlpha(kRingAlpha);

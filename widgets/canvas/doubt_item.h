@@ -1,5 +1,5 @@
 // How unsure the drawing is: a soft edge as wide as what a run takes for the error of each wall,
-// and a question mark on what may not exist.
+// a question mark on what may not exist, and where the robot may start and look.
 #pragma once
 
 #include <QGraphicsItem>
@@ -29,12 +29,14 @@ class DoubtItem : public QGraphicsItem {
   };
 
   void paintEdges(QPainter& painter, const QTransform& to_device, const QRectF& exposed) const;
+  void paintStart(QPainter& painter, const QTransform& to_device) const;
   std::vector<Edge> edgesIn(const QRectF& exposed, double pixels_per_metre) const;
 
   const MapDocument& document_;
   const Colours* colours_ = &Colours::light();
   double reach_ = 0.0;  ///< the widest edge, metres
   bool any_may_not_exist_ = false;
+  std::optional<StartUncertainty> start_;
   QRectF bounds_;
   // The last frame, in device pixels
   QPixmap drawn_;

@@ -334,6 +334,13 @@ void MapDocument::setStart(std::optional<Pose2> start, bool mergeable) {
   setMember(&Map::start, start, tr("Set Start"), mergeable);
 }
 
+void MapDocument::setStartUncertainty(const std::optional<StartUncertainty>& uncertainty,
+                                      bool mergeable) {
+  UnknownMembers members = map_.unknown;
+  handmap::setStartUncertainty(members, uncertainty);
+  setMember(&Map::unknown, std::move(members), tr("Change Uncertainty"), mergeable);
+}
+
 void MapDocument::setRoute(std::vector<Vec2> route, bool mergeable) {
   setMember(&Map::route, std::move(route), tr("Change Route"), mergeable);
 }

@@ -11,6 +11,7 @@
 
 #include "core/map/map.h"
 #include "core/map/map_layers.h"
+#include "core/map/start_uncertainty.h"
 #include "core/sketching/box_index.h"
 #include "widgets/document/map_change.h"
 #include "widgets/document/toggle.h"
@@ -75,6 +76,9 @@ class MapDocument : public QObject {
   void removeSelected();
   void remove(const QStringList& keys);
   void setStart(std::optional<Pose2> start, bool mergeable = false);
+  /// How sure the start is; nullopt: not said.
+  void setStartUncertainty(const std::optional<StartUncertainty>& uncertainty,
+                           bool mergeable = false);
   void setRoute(std::vector<Vec2> route, bool mergeable = false);
   void setName(const QString& name, bool mergeable = false);
   void setUncertainty(Uncertainty uncertainty, bool mergeable = false);

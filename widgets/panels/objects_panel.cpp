@@ -2,39 +2,40 @@
 
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QSet>
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
-#include "widgets/panels/object_list_model.h"
+#include "widgets/panels/object_tree_model.h"
 
 namespace handmap {
 
 ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      model_(new ObjectListModel(document, this)),
+      model_(new ObjectTreeModel(document, this)),
       filter_(new QSortFilterProxyModel(this)),
-      list_(new QTreeView) {
+      tree_(new QTreeView) {
   filter_->setSourceModel(model_);
+  filter_->setRecursiveFilteringEnabled(true);
   filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  list_->setModel(filter_);
-  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  list_->setUniformRowHeights(true);
-  list_->setRootIsDecorated(false);
-  list_->setAccessibleName(tr("Objects of the drawing"));
-  list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(ObjectListModel::NameColumn, QHeaderView::Stretch);
-  for (const int column : {ObjectListModel::ShownColumn, ObjectListModel::LockedColumn}) {
-    list_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
-    list_->header()->resizeSection(
+  tree_->setModel(filter_);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  tree_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  tree_->setUniformRowHeights(true);
+  tree_->setAccessibleName(tr("Objects of the drawing"));
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setSectionResizeMode(ObjectTreeModel::NameColumn, QHeaderView::Stretch);
+  for (const int column : {ObjectTreeModel::ShownColumn, ObjectTreeModel::LockedColumn}) {
+    tree_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+    tree_->header()->resizeSection(
         column, fontMetrics().horizontalAdvance(
                     model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) +
                     20);
   }
-  list_->setFrameShape(QFrame::NoFrame);
+  tree_->setFrameShape(QFrame::NoFrame);
 
   auto* search = new QLineEdit;
   search->setPlaceholderText(tr("Find by id or name"));
@@ -43,33 +44,60 @@ ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 0);
   layout->addWidget(search);
-  layout->addWidget(list_);
+  layout->addWidget(tree_);
 
   connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {
     syncing_ = true;  // what the filter hides stays selected
     filter_->setFilterFixedString(text);
+    expandNodes();
     syncing_ = false;
     showSelection();
   });
-  connect(&document_, &MapDocument::mapChanged, this, [this] {
-    syncing_ = true;
-    model_->rebuild();
-    syncing_ = false;
-    showSelection();
+  connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& node) {
+    if (!syncing_) collapsed_.insert(node.data(ObjectTreeModel::NodeRole).toInt());
   });
+  connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& node) {
+    if (!syncing_) collapsed_.remove(node.data(ObjectTreeModel::NodeRole).toInt());
+  });
+  connect(&document_, &MapDocument::mapChanged, this, &ObjectsPanel::rebuild);
   connect(&document_, &MapDocument::selectionChanged, this, &ObjectsPanel::showSelection);
-  connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &ObjectsPanel::selectFromList);
-  connect(list_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
-    Q_EMIT showRequested(index.data(ObjectListModel::KeyRole).toString());
+  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &ObjectsPanel::selectFromTree);
+  connect(tree_, &QTreeView::activated, this, [this](const QModelIndex& index) {
+    const QString key = index.data(ObjectTreeModel::KeyRole).toString();
+    if (!key.isEmpty()) Q_EMIT showRequested(key);
   });
+  expandNodes();
 }
 
-void ObjectsPanel::selectFromList() {
+/// What was open and where the keyboard was stays.
+void ObjectsPanel::rebuild() {
+  const QString current = tree_->currentIndex().data(ObjectTreeModel::KeyRole).toString();
+  syncing_ = true;
+  model_->rebuild();
+  expandNodes();
+  const QModelIndex again = filter_->mapFromSource(model_->indexOf(current));
+  if (again.isValid() && again != tree_->currentIndex()) {
+    tree_->selectionModel()->setCurrentIndex(again, QItemSelectionModel::NoUpdate);
+  }
+  syncing_ = false;
+  showSelection();
+}
+
+void ObjectsPanel::expandNodes() {
+  for (int row = 0; row < filter_->rowCount(); ++row) {
+    const QModelIndex node = filter_->index(row, 0);
+    tree_->setExpanded(node, !collapsed_.contains(node.data(ObjectTreeModel::NodeRole).toInt()));
+  }
+}
+
+void ObjectsPanel::selectFromTree() {
   if (syncing_) return;
   QStringList keys;
-  for (const QModelIndex& index : list_->selectionModel()->selectedRows())
-    keys << index.data(ObjectListModel::KeyRole).toString();
+  for (const QModelIndex& index : tree_->selectionModel()->selectedRows()) {
+    keys << model_->keysUnder(filter_->mapToSource(index));
+  }
+  keys.removeDuplicates();
   syncing_ = true;
   document_.setSelection(keys);
   syncing_ = false;
@@ -78,28 +106,25 @@ void ObjectsPanel::selectFromList() {
 void ObjectsPanel::showSelection() {
   if (syncing_) return;
   syncing_ = true;
-  const QStringList keys = document_.selection();
-  const QSet<QString> wanted(keys.begin(), keys.end());
-  QItemSelection selection;
-  QModelIndex first;
-  QModelIndex last;
-  const auto close_range = [&] {
-    if (first.isValid()) selection.select(first, last);
-    first = {};
-  };
-  for (int row = 0; row < filter_->rowCount(); ++row) {
-    const QModelIndex index = filter_->index(row, 0);
-    if (!wanted.contains(index.data(ObjectListModel::KeyRole).toString())) {
-      close_range();
-      continue;
-    }
-    if (!first.isValid()) first = index;
-    last = index;
+  std::vector<QModelIndex> chosen;
+  for (const QString& key : document_.selection()) {
+    const QModelIndex index = filter_->mapFromSource(model_->indexOf(key));
+    if (index.isValid()) chosen.push_back(index);
   }
-  close_range();
-  list_->selectionModel()->select(selection,
+  std::sort(chosen.begin(), chosen.end());
+  QItemSelection selection;  // of ranges: many single rows would take long
+  for (std::size_t first = 0; first < chosen.size();) {
+    std::size_t last = first;
+    while (last + 1 < chosen.size() && chosen[last + 1].parent() == chosen[first].parent() &&
+           chosen[last + 1].row() == chosen[last].row() + 1) {
+      ++last;
+    }
+    selection.select(chosen[first], chosen[last]);
+    first = last + 1;
+  }
+  tree_->selectionModel()->select(selection,
                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-  if (keys.size() == 1 && last.isValid()) list_->scrollTo(last);
+  if (chosen.size() == 1) tree_->scrollTo(chosen.front());
   syncing_ = false;
 }
 

@@ -1,6 +1,8 @@
-// The list of everything drawn. A click selects, a double click asks to be shown, F2 renames.
+// The tree of everything drawn. A click selects, a double click or Enter asks to be shown, F2
+// renames, the space bar shows, hides and locks.
 #pragma once
 
+#include <QSet>
 #include <QWidget>
 
 #include "widgets/document/map_document.h"
@@ -10,7 +12,7 @@ class QSortFilterProxyModel;
 
 namespace handmap {
 
-class ObjectListModel;
+class ObjectTreeModel;
 
 class ObjectsPanel : public QWidget {
   Q_OBJECT
@@ -21,13 +23,16 @@ class ObjectsPanel : public QWidget {
   void showRequested(const QString& key);  ///< for MapCanvas::zoomToObject
 
  private:
-  void selectFromList();
+  void selectFromTree();
+  void rebuild();
+  void expandNodes();
   void showSelection();
 
   MapDocument& document_;
-  ObjectListModel* model_;
+  ObjectTreeModel* model_;
   QSortFilterProxyModel* filter_;
-  QTreeView* list_;
+  QTreeView* tree_;
+  QSet<int> collapsed_;  ///< nodes that somebody has closed
   bool syncing_ = false;
 };
 

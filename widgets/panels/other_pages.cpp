@@ -59,6 +59,21 @@ StartPage::StartPage(MapDocument& document) : PropertyPage(document, tr("Start o
   x_ = addCoordinate("x", tr("x"), [this](double x) { edit(&Pose2::x, x); });
   y_ = addCoordinate("y", tr("y"), [this](double y) { edit(&Pose2::y, y); });
   heading_ = addHeading([this](double degrees) { edit(&Pose2::heading, toRadians(degrees)); });
+  position_sigma_ =
+      addNumber("start_position_sigma", tr("Position σ"), 0.0, kMaxSigma, tr(" m"),
+                [this](double sigma) { editUncertainty(&StartUncertainty::position, sigma); });
+  position_sigma_->setToolTip(tr("How far the robot may begin from there; 0: exactly there"));
+  heading_sigma_ = addNumber(
+      "start_heading_sigma", tr("Heading σ"), 0.0, kMaxTurnSigmaDeg, tr("°"),
+      [this](double degrees) { editUncertainty(&StartUncertainty::heading, toRadians(degrees)); });
+  heading_sigma_->setToolTip(tr("How far it may look to either side of that"));
+}
+
+void StartPage::editUncertainty(double StartUncertainty::*member, double value) {
+  auto changed = startUncertaintyOf(document().map().unknown).value_or(StartUncertainty{});
+  changed.*member = value;
+  const bool said = changed != StartUncertainty{};
+  document().setStartUncertainty(said ? std::optional(changed) : std::nullopt, true);
 }
 
 void StartPage::edit(double Pose2::*member, double value) {
@@ -73,6 +88,9 @@ void StartPage::refresh() {
   x_->showValue(start->x);
   y_->showValue(start->y);
   heading_->showValue(toDegrees(normalizedAngle(start->heading)));
+  const auto sure = startUncertaintyOf(document().map().unknown).value_or(StartUncertainty{});
+  position_sigma_->showValue(sure.position);
+  heading_sigma_->showValue(toDegrees(sure.heading));
 }
 
 // --- Map

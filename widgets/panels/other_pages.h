@@ -33,10 +33,13 @@ class StartPage : public PropertyPage {
 
  private:
   void edit(double Pose2::*member, double value);
+  void editUncertainty(double StartUncertainty::*member, double value);
 
   NumberField* x_;
   NumberField* y_;
   NumberField* heading_;
+  NumberField* position_sigma_;
+  NumberField* heading_sigma_;
 };
 
 class MapPage : public PropertyPage {
