@@ -33,6 +33,7 @@
 #include "widgets/panels/property_panel.h"
 #include "widgets/pictures/picture_file.h"
 #include "widgets/run/layers_panel.h"
+#include "widgets/run/log_panel.h"
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/run_setup_panel.h"
 #include "widgets/run/transport_bar.h"
@@ -266,6 +267,13 @@ void MainWindow::connectView() {
     docks_->showRunDocks(true, has_camera);
     views_->begin();
   });
+  connect(&runs_->past(), &PlaybackActions::noted, docks_,
+          [this](double time_s, const QString& text) {
+            docks_->log().model().add({time_s, LogKind::Warning, text, {}});
+          });
+  connect(runs_, &RunActions::posesGiven, this,
+          [this](const std::vector<StampedPose>& poses) { revisions_->takePoses(poses); });
+  connect(runs_, &RunActions::phaseShown, views_, &RunViews::showPhase);
   connect(views_, &RunViews::timeChosen, this,
           [this](double time_s) { runs_->past().seekTime(time_s); });
   connect(runs_, &RunActions::runForgotten, this, [this] { docks_->showRunDocks(false, false); });
@@ -358,12 +366,14 @@ void MainWindow::restoreState() {
   }
   docks_->showRunDocks(false, false);
   docks_->setup().restore(settings_);
+  docks_->layers().restore(settings_);
 }
 
 void MainWindow::saveState() {
   settings_.setValue(kGeometryKey, saveGeometry());
   settings_.setValue(kStateKey, QMainWindow::saveState(kStateVersion));
   docks_->setup().save(settings_);
+  docks_->layers().save(settings_);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

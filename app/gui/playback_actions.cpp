@@ -63,9 +63,10 @@ void PlaybackActions::markGap(const FrameReport& report, int index) {
   if (last_report_) {
     const double step_s = report.time_s - last_report_->time_s;
     if (step_s < 0.0 || (usual_step_s_ > 0.0 && step_s > kLong * usual_step_s_)) {
-      timeline.addMark(index, TimelineMark::Gap,
-                       step_s < 0.0 ? tr("The clock went back by %1 s").arg(-step_s, 0, 'f', 1)
-                                    : tr("Nothing came for %1 s").arg(step_s, 0, 'f', 1));
+      const QString text = step_s < 0.0 ? tr("The clock went back by %1 s").arg(-step_s, 0, 'f', 1)
+                                        : tr("Nothing came for %1 s").arg(step_s, 0, 'f', 1);
+      timeline.addMark(index, TimelineMark::Gap, text);
+      Q_EMIT noted(report.time_s, text);
     } else {
       usual_step_s_ += (usual_step_s_ > 0.0 ? kShare : 1.0) * (step_s - usual_step_s_);
     }

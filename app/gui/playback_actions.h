@@ -37,6 +37,10 @@ class PlaybackActions : public QObject {
   void seekTime(double time_s);
   void updateActions();
 
+ Q_SIGNALS:
+  /// Something that was marked on the timeline.
+  void noted(double time_s, const QString& text);
+
  private:
   void markGap(const FrameReport& report, int index);
 

@@ -3,6 +3,7 @@
 #include <QGraphicsScene>
 #include <algorithm>
 
+#include "app/gui/live_robot.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/playback_actions.h"
 #include "app/gui/run_controller.h"
@@ -56,9 +57,14 @@ RevisionActions::RevisionActions(const Parts& parts)
   actions.on("run.right", this, [this] { setRight(); });
   actions.on("run.not_there", this, [this] { removeNotThere(); });
   actions.on("run.forget_poses", this, [this] {
+    keep({shownTime(), Act::Kind::ForgetPoses, {}, {}, {}});
     revise({}, Then::Take, tr("Recomputing without the poses that were given"));
   });
   connect(&parts_.canvas, &MapCanvas::robotPoseGiven, this, &RevisionActions::give);
+  connect(&recorder_, &ActRecorder::failed, this, [this](const QString& message) {
+    parts_.messages.show(MessageBar::Kind::Warning,
+                         tr("What you said is not kept beside the recording."), message);
+  });
   RunController& run = parts_.run;
   connect(&run, &RunController::revisionReady, this, &RevisionActions::onReady);
   connect(&run, &RunController::revisionProgressed, this, [this](double share) {
@@ -120,7 +126,26 @@ void RevisionActions::give(const Pose2& pose) {
       given.begin(), given.end(), now_s,
       [](double time_s, const StampedPose& other) { return time_s < other.time_s; });
   given.insert(after, {now_s, pose});
+  keep({now_s, Act::Kind::RobotIsHere, pose, {}, {}});
   revise(given, Then::Take, tr("Recomputing with the pose that you gave"));
+}
+
+void RevisionActions::takePoses(const std::vector<StampedPose>& poses) {
+  revise(poses, Then::Take, tr("Recomputing with the poses of the file"));
+}
+
+double RevisionActions::shownTime() const {
+  const auto history = parts_.run.history();
+  const auto snapshot = history ? history->at(parts_.past.playback().index()) : nullptr;
+  return snapshot ? snapshot->report.time_s : 0.0;
+}
+
+void RevisionActions::keep(const Act& act) {
+  const auto live = parts_.run.live();
+  const auto monitor = live ? live->monitor() : nullptr;
+  const RecordingStatus recording = monitor ? monitor->status().recording : RecordingStatus();
+  if (recording.folder.empty() || !recording.error.empty()) return;
+  recorder_.add(recording.folder, act);
 }
 
 /// As it is shown, which is corrected.
@@ -136,6 +161,7 @@ void RevisionActions::setRight() {
     Building right = *drawn;
     right.shape = shown->shape;
     right.fixed = true;
+    keep({snapshot->report.time_s, Act::Kind::BuildingIsRight, {}, right.id, right.shape});
     change.buildings.push_back(right);
   }
   if (change.buildings.empty()) return;
@@ -144,6 +170,10 @@ void RevisionActions::setRight() {
 }
 
 void RevisionActions::removeNotThere() {
+  for (const QString& key : parts_.document.selection()) {
+    if (find(parts_.document.map(), key.toStdString()) == nullptr) continue;
+    keep({shownTime(), Act::Kind::BuildingIsNotThere, {}, key.toStdString(), {}});
+  }
   parts_.document.removeSelected();
   revise(parts_.run.settings().given_poses, Then::Take,
          tr("Recomputing without what is not there"));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/gui/act_recorder.h"
 #include "core/recording/trajectory.h"
 #include "core/session/snapshot.h"
 #include "widgets/background/time_left.h"
@@ -44,6 +45,8 @@ class RevisionActions : public QObject {
   ~RevisionActions() override;
 
   void updateActions();
+  /// In place of those that were given.
+  void takePoses(const std::vector<StampedPose>& poses);
 
  private:
   enum class Then { Ask, Take };
@@ -51,6 +54,9 @@ class RevisionActions : public QObject {
   /// With the drawing as it is now.
   void revise(const std::vector<StampedPose>& given, Then then, const QString& text);
   void give(const Pose2& pose);
+  /// Beside the recording of a live drive, where there is one.
+  void keep(const Act& act);
+  double shownTime() const;
   void setRight();
   void removeNotThere();
   void onReady();
@@ -61,6 +67,7 @@ class RevisionActions : public QObject {
   Then then_ = Then::Ask;
   QString text_;
   TimeLeft left_;
+  ActRecorder recorder_;
 };
 
 }  // namespace handmap

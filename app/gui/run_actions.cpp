@@ -10,12 +10,14 @@
 #include "app/gui/file_actions.h"
 #include "app/gui/message_bar.h"
 #include "core/base/error.h"
+#include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
 #include "widgets/run/buildings_panel.h"
 #include "widgets/run/camera_panel.h"
 #include "widgets/run/charts_panel.h"
 #include "widgets/run/layers_panel.h"
+#include "widgets/run/phase_words.h"
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/transport_bar.h"
 #include "widgets/run/words.h"
@@ -49,16 +51,22 @@ RunActions::RunActions(const Parts& parts)
   connectRun();
   connect(&parts_.files, &FileActions::drawingReplaced, this, &RunActions::onDrawingReplaced);
   connect(&parts_.document, &MapDocument::mapChanged, this, &RunActions::updateActions);
-  connect(&opener_, &RecordingOpener::opened, this, [this](const auto& recording) {
-    setRobot(recordedRobot(recording));
-    parts_.messages.show(
-        MessageBar::Kind::Info,
-        tr("“%1” is open: %n row(s).", nullptr, static_cast<int>(recording->rows.size()))
-            .arg(QString::fromStdString(recording->name)),
-        parts_.document.map().start ? tr("Press Run to localize on the drawing.")
-                                    : tr("Draw the buildings and where the robot starts, or open "
-                                         "the drawing; then press Run."));
-  });
+  connect(&opener_, &RecordingOpener::opened, this,
+          [this](const auto& recording, const auto& acts) {
+            Robot robot = recordedRobot(recording);
+            robot.acts = acts;
+            setRobot(std::move(robot));
+            parts_.messages.show(
+                MessageBar::Kind::Info,
+                tr("“%1” is open: %n row(s).", nullptr, static_cast<int>(recording->rows.size()))
+                    .arg(QString::fromStdString(recording->name)),
+                parts_.document.map().start
+                    ? tr("Press Run to localize on the drawing.")
+                    : tr("Draw the buildings and where the robot starts, or open "
+                         "the drawing; then press Run."));
+            tellActs();
+          });
+  connect(&opener_, &RecordingOpener::posesOpened, this, &RunActions::usePoses);
   connect(&opener_, &RecordingOpener::failed, this, &RunActions::fail);
   updateActions();
 }
@@ -66,14 +74,17 @@ RunActions::RunActions(const Parts& parts)
 void RunActions::connectActions() {
   const ActionSet& actions = parts_.actions;
   actions.on("run.open_recording", this, [this] { askForRecording(); });
+  actions.on("run.load_poses", this, [this] { askForPoses(); });
   actions.on("run.run", this, [this] { runOrResume(); });
   actions.on("run.pause", this, [this] {
     past_.playback().isPlaying() ? past_.playback().pause() : parts_.run.pause();
   });
   actions.on("run.step", this, [this] {
+    phases_wanted_ = false;
     if (!past_.playback().atNewest()) return past_.playback().stepOn();
     parts_.run.isActive() ? parts_.run.step() : start(RunController::Begin::WithOneStep);
   });
+  actions.on("run.phase", this, [this] { nextPhase(); });
   actions.on("run.stop", this, [this] { parts_.run.stop(); });
   actions.on("run.accept", this, [this] { acceptRefinement(); });
 }
@@ -116,6 +127,12 @@ void RunActions::connectRun() {
   connect(&run, &RunController::failed, this, &RunActions::fail);
   connect(&parts_.transport, &TransportBar::speedChanged, &run, &RunController::setSpeed);
   run.setSpeed(parts_.transport.speed());
+  connect(&phases_, &PhaseStepper::shown, this, [this](const Phase& phase, int number, int count) {
+    parts_.transport.setPhase(phase.shown.index, phase.shown.count, PhaseWords::name(phase));
+    Q_EMIT phaseShown(phase, number, count);
+    updateActions();
+  });
+  connect(&phases_, &PhaseStepper::ended, this, &RunActions::show);
 }
 
 std::uint64_t RunActions::seed() const { return parts_.setup.setup().settings.seed; }
@@ -132,9 +149,12 @@ void RunActions::setRobot(Robot robot) {
   source_ = nullptr;
   last_ = nullptr;
   shown_ = nullptr;
+  phases_.leave();
+  phases_wanted_ = false;
   parts_.overlays.clear();
   past_.begin();
   parts_.overlays.setTruth(robot_->truth);
+  given_poses_.clear();
   if (robot_->truth_map) parts_.overlays.setTruthMap(*robot_->truth_map);
   parts_.layers.setAvailable(Layer::Truth, robot_->truth_map || !robot_->truth.empty());
   parts_.transport.setSource(robot_->name);
@@ -179,23 +199,79 @@ void RunActions::simulateDrawing() {
 }
 
 void RunActions::runOrResume() {
+  phases_wanted_ = false;
   Playback& past = past_.playback();
   if (!past.atNewest() || (past.loop() && last_)) return past.play();
   parts_.run.isActive() ? parts_.run.resume() : start(RunController::Begin::Running);
+}
+
+void RunActions::tellActs() {
+  const auto count = static_cast<int>(robot_->acts.size());
+  if (count == 0) return;
+  parts_.messages
+      .show(MessageBar::Kind::Info,
+            tr("On that drive somebody said %n thing(s): where the robot was, or which building "
+               "is right or not there. The run does it again.",
+               nullptr, count))
+      .addAction(tr("Leave it out"), [this, acts = robot_->acts] {
+        if (robot_ && robot_->acts == acts) robot_->acts.clear();
+      });
+}
+
+/// The drawing is changed as it was then, which can be undone.
+RunSetup RunActions::redoActs() {
+  RunSetup setup = parts_.setup.setup();
+  setup.settings.given_poses = given_poses_;
+  if (robot_->acts.empty()) return setup;
+  const RedoneActs done = redone(parts_.document.map(), robot_->acts);
+  MapChange changed;
+  QStringList gone;
+  for (const Building& building : parts_.document.map().buildings) {
+    const Building* now = done.drawing.find(building.id);
+    if (now == nullptr) gone << QString::fromStdString(building.id);
+    if (now != nullptr && !(*now == building)) changed.buildings.push_back(*now);
+  }
+  if (!changed.isEmpty()) parts_.document.apply(changed, tr("Buildings that are right"));
+  if (!gone.isEmpty()) parts_.document.remove(gone);
+  if (setup.settings.given_poses.empty()) setup.settings.given_poses = done.poses;
+  return setup;
+}
+
+void RunActions::askForPoses() {
+  const QString file =
+      parts_.dialogs.fileToOpen({tr("Open poses of the robot"),
+                                 parts_.settings.value(kRecordingFolderKey).toString(),
+                                 tr("Poses in TUM form (*.tum *.txt)"),
+                                 {},
+                                 {}});
+  if (!file.isEmpty()) opener_.openPoses(file);
+}
+
+/// The run that there is, is done again with them; else the next one goes through them.
+void RunActions::usePoses(const std::vector<StampedPose>& poses) {
+  given_poses_ = poses;
+  if (parts_.run.canRevise()) return Q_EMIT posesGiven(poses);
+  parts_.messages
+      .show(MessageBar::Kind::Info, tr("The next run goes through %n given pose(s).", nullptr,
+                                       static_cast<int>(poses.size())))
+      .addAction(tr("Forget them"), [this] { given_poses_.clear(); });
 }
 
 void RunActions::start(RunController::Begin begin) {
   if (!robot_ || !isReady(false)) return;
   last_ = nullptr;
   shown_ = nullptr;
+  phases_.leave();
+  phases_wanted_ = begin == RunController::Begin::WithPhases;
   skipped_ = 0;
   finished_ = false;
   parts_.messages.clear();
   parts_.charts.clear();
   parts_.camera.setSnapshot(nullptr);
-  parts_.charts.showSampleSize(parts_.setup.setup().settings.method == Method::Paper);
+  const RunSetup setup = redoActs();
+  parts_.charts.showSampleSize(setup.settings.method == Method::Paper);
   parts_.buildings.model().setDrawing(parts_.document.map());
-  parts_.run.start(parts_.document.map(), *robot_, parts_.setup.setup(), begin);
+  parts_.run.start(parts_.document.map(), *robot_, setup, begin);
   past_.begin();
 }
 
@@ -215,10 +291,28 @@ void RunActions::onNews(const RunNews& news) {
   Q_EMIT stateChanged();
 }
 
+/// The next of the observation that is gone through; else of the next observation.
+void RunActions::nextPhase() {
+  if (phases_.isActive()) return phases_.next();
+  phases_wanted_ = true;
+  if (!past_.playback().atNewest()) {
+    past_.playback().stepOn();
+    phases_wanted_ = false;  // few moments of the past have theirs
+    return;
+  }
+  parts_.run.isActive() ? parts_.run.stepPhases() : start(RunController::Begin::WithPhases);
+}
+
 void RunActions::show(const std::shared_ptr<const Snapshot>& snapshot) {
   shown_ = snapshot;
-  parts_.overlays.show(*snapshot);
+  phases_.leave();
+  if (phases_wanted_ && snapshot->phases) {
+    phases_wanted_ = false;
+    parts_.camera.setSnapshot(snapshot);
+    return phases_.begin(snapshot);
+  }
   parts_.camera.setSnapshot(snapshot);
+  parts_.overlays.show(*snapshot);
   parts_.buildings.model().setRefined(*snapshot->map);
   parts_.transport.setShown(snapshot->index, snapshot->count, snapshot->report);
   updateActions();
@@ -245,6 +339,7 @@ void RunActions::onFrameSkipped(int frame, const QString& reason) {
 
 void RunActions::onFinished(bool cancelled) {
   finished_ = !cancelled;
+  if (phases_.isActive() && last_) show(last_);
   updateActions();
   Q_EMIT stateChanged();
   if (cancelled || warnOfResult() || skipped_ > 0) return;
@@ -325,6 +420,8 @@ void RunActions::onDrawingReplaced() {
   source_ = nullptr;
   last_ = nullptr;
   shown_ = nullptr;
+  phases_.leave();
+  phases_wanted_ = false;
   parts_.overlays.clear();
   past_.begin();
   parts_.messages.clear();
@@ -348,6 +445,10 @@ void RunActions::updateActions() {
       robot_ ? tr("a run is under way") : tr("no recording, robot or simulator is open");
   parts_.actions.setEnabled({"run.run"}, can_start || can_go_on || can_play, why_not);
   parts_.actions.setEnabled({"run.step"}, can_start || can_go_on || !past.atNewest(), why_not);
+  parts_.actions.setEnabled({"run.load_poses"}, robot_ && !robot_->live,
+                            tr("no recording or simulator is open"));
+  parts_.actions.setEnabled(
+      {"run.phase"}, can_start || can_go_on || !past.atNewest() || phases_.isActive(), why_not);
   parts_.actions.setEnabled({"run.pause"}, state == RunState::Running || past.isPlaying(),
                             tr("nothing is running"));
   // The drive of a live robot is ended first, and then, if need be, the run that smooths it.

@@ -10,6 +10,7 @@
 #include "app/gui/recording_opener.h"
 #include "app/gui/run_controller.h"
 #include "app/gui/run_score.h"
+#include "widgets/run/phase_stepper.h"
 
 class QSettings;
 class QWidget;
@@ -76,6 +77,10 @@ class RunActions : public QObject {
   void robotChanged();
   void runBegan(bool has_camera);
   void runForgotten();
+  /// The run is to be done again with them.
+  void posesGiven(const std::vector<handmap::StampedPose>& poses);
+  /// In the middle of an observation.
+  void phaseShown(const handmap::Phase& phase, int number, int count);
   /// A recording could not be opened, or the run failed; the user has been told.
   void failed(const handmap::RunFailure& failure);
 
@@ -86,12 +91,17 @@ class RunActions : public QObject {
   void start(RunController::Begin begin);
   bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
+  void askForPoses();
+  void usePoses(const std::vector<StampedPose>& poses);
+  void tellActs();
+  RunSetup redoActs();
   void acceptRefinement();
   void onDrawingReplaced();
   void onSourceOpened(std::shared_ptr<const SourceInfo> source);
   void onNews(const RunNews& news);
   void onRevised();
   void show(const std::shared_ptr<const Snapshot>& snapshot);
+  void nextPhase();
   void onFinished(bool cancelled);
   void onFrameSkipped(int frame, const QString& reason);
   void updateActions();
@@ -106,11 +116,14 @@ class RunActions : public QObject {
 
   Parts parts_;
   PlaybackActions past_;
+  PhaseStepper phases_;
+  bool phases_wanted_ = false;  ///< of the next snapshot
   RecordingOpener opener_;
   std::optional<Robot> robot_;
   std::shared_ptr<const SourceInfo> source_;  ///< of the latest run
   std::shared_ptr<const Snapshot> last_;      ///< of the latest run: its newest
   std::shared_ptr<const Snapshot> shown_;     ///< what is looked at
+  std::vector<StampedPose> given_poses_;      ///< of the runs that begin with this robot
   int skipped_ = 0;
   bool finished_ = false;  ///< the latest run came to its end
 };

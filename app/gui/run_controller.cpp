@@ -45,6 +45,7 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   history_ = worker_->history();
   listenTo(*worker_);
   if (begin == Begin::WithOneStep) worker_->step();
+  if (begin == Begin::WithPhases) worker_->stepPhases();
   worker_->start();
   setState(RunState::Running);
 }
@@ -107,6 +108,12 @@ void RunController::step() {
   if (!worker_) return;
   pace_->setSpeed(kAtOnce);
   worker_->step();
+}
+
+void RunController::stepPhases() {
+  if (!worker_) return;
+  pace_->setSpeed(kAtOnce);
+  worker_->stepPhases();
 }
 
 void RunController::runUntil(int index) {

@@ -35,7 +35,7 @@ class RunController : public QObject {
   /// taken up about the same.
   int number() const { return number_; }
 
-  enum class Begin { Running, WithOneStep };
+  enum class Begin { Running, WithOneStep, WithPhases };
   /// Only when idle.
   void start(const Map& drawing, const Robot& robot, const RunSetup& setup,
              Begin begin = Begin::Running);
@@ -43,6 +43,8 @@ class RunController : public QObject {
   void resume();
   /// Works in one observation and pauses.
   void step();
+  /// The same; what comes of it tells its phases.
+  void stepPhases();
   /// As fast as can be until so many are worked in, then pauses.
   void runUntil(int index);
   /// Takes effect at once; finished() says when it has. The first time it only ends the drive of a

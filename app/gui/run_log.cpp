@@ -32,6 +32,7 @@ void RunLog::begin(const SourceInfo& source) {
   time_s_.reset();
   certainty_.reset();
   guessed_ = false;
+  loops_ = 0;
   add(LogKind::Note, tr("The run begins: %1, %n building(s) drawn", nullptr,
                         static_cast<int>(run_.drawing().buildings.size()))
                          .arg(QString::fromStdString(source.name)));
@@ -45,6 +46,10 @@ void RunLog::look(const FrameReport& report) {
                               ? tr("Nothing tells the motion: the one before is taken to go on")
                               : tr("The motion is told again"));
   }
+  if (report.loops > loops_) {
+    add(LogKind::Note, tr("A loop was closed; %n so far", nullptr, report.loops));
+  }
+  loops_ = report.loops;
   const Certainty now = certaintyOf(report).kind;
   if (certainty_ == now) return;
   const bool lost = now == Certainty::Lost;

@@ -27,6 +27,7 @@ class RunLog : public QObject {
   std::optional<double> time_s_;
   std::optional<Certainty> certainty_;
   bool guessed_ = false;
+  int loops_ = 0;
 };
 
 }  // namespace handmap

@@ -3,14 +3,17 @@
 #include "app/gui/docks.h"
 #include "app/gui/run_controller.h"
 #include "app/gui/run_log.h"
+#include "core/session/witness_windows.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
 #include "widgets/run/building_hints.h"
 #include "widgets/run/buildings_panel.h"
+#include "widgets/run/camera_panel.h"
 #include "widgets/run/charts_panel.h"
 #include "widgets/run/follow_robot.h"
 #include "widgets/run/log_panel.h"
+#include "widgets/run/phase_words.h"
 #include "widgets/run/run_overlays.h"
 #include "widgets/run/run_strip.h"
 #include "widgets/run/why_panel.h"
@@ -43,6 +46,7 @@ RunViews::RunViews(const Parts& parts, QObject* parent)
   connect(&log, &LogPanel::timeChosen, this, &RunViews::timeChosen);
   connect(&log, &LogPanel::showRequested, this, &RunViews::showBuilding);
   connect(&parts_.run, &RunController::revised, this, &RunViews::begin);
+  connect(&teller_, &StoryTeller::told, this, &RunViews::hearStory);
   connectFollowing();
   connectTable();
   connectWhy();
@@ -75,7 +79,7 @@ void RunViews::connectWhy() {
   connect(&why, &WhyPanel::nothingAsked, this, &RunViews::forgetStory);
   connect(&why, &WhyPanel::timeChosen, this, &RunViews::timeChosen);
   connect(&why, &WhyPanel::witnessChosen, this, [this](std::optional<std::size_t> witness) {
-    if (story_) parts_.overlays.showStory(&*story_, witness);
+    if (story_) parts_.overlays.showStory(story_.get(), witness);
   });
   connect(&parts_.docks, &Docks::whyShown, this,
           [this](bool shown) { shown ? tellStory() : forgetStory(); });
@@ -91,12 +95,25 @@ void RunViews::begin() {
   parts_.docks.buildings().model().setDrawing(drawing);
 }
 
+void RunViews::showPhase(const Phase& phase, int number, int count) {
+  parts_.overlays.showPhase(phase);
+  const Map* map = parts_.overlays.shownMap();
+  strip_->show(phase.shown.report, map ? *map : parts_.overlays.drawing());
+  strip_->showPhase(tr("Phase %1 of %2: %3. %4")
+                        .arg(number)
+                        .arg(count)
+                        .arg(PhaseWords::name(phase), PhaseWords::change(phase)));
+  follow_->setPose(phase.shown.report.pose);
+}
+
 void RunViews::show(const Snapshot& snapshot) {
   const Map* map = parts_.overlays.shownMap();
+  strip_->showPhase({});
   strip_->show(snapshot.report, map ? *map : parts_.overlays.drawing());
   follow_->setPose(snapshot.report.pose);
   parts_.docks.charts().addSnapshot(snapshot);
   parts_.docks.charts().setCursor(snapshot.report.time_s);
+  showWindows();
   if (!map || !parts_.docks.isWhyShown()) return;
   parts_.docks.why().setMap(*map);
   if (story_ && !story_later_.isActive()) story_later_.start();
@@ -122,21 +139,39 @@ void RunViews::tellStory() {
   if (!why.asked()) why.setMap(*map);
   const auto asked = why.asked();
   if (!asked) return forgetStory();
-  const auto tape = parts_.run.tape();
-  const auto kept = tape ? tape->all() : std::vector<std::shared_ptr<const Perceived>>();
-  std::vector<SeenScan> scans;
-  for (const auto& perceived : kept) {
-    scans.push_back({perceived->observation.time_s, &perceived->percept.scan});
-  }
-  story_ = storyOf(parts_.overlays.drawing(), *map, parts_.overlays.shownWay(), scans,
-                   asked->building, asked->wall);
-  why.setStory(*story_, !kept.empty());
-  parts_.overlays.showStory(&*story_, {});
+  teller_.ask({parts_.overlays.drawing(), *map, parts_.overlays.shownWay(), parts_.run.tape(),
+               asked->building, asked->wall});
+}
+
+void RunViews::hearStory(const std::shared_ptr<const WallStory>& story, bool kept) {
+  story_ = story;
+  parts_.docks.why().setStory(*story_, kept);
+  parts_.overlays.showStory(story_.get(), {});
+  showWindows();
 }
 
 void RunViews::forgetStory() {
+  teller_.forget();
   story_.reset();
   parts_.overlays.showStory(nullptr, {});
+  showWindows();
+}
+
+/// Of the look that the camera panel shows, where it is one of those that placed the wall.
+void RunViews::showWindows() {
+  CameraPanel& camera = parts_.docks.camera();
+  const auto tape = parts_.run.tape();
+  const Snapshot* shown = camera.snapshot();
+  if (!story_ || !tape || !tape->info().camera || shown == nullptr || shown->image.empty() ||
+      shown->pictured != shown->report.frame) {
+    return camera.setWitnesses({});
+  }
+  for (const WallWitness& witness : story_->witnesses) {
+    if (witness.time_s != shown->report.time_s) continue;
+    return camera.setWitnesses(windowsOf(witness, *tape->info().camera, shown->panning.pan,
+                                         shown->buildings, shown->image.size()));
+  }
+  camera.setWitnesses({});
 }
 
 }  // namespace handmap

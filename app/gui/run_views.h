@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "core/session/wall_story.h"
+#include "app/gui/story_teller.h"
 
 namespace handmap {
 
@@ -18,6 +18,7 @@ class MapDocument;
 class RunController;
 class RunOverlays;
 class RunStrip;
+struct Phase;
 struct Snapshot;
 
 class RunViews : public QObject {
@@ -36,6 +37,8 @@ class RunViews : public QObject {
 
   /// A run begins: what it is compared with.
   void begin();
+  /// In the middle of an observation; until the next snapshot is shown.
+  void showPhase(const Phase& phase, int number, int count);
 
  Q_SIGNALS:
   /// Somebody wants to see that moment of the recording.
@@ -49,12 +52,15 @@ class RunViews : public QObject {
   void clear();
   void showBuilding(const QString& id);
   void tellStory();
+  void hearStory(const std::shared_ptr<const WallStory>& story, bool kept);
+  void showWindows();
   void forgetStory();
 
   Parts parts_;
   RunStrip* strip_;
   FollowRobot* follow_;
-  std::optional<WallStory> story_;
+  StoryTeller teller_;
+  std::shared_ptr<const WallStory> story_;
   QTimer story_later_;  ///< the answer to what is asked, again
 };
 

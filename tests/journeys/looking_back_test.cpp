@@ -6,6 +6,8 @@
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
+#include "widgets/run/phase_words.h"
+#include "widgets/run/run_strip.h"
 #include "widgets/run/timeline.h"
 
 namespace handmap {
@@ -55,6 +57,34 @@ TEST_F(LookingBack, PausesShowsThePastAndGoesOnFromThere) {
   ASSERT_TRUE(QTest::qWaitFor([this] { return past().playback().atNewest(); }, kPatienceMs));
   EXPECT_EQ(shown(), done());
   EXPECT_TRUE(window_->runs().stateInWords().startsWith("Done"));
+}
+
+TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
+  ASSERT_TRUE(waitForPast(2));
+  action(*window_, "run.pause")->trigger();
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return window_->run().state() == RunState::Paused; }, kPatienceMs));
+  const int before = done();
+  QStringList names;
+  QObject::connect(&window_->runs(), &RunActions::phaseShown, window_.get(),
+                   [&](const Phase& phase, int, int) { names << PhaseWords::name(phase); });
+  action(*window_, "run.phase")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !names.isEmpty(); }, kPatienceMs));
+  EXPECT_EQ(done(), before + 1);
+  auto* strip = window_->findChild<RunStrip*>();
+  EXPECT_TRUE(strip->words().contains("Phase 1 of")) << strip->words().toStdString();
+  const auto whole = window_->run().history()->at(done());
+  for (std::size_t i = 1; i < whole->phases->size(); ++i) action(*window_, "run.phase")->trigger();
+  EXPECT_EQ(names.size(), static_cast<qsizetype>(whole->phases->size()));
+  EXPECT_EQ(names.front(), "Way");
+  EXPECT_TRUE(strip->words().contains("Phase"));
+  action(*window_, "run.phase")->trigger();  // the whole
+  EXPECT_FALSE(strip->words().contains("Phase"));
+  EXPECT_EQ(done(), before + 1);
+  action(*window_, "run.back")->trigger();
+  EXPECT_EQ(shown(), before);
+  action(*window_, "run.phase")->trigger();  // it still knows how it came about
+  EXPECT_TRUE(strip->words().contains("Phase 1 of"));
 }
 
 TEST_F(LookingBack, WhatIsStillToComeIsComputedFirst) {

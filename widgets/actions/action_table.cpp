@@ -227,6 +227,10 @@ constexpr std::array kActions = {
     ActionSpec{"run.step", QT_TRANSLATE_NOOP("Actions", "S&tep"), "step", "F7",
                QT_TRANSLATE_NOOP("Actions", "Work in one observation, then hold."), Menu::Run,
                ToolBar::Transport},
+    ActionSpec{
+        "run.phase", QT_TRANSLATE_NOOP("Actions", "Next Phas&e"), "phase", "F8",
+        QT_TRANSLATE_NOOP("Actions", "Work in one observation and go through it, phase by phase."),
+        Menu::Run, ToolBar::Transport},
     ActionSpec{"run.back", QT_TRANSLATE_NOOP("Actions", "Step &Back"), "back", "Shift+F7",
                QT_TRANSLATE_NOOP("Actions", "Look at the observation before."), Menu::Run,
                ToolBar::Transport},
@@ -258,6 +262,11 @@ constexpr std::array kActions = {
             "Actions",
             "Say where the robot is at the moment that is shown; the run is done again with it."),
         Menu::Run, ToolBar::None, Tool},
+    ActionSpec{"run.load_poses", QT_TRANSLATE_NOOP("Actions", "Open Gi&ven Poses…"), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Lead the way through poses of a file in TUM form, in the frame "
+                                 "of the map."),
+               Menu::Run},
     ActionSpec{"run.forget_poses", QT_TRANSLATE_NOOP("Actions", "&Forget Given Poses"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Do the run again without the poses that you gave."),
                Menu::Run},
