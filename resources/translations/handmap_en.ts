@@ -29,12 +29,39 @@
     </message>
 </context>
 <context>
+    <name>handmap::CameraPanel</name>
+    <message numerus="yes">
+        <source> · %n window(s) placed the wall</source>
+        <translation>
+            <numerusform> · %n window placed the wall</numerusform>
+            <numerusform> · %n windows placed the wall</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::IssuesPanel</name>
     <message numerus="yes">
         <source>%n issue(s); a click shows where.</source>
         <translation>
             <numerusform>%n issue; a click shows where.</numerusform>
             <numerusform>%n issues; a click shows where.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PhaseWords</name>
+    <message numerus="yes">
+        <source>Samples of %n building(s) in sight, before they move; score %1.</source>
+        <translation>
+            <numerusform>Samples of %n building in sight, before they move; score %1.</numerusform>
+            <numerusform>Samples of %n buildings in sight, before they move; score %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) of the map moved by up to %1 m.</source>
+        <translation>
+            <numerusform>%n building of the map moved by up to %1 m.</numerusform>
+            <numerusform>%n buildings of the map moved by up to %1 m.</numerusform>
         </translation>
     </message>
 </context>
@@ -64,6 +91,20 @@
             <numerusform>%n buildings were edited since the run began: %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>On that drive somebody said %n thing(s): where the robot was, or which building is right or not there. The run does it again.</source>
+        <translation>
+            <numerusform>On that drive somebody said %n thing: where the robot was, or which building is right or not there. The run does it again.</numerusform>
+            <numerusform>On that drive somebody said %n things: where the robot was, or which building is right or not there. The run does it again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The next run goes through %n given pose(s).</source>
+        <translation>
+            <numerusform>The next run goes through %n given pose.</numerusform>
+            <numerusform>The next run goes through %n given poses.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handmap::RunLog</name>
@@ -72,6 +113,13 @@
         <translation>
             <numerusform>The run begins: %1, %n building drawn</numerusform>
             <numerusform>The run begins: %1, %n buildings drawn</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A loop was closed; %n so far</source>
+        <translation>
+            <numerusform>A loop was closed; %n so far</numerusform>
+            <numerusform>A loop was closed; %n so far</numerusform>
         </translation>
     </message>
 </context>

@@ -711,6 +711,22 @@
         <source>Follo&amp;w the Robot</source>
         <translation>ロボットを追う(&amp;W)</translation>
     </message>
+    <message>
+        <source>Next Phas&amp;e</source>
+        <translation>次の段階(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Work in one observation and go through it, phase by phase.</source>
+        <translation>観測を 1 つ処理し、段階ごとに見ます。</translation>
+    </message>
+    <message>
+        <source>Open Gi&amp;ven Poses…</source>
+        <translation>既知の姿勢を開く(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Lead the way through poses of a file in TUM form, in the frame of the map.</source>
+        <translation>TUM 形式のファイルの姿勢 (地図の座標系) を通るように経路を導きます。</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1370,6 +1386,16 @@ Observations: %4</source>
         <source> · %1 % building</source>
         <translation> · 建物 %1 %</translation>
     </message>
+    <message>
+        <source> · looks %1° (%2 of %3)</source>
+        <translation> · 向き %1° (%2/%3)</translation>
+    </message>
+    <message numerus="yes">
+        <source> · %n window(s) placed the wall</source>
+        <translation>
+            <numerusform> · この壁を決めた窓 %n 個</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handmap::CanvasChips</name>
@@ -1442,6 +1468,10 @@ Observations: %4</source>
     <message>
         <source>╍ true error</source>
         <translation>╍ 真の誤差</translation>
+    </message>
+    <message>
+        <source>Log likelihood of what was seen (nats)</source>
+        <translation>見えたものの対数尤度 (ナット)</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2210,30 @@ Observations: %4</source>
         <source>How strongly it is drawn</source>
         <translation>表示の濃さ</translation>
     </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>What the sensor sees now; the surer of a wall, the stronger</source>
+        <translation>センサーが今見ているもの。壁として確かなほど濃く描きます</translation>
+    </message>
+    <message>
+        <source>Visible walls</source>
+        <translation>見えている壁</translation>
+    </message>
+    <message>
+        <source>The parts of the corrected walls that the robot sees now</source>
+        <translation>修正後の壁のうち、ロボットが今見ている部分</translation>
+    </message>
+    <message>
+        <source>Visibility range</source>
+        <translation>視界の範囲</translation>
+    </message>
+    <message>
+        <source>How far the sensor reaches, and what it looks through now</source>
+        <translation>センサーの届く範囲と、今見通しているところ</translation>
+    </message>
 </context>
 <context>
     <name>handmap::LivePanel</name>
@@ -2666,7 +2720,7 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
-    <name>handmap::ObjectListModel</name>
+    <name>handmap::ObjectTreeModel</name>
     <message>
         <source>Start</source>
         <translation>出発点</translation>
@@ -2674,6 +2728,30 @@ Corrected by a run.</source>
     <message>
         <source>Route</source>
         <translation>経路</translation>
+    </message>
+    <message>
+        <source>Buildings (%1)</source>
+        <translation>建物 (%1)</translation>
+    </message>
+    <message>
+        <source>Landmarks (%1)</source>
+        <translation>目印 (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Building %1</source>
+        <translation>建物 %1</translation>
+    </message>
+    <message>
+        <source>Landmark %1</source>
+        <translation>目印 %1</translation>
+    </message>
+    <message>
+        <source>Picture %1</source>
+        <translation>画像 %1</translation>
     </message>
     <message>
         <source>hidden</source>
@@ -2733,6 +2811,117 @@ Corrected by a run.</source>
     <message>
         <source>Find by id or name</source>
         <translation>ID または名前で検索</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PhaseWords</name>
+    <message>
+        <source>Prediction</source>
+        <translation>予測</translation>
+    </message>
+    <message>
+        <source>Local map</source>
+        <translation>局所地図</translation>
+    </message>
+    <message>
+        <source>Swarms %1/%2</source>
+        <translation>群れ %1/%2</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>Resampling</source>
+        <translation>リサンプリング</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>道のり</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>姿勢</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>証拠</translation>
+    </message>
+    <message>
+        <source>Buildings found</source>
+        <translation>見つかった建物</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>対応付け</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>修正</translation>
+    </message>
+    <message>
+        <source>The particles go on by the odometry and its noise; the best one %1 m, %2°.</source>
+        <translation>粒子はオドメトリーとその雑音に従って進みます。最良の粒子は %1 m、%2°。</translation>
+    </message>
+    <message>
+        <source>The walls seen over the last metres, laid at the best particle.</source>
+        <translation>直近の数メートルで見えた壁を、最良の粒子の位置に置いたもの。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Samples of %n building(s) in sight, before they move; score %1.</source>
+        <translation>
+            <numerusform>視界にある建物 %n 棟の標本 (動く前)。得点 %1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The best outlines moved by up to %1 m; score %2.</source>
+        <translation>最良の輪郭は最大 %1 m 動きました。得点 %2。</translation>
+    </message>
+    <message>
+        <source>Each particle weighs as what it sees fits its map: as good as %1 of %2 particles.</source>
+        <translation>各粒子の重みは、見えたものがその地図にどれだけ合うかで決まります。%2 個のうち %1 個分に相当します。</translation>
+    </message>
+    <message>
+        <source>Not due: enough particles count. All %1 stay.</source>
+        <translation>不要です。十分な数の粒子が効いています。%1 個すべて残ります。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 particles stay, the heavy ones more than once.</source>
+        <translation>%2 個のうち %1 個の粒子が残り、重いものは複数になります。</translation>
+    </message>
+    <message>
+        <source>The robot drove %1 m and turned %2°, by odometry or matched scans.</source>
+        <translation>オドメトリーまたはスキャンの照合によると、ロボットは %1 m 進み、%2° 回りました。</translation>
+    </message>
+    <message>
+        <source>The last poses and buildings fitted together: the robot moved by %1 m, %2°.</source>
+        <translation>最近の姿勢と建物をまとめて合わせました。ロボットは %1 m、%2° 動きました。</translation>
+    </message>
+    <message>
+        <source>%1 walls in the evidence, %2 buildings in sight; found without the drawing.</source>
+        <translation>証拠の中に壁 %1 本、視界に建物 %2 棟。図面を使わずに見つけました。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 found buildings are taken for drawn ones (dotted lines).</source>
+        <translation>見つかった建物 %2 棟のうち %1 棟を図面の建物とみなします (点線)。</translation>
+    </message>
+    <message>
+        <source>No building of the map moved.</source>
+        <translation>地図の建物は動きませんでした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) of the map moved by up to %1 m.</source>
+        <translation>
+            <numerusform>地図の建物 %n 棟が最大 %1 m 動きました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A loop was closed. %1</source>
+        <translation>ループが閉じました。%1</translation>
+    </message>
+    <message>
+        <source>What speaks for walls, over the last frames: the stronger, the more.</source>
+        <translation>最近のフレームで壁を裏付けるもの。濃いほど確かです。</translation>
     </message>
 </context>
 <context>
@@ -3152,6 +3341,14 @@ Corrected by a run.</source>
     <message>
         <source>Keep what was</source>
         <translation>元のままにする</translation>
+    </message>
+    <message>
+        <source>What you said is not kept beside the recording.</source>
+        <translation>指示した内容は記録と一緒に保存されていません。</translation>
+    </message>
+    <message>
+        <source>Recomputing with the poses of the file</source>
+        <translation>ファイルの姿勢を使って再計算しています</translation>
     </message>
 </context>
 <context>
@@ -3702,6 +3899,42 @@ Corrected by a run.</source>
         <source>Looking back</source>
         <translation>過去を表示中</translation>
     </message>
+    <message numerus="yes">
+        <source>On that drive somebody said %n thing(s): where the robot was, or which building is right or not there. The run does it again.</source>
+        <translation>
+            <numerusform>この走行では人が %n 件の指示をしました (ロボットの位置、正しい建物、存在しない建物)。実行でも同じことをします。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave it out</source>
+        <translation>使わない</translation>
+    </message>
+    <message>
+        <source>Buildings that are right</source>
+        <translation>正しい建物</translation>
+    </message>
+    <message>
+        <source>Open poses of the robot</source>
+        <translation>ロボットの姿勢を開く</translation>
+    </message>
+    <message>
+        <source>Poses in TUM form (*.tum *.txt)</source>
+        <translation>TUM 形式の姿勢 (*.tum *.txt)</translation>
+    </message>
+    <message numerus="yes">
+        <source>The next run goes through %n given pose(s).</source>
+        <translation>
+            <numerusform>次の実行は既知の姿勢 %n 個を通ります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Forget them</source>
+        <translation>使わない</translation>
+    </message>
+    <message>
+        <source>no recording or simulator is open</source>
+        <translation>記録もシミュレーターも開いていません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RunLog</name>
@@ -3742,6 +3975,12 @@ Corrected by a run.</source>
     <message>
         <source>%1 is doubtful: %2 % that it is another building, or is not there</source>
         <translation>%1 は疑わしい: 別の建物か存在しない確率 %2 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>A loop was closed; %n so far</source>
+        <translation>
+            <numerusform>ループが閉じました (これまで %n 回)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3923,6 +4162,13 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::RunViews</name>
+    <message>
+        <source>Phase %1 of %2: %3. %4</source>
+        <translation>段階 %1/%2: %3。%4</translation>
+    </message>
+</context>
+<context>
     <name>handmap::RunWorker</name>
     <message>
         <source>The run needs more memory than there is.</source>
@@ -4017,6 +4263,30 @@ Corrected by a run.</source>
     <message>
         <source>y</source>
         <translation>y</translation>
+    </message>
+    <message>
+        <source>Position σ</source>
+        <translation>位置の σ</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>How far the robot may begin from there; 0: exactly there</source>
+        <translation>ロボットがそこからどれだけ離れて始まり得るか。0: ちょうどそこ</translation>
+    </message>
+    <message>
+        <source>Heading σ</source>
+        <translation>向きの σ</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far it may look to either side of that</source>
+        <translation>向きが左右にどれだけずれ得るか</translation>
     </message>
 </context>
 <context>
@@ -4284,6 +4554,10 @@ Corrected by a run.</source>
     <message>
         <source>%1 %%2</source>
         <translation>%1 %%2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
