@@ -95,7 +95,7 @@ class HandmapEstimator {
   const DrawingMotion& drawingMotion() const;
   const std::vector<FoundBox>& found() const;
   /// Which drawn building one of found() is.
-  std::optional<std::size_t> drawnOf(std::size_t found) const;
+  std::optional<std::size_t> drawnOf(FoundId found) const;
   /// The walls that the evidence around the robot tells now.
   std::vector<FoundWall> walls() const;
   /// That evidence, as far as it speaks for walls, in the robot's frame.

@@ -77,7 +77,7 @@ void HandmapEstimator::watch(std::function<void(EstimatorPhase)> watch) {
   state_->watch = std::move(watch);
 }
 
-std::optional<std::size_t> HandmapEstimator::drawnOf(std::size_t found) const {
+std::optional<std::size_t> HandmapEstimator::drawnOf(FoundId found) const {
   return state_->labels.drawnOf(found);
 }
 

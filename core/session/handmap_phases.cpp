@@ -74,14 +74,12 @@ void HandmapPhases::tellWalls(Phase& phase) const {
 }
 
 void HandmapPhases::tellLabels(Phase& phase) const {
-  const std::vector<FoundBox>& found = estimator_.found();
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i].in_sight) continue;
-    phase.outlines.push_back(found[i].box.polygon());
-    const auto drawn = estimator_.drawnOf(i);
+  for (const FoundBox& found : estimator_.found()) {
+    if (!found.in_sight) continue;
+    phase.outlines.push_back(found.box.polygon());
+    const auto drawn = estimator_.drawnOf(found.id);
     if (!drawn) continue;
-    phase.links.push_back(
-        {found[i].box.rectangle().centre, drawing_.buildings[*drawn].box().centre});
+    phase.links.push_back({found.box.rectangle().centre, drawing_.buildings[*drawn].box().centre});
   }
   phase.facts.count = static_cast<int>(phase.links.size());
   phase.facts.of = static_cast<int>(phase.outlines.size());
