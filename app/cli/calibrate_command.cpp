@@ -22,21 +22,13 @@ struct CalibrateArguments {
   std::string report;
 };
 
-/// "9x6". A square board would not tell which side is up.
 cv::Size cornersOf(const std::string& text) {
-  constexpr std::int64_t kLeast = 3;
-  constexpr std::int64_t kMost = 50;
-  const auto sides = splitFields(text, 'x');
-  const auto side = [&](std::size_t i) {
-    const auto number = sides.size() == 2 ? parseInteger(sides[i]) : std::nullopt;
-    return number && *number >= kLeast && *number <= kMost ? static_cast<int>(*number) : 0;
-  };
-  const cv::Size corners(side(0), side(1));
-  if (corners.width == 0 || corners.height == 0 || corners.width == corners.height) {
+  const cv::Size corners = parseBoardCorners(text);
+  if (corners.empty()) {
     throw Error(ErrorCode::Usage,
                 fmt::format("--board: found {}, expected two different numbers of inner corners "
-                            "from {} to {}, as 9x6",
-                            text, kLeast, kMost));
+                            "from 3 to 50, as 9x6",
+                            text));
   }
   return corners;
 }

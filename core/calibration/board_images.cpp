@@ -1,11 +1,8 @@
 #include "core/calibration/board_images.h"
 
-#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
-#include <opencv2/calib3d.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/recording/image_file.h"
@@ -15,9 +12,6 @@ namespace handmap {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double kWindowShare = 0.35;  // of the distance of two corners, to either side
-constexpr double kMaxWindow_px = 8.0;
 
 std::map<std::string, fs::path> imagesOf(const fs::path& folder) {
   std::error_code error;
@@ -69,34 +63,11 @@ class Finder {
   }
 
   std::vector<cv::Point2f> cornersOf(const cv::Mat& image, const char* side) const {
-    cv::Mat grey = image;
-    if (image.channels() == 3) cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-    std::vector<cv::Point2f> corners;
-    if (cv::findChessboardCornersSB(grey, board_.corners, corners, cv::CALIB_CB_NORMALIZE_IMAGE)) {
-      refine(grey, corners);
-      return corners;
-    }
+    std::vector<cv::Point2f> corners = findCorners(image, board_);
+    if (!corners.empty()) return corners;
     throw Error(ErrorCode::BadInput,
                 fmt::format("no whole board of {} × {} corners in the {} image",
                             board_.corners.width, board_.corners.height, side));
-  }
-
-  /// Halves the error of the detector at least, as far as no other corner is in the window.
-  static void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners) {
-    double spacing = kMaxWindow_px / kWindowShare;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-      spacing = std::min(spacing, cv::norm(corners[i] - corners[i - 1]));
-    }
-    const int half = std::max(2, static_cast<int>(kWindowShare * spacing));
-    const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 1e-3);
-    cv::cornerSubPix(grey, corners, {half, half}, {-1, -1}, until);
-  }
-
-  /// A board that looks the same upside down may be numbered from either end.
-  static void alignOrder(BoardView& view) {
-    const cv::Point2f along = view.left.back() - view.left.front();
-    const cv::Point2f other = view.right.back() - view.right.front();
-    if (along.dot(other) < 0.0F) std::reverse(view.right.begin(), view.right.end());
   }
 
   Board board_;

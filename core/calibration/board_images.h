@@ -6,22 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <opencv2/core/types.hpp>
+#include "core/calibration/board.h"
 
 namespace handmap {
-
-struct Board {
-  cv::Size
-      corners;  ///< inner ones, where four squares meet; different numbers in the two directions
-  double square_m = 0.0;
-};
-
-/// Where both images of a pair show the corners, row by row, in the same order. Pixels.
-struct BoardView {
-  std::string name;  ///< of the images, without their ending
-  std::vector<cv::Point2f> left;
-  std::vector<cv::Point2f> right;
-};
 
 struct RefusedPair {
   std::string name;

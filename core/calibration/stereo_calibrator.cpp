@@ -13,7 +13,6 @@ namespace handmap {
 
 namespace {
 
-constexpr std::size_t kMinPairs = 6;
 constexpr double kMaxError_px = 1.0;
 constexpr double kMaxFocalSigma = 0.02;
 constexpr double kMinTurn = 0.26;  // rad: 15°
@@ -48,10 +47,10 @@ Points pointsOf(const BoardImages& images, const Board& board) {
 }
 
 void requirePairs(const BoardImages& images, const std::string& source) {
-  if (images.views.size() >= kMinPairs) return;
+  if (images.views.size() >= kLeastPairs) return;
   throw Error(ErrorCode::BadInput,
               fmt::format("{}: found {} pairs that show the whole board, expected at least {}{}",
-                          source, images.views.size(), kMinPairs,
+                          source, images.views.size(), kLeastPairs,
                           images.refused.empty() ? ""
                                                  : fmt::format("; the first refused, {}: {}",
                                                                images.refused.front().name,

@@ -9,6 +9,8 @@
 
 namespace handmap {
 
+inline constexpr std::size_t kLeastPairs = 6;
+
 struct UsedPair {
   std::string name;
   double error_px = 0.0;  ///< root mean square of both images

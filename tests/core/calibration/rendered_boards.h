@@ -35,6 +35,27 @@ inline std::vector<BoardPose> variedPoses() {
   return poses;
 }
 
+/// The middle of the board at a pixel of the left image of boardCamera(), at a distance.
+inline BoardPose boardAt(double u, double v, double z, const cv::Vec3d& turn) {
+  cv::Matx33d rotation;
+  cv::Rodrigues(turn, rotation);
+  const cv::Vec3d middle(0.5 * (kBoard.corners.width - 1) * kBoard.square_m,
+                         0.5 * (kBoard.corners.height - 1) * kBoard.square_m, 0.0);
+  return {turn, cv::Vec3d(z * (u - 244) / 430, z * (v - 176) / 432, z) - rotation * middle};
+}
+
+/// As the program asks a person for them: at all edges, near and far, turned and tilted.
+inline std::vector<BoardPose> guidedPoses() {
+  return {boardAt(195, 180, 0.8, {0, 0, 0}),         boardAt(347, 180, 0.8, {0, 0, 0}),
+          boardAt(260, 100, 0.8, {0, 0, 0}),         boardAt(260, 264, 0.8, {0, 0, 0}),
+          boardAt(280, 180, 0.6, {0, 0, 0}),         boardAt(260, 180, 1.15, {0, 0, 0}),
+          boardAt(270, 180, 0.75, {0, -0.45, 0}),    boardAt(270, 180, 0.75, {0, 0.45, 0}),
+          boardAt(270, 180, 0.75, {0.45, 0, 0}),     boardAt(270, 180, 0.75, {-0.45, 0, 0}),
+          boardAt(200, 130, 0.85, {0.35, 0.35, 0}),  boardAt(330, 130, 0.85, {-0.35, 0.35, 0}),
+          boardAt(200, 230, 0.85, {0.35, -0.35, 0}), boardAt(330, 230, 0.85, {-0.35, -0.35, 0}),
+          boardAt(270, 180, 0.8, {0.3, 0, 0.5}),     boardAt(330, 240, 1.15, {0, 0.5, 0})};
+}
+
 /// 480×360 pixels, 12 cm apart.
 inline StereoCalibration boardCamera() {
   StereoCalibration calibration;
