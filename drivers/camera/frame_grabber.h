@@ -1,4 +1,4 @@
-// One camera (or video file, or network stream) of OpenCV's VideoCapture, in a thread of its own.
+// One camera in a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -6,36 +6,30 @@
 #include <string>
 #include <thread>
 
-#include "drivers/camera/pair_matcher.h"
-#include "drivers/device/rig_clock.h"
+#include "drivers/camera/image_device.h"
 
 namespace handmap {
 
-struct GrabberOptions {
-  std::string source;  ///< "/dev/video0", a file, a URL
-  int width = 0;       ///< 0: as it likes
-  int height = 0;
-  double rate_hz = 0.0;
-  std::uint64_t seed = 1;  ///< of the times between attempts to open it
-};
-
-/// Grabs until it is destroyed; opens what was lost again. A video file is played at its own rate
-/// once. Both listeners are called in its thread.
+/// Grabs until it is destroyed; opens what was lost again. A video is played once. Both listeners
+/// are called in its thread.
 class FrameGrabber {
  public:
   enum class State { Opening, Delivering, Lost, AtEnd };
   using FrameListener = std::function<void(TimedImage)>;
   using StateListener = std::function<void(State, const std::string& detail)>;
 
-  FrameGrabber(GrabberOptions options, RigClock clock, FrameListener on_frame,
+  /// `name` stands for the camera in what is told; `seed`: of the times between two attempts.
+  FrameGrabber(std::string name, OpenImageDevice open, std::uint64_t seed, FrameListener on_frame,
                StateListener on_state);
 
  private:
+  enum class Outcome { Nothing, Delivered, AtEnd };
   void work(const std::stop_token& stop);
-  bool grabAll(const std::stop_token& stop);
+  Outcome grabAll(const std::stop_token& stop);
 
-  GrabberOptions options_;
-  RigClock clock_;
+  std::string name_;
+  OpenImageDevice open_;
+  std::uint64_t seed_;
   FrameListener on_frame_;
   StateListener on_state_;
   std::jthread thread_;  // last: it ends first

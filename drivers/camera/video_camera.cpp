@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "drivers/camera/image_devices.h"
+
 namespace handmap {
 
 namespace {
@@ -17,9 +19,10 @@ std::size_t indexOf(Side side) { return side == Side::Left ? 0 : 1; }
 }  // namespace
 
 VideoCamera::VideoCamera(CameraRig rig, RigClock clock,
-                         std::function<void(const std::string&)> refused)
+                         std::function<void(const std::string&)> refused, Devices devices)
     : rig_(std::move(rig)),
       clock_(std::move(clock)),
+      devices_(std::move(devices)),
       refused_(std::move(refused)),
       matcher_(rig_.right_delay_s),
       checks_{FrameCheck({rig_.width, rig_.height}), FrameCheck({rig_.width, rig_.height})} {}
@@ -29,6 +32,7 @@ VideoCamera::~VideoCamera() { grabbers_.clear(); }
 void VideoCamera::open() {
   if (!grabbers_.empty()) return;
   setState(DeviceState::Connecting, rig_.left);
+  begin_s_ = clock_();
   grabbers_.push_back(grabber(Side::Left, rig_.left));
   if (!rig_.right.empty()) grabbers_.push_back(grabber(Side::Right, rig_.right));
 }
@@ -39,9 +43,11 @@ void VideoCamera::close() {
 }
 
 std::unique_ptr<FrameGrabber> VideoCamera::grabber(Side side, const std::string& source) {
-  const GrabberOptions options{source, rig_.width, rig_.height, rig_.rate_hz, indexOf(side) + 1};
+  OpenImageDevice open =
+      devices_ ? devices_(source, begin_s_) : imageDevice(rig_, source, clock_, begin_s_);
   return std::make_unique<FrameGrabber>(
-      options, clock_, [this, side](TimedImage frame) { arrive(side, std::move(frame)); },
+      source, std::move(open), indexOf(side) + 1,
+      [this, side](TimedImage frame) { arrive(side, std::move(frame)); },
       [this, side](FrameGrabber::State state, const std::string& detail) {
         QMetaObject::invokeMethod(
             this, [this, side, state, detail] { tell(side, state, detail); }, Qt::QueuedConnection);
@@ -95,8 +101,11 @@ void VideoCamera::giveHalves(const TimedImage& frame) {
                                 image.cols));
   }
   const int width = image.cols / 2;
+  cv::Mat left = image.colRange(0, width);
+  cv::Mat right = image.colRange(width, image.cols);
+  if (rig_.right_first) std::swap(left, right);
   setState(DeviceState::Ready, {});
-  Q_EMIT pairTaken(frame.time_s, image.colRange(0, width), image.colRange(width, image.cols));
+  Q_EMIT pairTaken(frame.time_s, left, right);
 }
 
 void VideoCamera::giveMatched(Side side, TimedImage frame) {

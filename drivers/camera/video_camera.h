@@ -1,5 +1,4 @@
-// A stereo camera through OpenCV's VideoCapture: one device that gives both images side by side, or
-// two devices.
+// A stereo camera: one device that gives both images side by side, or two devices.
 #pragma once
 
 #include <functional>
@@ -11,6 +10,7 @@
 #include "drivers/camera/frame_check.h"
 #include "drivers/camera/frame_grabber.h"
 #include "drivers/device/device.h"
+#include "drivers/device/rig_clock.h"
 #include "drivers/rig/rig.h"
 
 namespace handmap {
@@ -18,8 +18,13 @@ namespace handmap {
 class VideoCamera : public PairCamera {
   Q_OBJECT
  public:
-  /// `refused` is told why an image was not used, in the thread of this object.
-  VideoCamera(CameraRig rig, RigClock clock, std::function<void(const std::string&)> refused);
+  /// How one of its devices is opened; `begin_s`: when the camera was.
+  using Devices = std::function<OpenImageDevice(const std::string& source, double begin_s)>;
+
+  /// `refused` is told why an image was not used, in the thread of this object. `devices`: other
+  /// ones than the rig names.
+  VideoCamera(CameraRig rig, RigClock clock, std::function<void(const std::string&)> refused,
+              Devices devices = {});
   ~VideoCamera() override;
 
   void open() override;
@@ -42,6 +47,8 @@ class VideoCamera : public PairCamera {
 
   CameraRig rig_;
   RigClock clock_;
+  double begin_s_ = 0.0;  ///< when it was opened
+  Devices devices_;
   std::function<void(const std::string&)> refused_;
   PairMatcher matcher_;
   FrameCheck checks_[2];

@@ -25,6 +25,7 @@ struct Optics {
 };
 
 Optics opticsOf(const CameraRig& rig) {
+  if (rig.optics) return {*rig.optics, {}};
   const std::string ending = rig.calibration.extension().string();
   if (ending == ".txt") return {readCalibration(rig.calibration, "P0", "P1", rig.mount), {}};
   Rectifier rectifier(readStereoCalibration(rig.calibration), rig.calibration.string());

@@ -3,13 +3,16 @@
 //   {"format": "handmap-rig", "version": 1,          required; of the rest what there is
 //    "name": "Cart with a laser",
 //    "range_limit_m": 30,                            1 … 200; nothing farther is measured
-//    "camera":   {"device": "/dev/video0"            both images in one, side by side; or
+//    "camera":   {"kind": "video",                   or "firewire" (Bumblebee: "device" is its
+//                                                    number or "first"), "vision" (GigE, USB3)
+//                 "device": "/dev/video0"            both images in one, side by side; or
 //                 "left": "…", "right": "…",         two devices; each also a file or a URL
 //                 "ros": "ws://host:9090",           left and right are topics: CompressedImage
 //                 "calibration": "calib.yml",        of OpenCV, or calib.txt of KITTI: rectified
 //                 "width": 1280, "height": 480,      what to ask the device for
 //                 "rate_hz": 15,
 //                 "right_delay_ms": 0,               the right image is taken so much later
+//                 "right_first": false,              of "device": the right image is on the left
 //                 "mount": {"x_m", "y_m", "z_m", "pitch_deg", "yaw_deg"}},
 //    "head":     {"port": "/dev/ttyUSB0@9600"},      PTU-D46; needs a camera
 //    "scanner":  {"kind": "hokuyo"|"rplidar"|"ros"|"ros-cloud",
@@ -17,7 +20,7 @@
 //                 "mount": {"x_m", "y_m", "z_m", "yaw_deg"}},
 //    "odometry": {"kind": "lines"|"ros"|"visual"|"scan"|"none", "port": "…", "topic": "/odom"},
 //                                                    absent: visual or scan
-//    "stops":    {"pans_deg": [0, 60, …], "standing_s": 1, "every_m": 1, "automatic": true},
+//    "stops":    {"pans_deg": [-150, -90, …], "standing_s": 1, "every_m": 1, "automatic": true},
 //    "ros":      1,                                  where it is not 2
 //    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS
 //                 "foxglove": 8765,                  a port where Foxglove may look on,
@@ -38,7 +41,11 @@
 
 namespace handmap {
 
+/// How a camera is connected: by OpenCV, IIDC on FireWire, GigE or USB3 Vision; or not at all.
+enum class CameraKind { Video, FireWire, Vision, Virtual };
+
 struct CameraRig {
+  CameraKind kind = CameraKind::Video;
   std::string left;                   ///< device, file or URL
   std::string right;                  ///< empty: `left` gives both images side by side
   std::string ros;                    ///< a rosbridge: `left` and `right` are topics behind it
@@ -48,6 +55,8 @@ struct CameraRig {
   int height = 0;
   double rate_hz = 0.0;  ///< 0: as it likes
   double right_delay_s = 0.0;
+  bool right_first = false;            ///< of one device: the halves are the other way round
+  std::optional<StereoCamera> optics;  ///< Virtual: rectified; no calibration is read
   bool operator==(const CameraRig& other) const;
 };
 
@@ -101,6 +110,7 @@ struct StopRig {
   bool automatic = true;     ///< false: only when asked to
   bool operator==(const StopRig&) const = default;
 };
+/// All around, within the ±159° of a PTU-D46.
 StopRig sixPans();
 
 /// Who is told of a run: where the robot is, and what the drawing became.

@@ -10,6 +10,9 @@ namespace handmap {
 
 inline constexpr int kRigVersion = 1;
 
+inline constexpr std::array kCameras = {std::pair(CameraKind::Video, "video"),
+                                        std::pair(CameraKind::FireWire, "firewire"),
+                                        std::pair(CameraKind::Vision, "vision")};
 inline constexpr std::array kScanners = {
     std::pair(ScannerKind::Hokuyo, "hokuyo"), std::pair(ScannerKind::Rplidar, "rplidar"),
     std::pair(ScannerKind::Ros, "ros"), std::pair(ScannerKind::RosCloud, "ros-cloud")};

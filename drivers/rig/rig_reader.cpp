@@ -69,13 +69,15 @@ fs::path pathFrom(const JsonValue& json, const fs::path& folder) {
 }
 
 CameraRig readCamera(const JsonValue& json, const fs::path& folder) {
-  onlyKnown(json, {"device", "left", "right", "ros", "calibration", "width", "height", "rate_hz",
-                   "right_delay_ms", "mount"});
+  onlyKnown(json, {"kind", "device", "left", "right", "ros", "calibration", "width", "height",
+                   "rate_hz", "right_delay_ms", "right_first", "mount"});
   CameraRig camera;
+  if (const auto kind = json.find("kind")) camera.kind = kindOf(*kind, kCameras);
   const bool side_by_side = json.find("device").has_value();
   if (json.find("ros")) {
     camera.ros = neededText(json, "ros");
-    for (const char* key : {"device", "width", "height", "rate_hz", "right_delay_ms"}) {
+    for (const char* key :
+         {"kind", "device", "right_first", "width", "height", "rate_hz", "right_delay_ms"}) {
       if (json.find(key))
         json.at(key).fail("it beside \"ros\"", "the topics \"left\" and \"right\"");
     }
@@ -86,6 +88,13 @@ CameraRig readCamera(const JsonValue& json, const fs::path& folder) {
   }
   camera.left = neededText(json, side_by_side ? "device" : "left");
   if (!side_by_side) camera.right = neededText(json, "right");
+  if (const auto first = json.find("right_first")) {
+    if (!side_by_side) first->fail("it beside two cameras", "\"device\" (both images in one)");
+    camera.right_first = first->flag();
+  }
+  if (camera.kind == CameraKind::FireWire && !side_by_side) {
+    json.fail("no \"device\"", "one: a stereo head that sends both images in one");
+  }
   camera.calibration = pathFrom(json.at("calibration"), folder);
   const auto pixels = [&](const char* key, int& value) {
     if (const auto found = json.find(key)) value = static_cast<int>(found->integer(1, kMaxPixels));
@@ -186,7 +195,7 @@ void checkTogether(const Rig& rig, const std::string& source) {
 
 StopRig sixPans() {
   StopRig stops;
-  for (const double pan_deg : {0.0, 60.0, 120.0, 180.0, -120.0, -60.0}) {
+  for (const double pan_deg : {-150.0, -90.0, -30.0, 30.0, 90.0, 150.0}) {
     stops.pans.push_back(toRadians(pan_deg));
   }
   return stops;

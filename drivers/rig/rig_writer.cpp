@@ -39,6 +39,7 @@ std::string pathText(const fs::path& path, const fs::path& folder) {
 
 Json cameraJson(const CameraRig& camera, const fs::path& folder) {
   Json json;
+  if (camera.kind != CameraKind::Video) json["kind"] = nameOf(camera.kind, kCameras);
   if (camera.right.empty()) {
     json["device"] = camera.left;
   } else {
@@ -51,6 +52,7 @@ Json cameraJson(const CameraRig& camera, const fs::path& folder) {
   if (camera.height > 0) json["height"] = camera.height;
   if (camera.rate_hz > 0.0) json["rate_hz"] = camera.rate_hz;
   if (camera.right_delay_s != 0.0) json["right_delay_ms"] = camera.right_delay_s * 1000.0;
+  if (camera.right_first) json["right_first"] = true;
   const CameraMount& mount = camera.mount;
   json["mount"] = {{"x_m", mount.x},
                    {"y_m", mount.y},
@@ -98,8 +100,8 @@ Json publishJson(const PublishRig& publish) {
 bool CameraRig::operator==(const CameraRig& other) const {
   const auto all = [](const CameraRig& c) {
     const CameraMount& m = c.mount;
-    return std::tuple(c.left, c.right, c.ros, c.calibration, m.x, m.y, m.z, m.pitch, m.yaw, c.width,
-                      c.height, c.rate_hz, c.right_delay_s);
+    return std::tuple(c.kind, c.right_first, c.left, c.right, c.ros, c.calibration, m.x, m.y, m.z,
+                      m.pitch, m.yaw, c.width, c.height, c.rate_hz, c.right_delay_s);
   };
   return all(*this) == all(other);
 }

@@ -84,6 +84,30 @@ TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
             std::string::npos);
 }
 
+TEST(RigFile, AStereoHeadOnFireWireAndAPairOfVisionCameras) {
+  const Rig head = parsed(R"("camera": {"kind": "firewire", "device": "first",
+      "right_first": true, "calibration": "c.yml"})");
+  EXPECT_EQ(head.camera->kind, CameraKind::FireWire);
+  EXPECT_TRUE(head.camera->right_first);
+  const Rig pair = parsed(R"("camera": {"kind": "vision", "left": "Basler-1", "right": "Basler-2",
+      "calibration": "c.yml"})");
+  EXPECT_EQ(pair.camera->kind, CameraKind::Vision);
+  for (const Rig& rig : {head, pair}) {
+    EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
+  }
+  EXPECT_NE(refusal(R"("camera": {"kind": "usb4", "device": "a", "calibration": "c"})")
+                .find("expected one of video, firewire, vision"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("camera": {"kind": "firewire", "left": "a", "right": "b",
+                    "calibration": "c"})")
+                .find("no \"device\""),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("camera": {"left": "a", "right": "b", "right_first": true,
+                    "calibration": "c"})")
+                .find("camera.right_first"),
+            std::string::npos);
+}
+
 TEST(RigFile, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(refusal(R"("name": "x")"),
             "rig.json: found neither camera nor scanner, expected one of them: what the robot sees "
