@@ -54,6 +54,8 @@ class FaultLine {
         return emit_(time_s, *frozen_);
       case FaultKind::Clock:
         return emit_(time_s + kOff_s, datum);
+      default:
+        return emit_(time_s, datum);  // not of a datum
     }
   }
 
