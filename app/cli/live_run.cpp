@@ -9,13 +9,14 @@
 #include <map>
 #include <mutex>
 
+#include <CLI/CLI.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "app/cli/options.h"
 #include "core/base/error.h"
 #include "drivers/connected/connected_devices.h"
-#include "drivers/virtual/virtual_rig.h"
+#include "drivers/virtual/stereo_rig.h"
 
 namespace handmap {
 
@@ -30,13 +31,28 @@ std::filesystem::path recordFolder(const std::filesystem::path& inside) {
   return inside / fmt::format("{:%Y%m%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
 }
 
+VirtualRigKind kindOf(const LiveArguments& arguments) {
+  return arguments.virtual_rig == "camera" ? VirtualRigKind::StereoHead : VirtualRigKind::Laser;
+}
+
 VirtualDrive driveThroughDrawing(const Map& drawing, std::uint64_t seed,
-                                 const std::string& faults) {
+                                 const LiveArguments& arguments) {
   VirtualDrive drive;
   drive.world = worldFromMap(perturbed(drawing, drawing.uncertainty.position, seed), seed);
   drive.seed = seed;
-  drive.faults = parseFaults(faults);
+  if (kindOf(arguments) == VirtualRigKind::StereoHead) drive.world = furnished(drive.world, seed);
+  drive.faults = parseFaults(arguments.faults, kindOf(arguments));
   return drive;
+}
+
+/// Without a value CLI11 gives one of its own.
+std::string laserUnlessTold(std::string& kind) {
+  if (kind == "camera" || kind == "laser") return {};
+  if (!kind.empty() && kind != "true" && kind != "{}") {
+    return fmt::format("found {}, expected laser or camera", kind);
+  }
+  kind = "laser";
+  return {};
 }
 
 }  // namespace
@@ -44,9 +60,14 @@ VirtualDrive driveThroughDrawing(const Map& drawing, std::uint64_t seed,
 void addLive(CLI::App& command, LiveArguments& arguments) {
   command.add_option("--rig", arguments.rig, "A live robot in place of a recording")
       ->option_text("FILE.json");
-  command.add_flag("--virtual-rig", arguments.virtual_rig,
-                   "A simulated live robot in place of a recording, driving through what the map "
-                   "might be in truth");
+  command
+      .add_option("--virtual-rig", arguments.virtual_rig,
+                  "A simulated live robot in place of a recording, driving through what the map "
+                  "might be in truth: with a laser, or with a stereo camera that looks around at "
+                  "each stop")
+      ->expected(0, 1)
+      ->transform(CLI::Validator(laserUnlessTold, ""))
+      ->option_text("[laser|camera]");
   command
       .add_option("--faults", arguments.faults,
                   "What goes wrong in the virtual rig, e.g. scanner:unplug@10+5,odometry:late@20+3")
@@ -58,7 +79,8 @@ void addLive(CLI::App& command, LiveArguments& arguments) {
 }
 
 void checkLive(const CLI::App& command, const LiveArguments& arguments, bool recording) {
-  const int sources = int(recording) + int(!arguments.rig.empty()) + int(arguments.virtual_rig);
+  const int sources =
+      int(recording) + int(!arguments.rig.empty()) + int(!arguments.virtual_rig.empty());
   if (sources != 1) {
     throw Error(ErrorCode::Usage,
                 fmt::format("found {} of --recording, --rig and --virtual-rig, expected one",
@@ -75,7 +97,7 @@ void checkLive(const CLI::App& command, const LiveArguments& arguments, bool rec
       refuse(option, "--recording");
     }
   }
-  if (!arguments.virtual_rig) refuse("--faults", "--virtual-rig");
+  if (arguments.virtual_rig.empty()) refuse("--faults", "--virtual-rig");
   if (!arguments.record.empty()) checkOutputFolder(arguments.record);
 }
 
@@ -87,10 +109,11 @@ LiveDrive::LiveDrive(const LiveArguments& arguments, const Map& drawing, std::ui
   application_ = std::make_unique<QCoreApplication>(count, names);
   std::setlocale(LC_ALL, "C");  // Qt takes that of the person; files have decimal points
   job_.monitor = std::make_shared<RigMonitor>();
-  if (arguments.virtual_rig) {
-    VirtualDrive drive = driveThroughDrawing(drawing, seed, arguments.faults);
-    job_.rig = virtualRig(drive);
-    job_.make = virtualDevices(std::move(drive));
+  if (!arguments.virtual_rig.empty()) {
+    VirtualDrive drive = driveThroughDrawing(drawing, seed, arguments);
+    const bool stereo = kindOf(arguments) == VirtualRigKind::StereoHead;
+    job_.rig = stereo ? virtualStereoRig() : virtualRig(drive);
+    job_.make = stereo ? virtualStereoDevices(std::move(drive)) : virtualDevices(std::move(drive));
   } else {
     job_.rig = readRig(arguments.rig);
     job_.make = connectedDevices();

@@ -20,12 +20,12 @@ namespace handmap {
 
 struct LiveArguments {
   std::string rig;
-  bool virtual_rig = false;
+  std::string virtual_rig;  ///< "laser" or "camera"; empty: none
   std::string faults;
   std::string record;
   std::optional<double> for_s;
 
-  bool any() const { return !rig.empty() || virtual_rig; }
+  bool any() const { return !rig.empty() || !virtual_rig.empty(); }
 };
 
 void addLive(CLI::App& command, LiveArguments& arguments);

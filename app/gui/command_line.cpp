@@ -30,6 +30,23 @@ SourceKind sourceKind(const QString& text) {
   refuse(QStringLiteral("--source: found \"%1\", expected auto, images or points").arg(text));
 }
 
+VirtualRigKind virtualRig(const QString& text) {
+  if (text == "laser") return VirtualRigKind::Laser;
+  if (text == "camera") return VirtualRigKind::StereoHead;
+  refuse(QStringLiteral("--virtual-rig: found \"%1\", expected laser or camera").arg(text));
+}
+
+/// Qt has no options whose value may be left out.
+QStringList withVirtualRig(QStringList arguments) {
+  for (qsizetype i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] != "--virtual-rig") continue;
+    const QString next = arguments.value(i + 1);
+    const bool told = next == "laser" || next == "camera";
+    arguments[i] += '=' + (told ? arguments.takeAt(i + 1) : QStringLiteral("laser"));
+  }
+  return arguments;
+}
+
 }  // namespace
 
 CommandLine parseCommandLine(const QStringList& arguments) {
@@ -42,7 +59,10 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   parser.addOptions({
       {"recording", "Take the robot's observations from this folder.", "DIR"},
       {"rig", "Connect the live robot that this file describes.", "FILE"},
-      {"virtual-rig", "Open two rows of buildings with a simulated live robot."},
+      {"virtual-rig",
+       "Open two rows of buildings with a simulated live robot: laser (the default), or camera for "
+       "a stereo head that stops and looks around.",
+       "laser|camera"},
       {"from", "First frame of the recording.", "N", "0"},
       {"source", "What to take of the recording: auto, images or points.", "KIND", "auto"},
       {"seed", "Seed of the run.", "N"},
@@ -55,7 +75,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
        "trajectory and a screenshot to DIR, and leave.",
        "DIR"},
   });
-  if (!parser.parse(arguments)) refuse(parser.errorText());
+  if (!parser.parse(withVirtualRig(arguments))) refuse(parser.errorText());
   if (parser.isSet("help")) parser.showHelp();
   if (parser.isSet("version")) parser.showVersion();
   if (parser.positionalArguments().size() > 1) {
@@ -66,7 +86,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   line.map = parser.positionalArguments().value(0);
   line.recording = parser.value("recording");
   line.rig = parser.value("rig");
-  line.virtual_rig = parser.isSet("virtual-rig");
+  if (parser.isSet("virtual-rig")) line.virtual_rig = virtualRig(parser.value("virtual-rig"));
   line.replay.from = wholeNumber(parser, "from");
   line.replay.kind = sourceKind(parser.value("source"));
   if (parser.isSet("seed")) line.seed = wholeNumber(parser, "seed");
@@ -78,11 +98,11 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   if (line.demo && !(line.map.isEmpty() && line.recording.isEmpty())) {
     refuse(QStringLiteral("--demo brings its own map and robot"));
   }
-  const bool is_live = line.virtual_rig || !line.rig.isEmpty();
+  const bool is_live = line.virtual_rig.has_value() || !line.rig.isEmpty();
   if (is_live && line.isBatch()) {
     refuse(QStringLiteral("a live robot has no end to wait for: handmap-cli run --for SECONDS"));
   }
-  if (int(line.demo) + int(line.virtual_rig) + int(!line.rig.isEmpty()) +
+  if (int(line.demo) + int(line.virtual_rig.has_value()) + int(!line.rig.isEmpty()) +
           int(!line.recording.isEmpty()) >
       1) {
     refuse(QStringLiteral("found more than one of --demo, --recording, --rig and --virtual-rig"));

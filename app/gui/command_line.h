@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/recording/recording.h"
+#include "drivers/virtual/virtual_rig_kind.h"
 
 namespace handmap {
 
@@ -12,7 +13,7 @@ struct CommandLine {
   QString map;        ///< empty: none
   QString recording;  ///< empty: none
   QString rig;        ///< of a live robot; empty: none
-  bool virtual_rig = false;
+  std::optional<VirtualRigKind> virtual_rig;
   ReplayOptions replay;
   std::optional<int> seed;
   bool demo = false;

@@ -46,10 +46,11 @@ Demonstration twoRowSimulation(std::uint64_t seed) {
   return simulationOf(QObject::tr("two rows"), twoRowWorld(seed), seed);
 }
 
-Demonstration liveSimulation(std::uint64_t seed) {
-  const World world = twoRowWorld(seed);
+Demonstration liveSimulation(std::uint64_t seed, VirtualRigKind kind) {
+  World world = twoRowWorld(seed);
+  if (kind == VirtualRigKind::StereoHead) world = furnished(std::move(world), seed);
   Demonstration simulation = simulationOf(QObject::tr("two rows"), world, seed);
-  simulation.robot = virtualRobot(world, seed);
+  simulation.robot = virtualRobot(world, seed, kind);
   return simulation;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/gui/robot.h"
+#include "drivers/virtual/virtual_rig_kind.h"
 
 namespace handmap {
 
@@ -20,7 +21,7 @@ Demonstration twoRowSimulation(std::uint64_t seed);
 Demonstration campusSimulation(std::uint64_t seed);
 Demonstration loopSimulation(std::uint64_t seed);
 /// A live robot among two rows of buildings.
-Demonstration liveSimulation(std::uint64_t seed);
+Demonstration liveSimulation(std::uint64_t seed, VirtualRigKind kind);
 /// The robot drives through what the drawing might be in truth, according to its uncertainty.
 /// Throws Error (BadInput) when the drawing has neither a start nor a route.
 Robot simulationOfDrawing(const Map& drawing, std::uint64_t seed);

@@ -3,7 +3,7 @@
 #include <QDateTime>
 #include <QObject>
 
-#include "drivers/virtual/virtual_rig.h"
+#include "drivers/virtual/stereo_rig.h"
 #include "widgets/background/background.h"
 
 namespace handmap {
@@ -54,13 +54,15 @@ Robot liveRobot(const Rig& rig, MakeDevices make) {
   return robot;
 }
 
-Robot virtualRobot(World world, std::uint64_t seed) {
+Robot virtualRobot(World world, std::uint64_t seed, VirtualRigKind kind) {
   const Map truth = world.map;
   VirtualDrive drive;
   drive.world = std::move(world);
   drive.seed = seed;
-  const Rig rig = virtualRig(drive);
-  Robot robot = liveRobot(rig, virtualDevices(std::move(drive)));
+  const bool stereo = kind == VirtualRigKind::StereoHead;
+  const Rig rig = stereo ? virtualStereoRig() : virtualRig(drive);
+  Robot robot = liveRobot(
+      rig, stereo ? virtualStereoDevices(std::move(drive)) : virtualDevices(std::move(drive)));
   robot.name = QObject::tr("Virtual rig");
   robot.truth_map = truth;
   return robot;

@@ -7,6 +7,7 @@
 #include "app/gui/robot.h"
 #include "drivers/live/live_source.h"
 #include "drivers/onlookers/onlookers.h"
+#include "drivers/virtual/virtual_rig_kind.h"
 
 namespace handmap {
 
@@ -34,7 +35,8 @@ class LiveLink {
 };
 
 Robot liveRobot(const Rig& rig, MakeDevices make);
-/// A laser on a simulated robot that drives through `world` in real time.
-Robot virtualRobot(World world, std::uint64_t seed);
+/// A laser, or a stereo camera that looks around at each stop, on a simulated robot that drives
+/// through `world` in real time.
+Robot virtualRobot(World world, std::uint64_t seed, VirtualRigKind kind);
 
 }  // namespace handmap

@@ -76,7 +76,7 @@ void openRobot(MainWindow& window, const CommandLine& line, bool first_start) {
                      &RunActions::runOrResume, Qt::SingleShotConnection);
   }
   if (demo) window.runs().openDemonstration();
-  if (line.virtual_rig) window.runs().openVirtualRig();
+  if (line.virtual_rig) window.runs().openVirtualRig(*line.virtual_rig);
   if (!line.rig.isEmpty()) window.rigs().openRig(line.rig);
   if (!line.recording.isEmpty()) window.runs().openRecording(line.recording);
   if (line.isBatch()) window.transport().setSpeed(0.0);

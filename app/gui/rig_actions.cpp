@@ -21,6 +21,7 @@ constexpr auto kRigKey = "files/rig";
 
 RigActions::RigActions(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
   parts_.actions.on("run.connect", this, [this] { showDialog(); });
+  parts_.actions.on("run.calibrate", this, [this] { showCalibration(); });
   connect(&parts_.run, &RunController::stateChanged, this, &RigActions::followRun);
   connect(&parts_.runs, &RunActions::runForgotten, this, &RigActions::followRun);
 }
@@ -30,6 +31,7 @@ void RigActions::showDialog() {
     dialog_ = new RigDialog(parts_.dialogs, connectedDevices(), &parts_.window);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog_, &RigDialog::chosen, this, &RigActions::use);
+    connect(dialog_, &RigDialog::calibrationWanted, this, &RigActions::showCalibration);
     connect(dialog_, &RigDialog::fileUsed, this,
             [this](const QString& path) { parts_.settings.setValue(kRigKey, path); });
     const QString last = parts_.settings.value(kRigKey).toString();
@@ -38,6 +40,24 @@ void RigActions::showDialog() {
   dialog_->show();
   dialog_->raise();
   dialog_->activateWindow();
+}
+
+/// With the cameras of the rig that is being put together; what is found goes back there.
+void RigActions::showCalibration() {
+  if (!calibration_) {
+    QWidget* over = dialog_ ? static_cast<QWidget*>(dialog_) : &parts_.window;
+    calibration_ = new CalibrationDialog(parts_.dialogs, connectedDevices(), over);
+    calibration_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(calibration_, &CalibrationDialog::calibrated, this, [this](const CameraRig& camera) {
+      showDialog();
+      dialog_->form().setCamera(camera);
+    });
+    if (dialog_) calibration_->setCamera(dialog_->form().camera());
+  }
+  if (dialog_) dialog_->endTrial();  // a camera has one reader
+  calibration_->show();
+  calibration_->raise();
+  calibration_->activateWindow();
 }
 
 void RigActions::openRig(const QString& path) {

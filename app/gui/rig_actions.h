@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointer>
 
+#include "app/gui/calibration_dialog.h"
 #include "app/gui/rig_dialog.h"
 
 class QSettings;
@@ -36,6 +37,8 @@ class RigActions : public QObject {
   void openRig(const QString& path);
   void showDialog();
   RigDialog* dialog() { return dialog_; }  ///< nullptr when there is none
+  void showCalibration();
+  CalibrationDialog* calibration() { return calibration_; }  ///< nullptr when there is none
 
  private:
   void use(const Rig& rig);
@@ -43,6 +46,7 @@ class RigActions : public QObject {
 
   Parts parts_;
   QPointer<RigDialog> dialog_;
+  QPointer<CalibrationDialog> calibration_;
 };
 
 }  // namespace handmap

@@ -58,6 +58,7 @@ RigDialog::RigDialog(Dialogs& dialogs, MakeDevices make, QWidget* parent)
   layout->addWidget(words_);
   makeButtons();
   connect(&looking_, &QTimer::timeout, this, &RigDialog::look);
+  connect(form_, &RigForm::calibrationWanted, this, &RigDialog::calibrationWanted);
   connect(&trial_, &RigTrial::failed, this, [this](const RunFailure& failure) {
     endTrial();
     tell(failure.hint.isEmpty() ? failure.message : failure.message + '\n' + failure.hint);

@@ -28,6 +28,8 @@ class RigDialog : public QDialog {
   bool open(const QString& path);
   using QDialog::open;
   bool save(const QString& path);
+  /// Its devices are free again.
+  void endTrial();
 
  public Q_SLOTS:
   void done(int result) override;
@@ -36,6 +38,7 @@ class RigDialog : public QDialog {
   /// The person wants to run with it.
   void chosen(const handmap::Rig& rig);
   void fileUsed(const QString& path);
+  void calibrationWanted();
 
  private:
   QWidget* makeTrialSide();
@@ -43,7 +46,6 @@ class RigDialog : public QDialog {
   void askToOpen();
   void askToSave();
   void toggleTrial();
-  void endTrial();
   void look();
   void use();
   void tell(const QString& words);

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "app/gui/dialogs.h"
+#include "drivers/camera/image_devices.h"
 
 namespace handmap {
 
@@ -22,7 +23,10 @@ constexpr int kMostPixels = 16384;
 constexpr int kMostPort = 65535;
 
 QString cameraHint() {
-  return RigForm::tr("A device (/dev/video0), a video file, or the URL of a network camera");
+  return RigForm::tr(
+      "A device (/dev/video0), a video file, or the URL of a network camera; on FireWire the "
+      "number "
+      "of the head or “first”; of GigE and USB3 Vision its name");
 }
 QString portHint() {
   return RigForm::tr(
@@ -40,7 +44,11 @@ void offer(QComboBox& box, const QStringList& choices) {
 }  // namespace
 
 RigForm::RigForm(Dialogs& dialogs, QWidget* parent)
-    : QWidget(parent), dialogs_(dialogs), form_(new QFormLayout(this)), name_(new QLineEdit) {
+    : QWidget(parent),
+      dialogs_(dialogs),
+      self_(std::make_shared<Lifeline<RigForm>>(*this)),
+      form_(new QFormLayout(this)),
+      name_(new QLineEdit) {
   form_->setContentsMargins(4, 4, 4, 4);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   name_->setObjectName("rig_name");
@@ -49,6 +57,7 @@ RigForm::RigForm(Dialogs& dialogs, QWidget* parent)
   makeMotionRows(*form_);
   makeOutputRows(*form_);
   connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
+  connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::listCameras);
   connect(odometry_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
   connect(foxglove_, &QSpinBox::valueChanged, this, &RigForm::showRows);
   connect(has_head_, &QCheckBox::toggled, this, &RigForm::showRows);
@@ -60,11 +69,15 @@ RigForm::RigForm(Dialogs& dialogs, QWidget* parent)
   setRig(rig);
 }
 
+RigForm::~RigForm() { self_->cut(); }
+
 void RigForm::makeSensorRows(QFormLayout& form) {
   sees_ = new QComboBox;
   sees_->setObjectName("rig_sees");
   sees_->addItem(tr("Stereo camera, both images in one"), static_cast<int>(Sees::SideBySide));
   sees_->addItem(tr("Two cameras"), static_cast<int>(Sees::TwoCameras));
+  sees_->addItem(tr("Stereo head on FireWire (Bumblebee)"), static_cast<int>(Sees::FireWire));
+  sees_->addItem(tr("Two GigE or USB3 Vision cameras"), static_cast<int>(Sees::Vision));
   sees_->addItem(tr("Two cameras over ROS"), static_cast<int>(Sees::RosCameras));
   sees_->addItem(tr("Laser scanner: Hokuyo"), static_cast<int>(Sees::Hokuyo));
   sees_->addItem(tr("Laser scanner: RPLIDAR"), static_cast<int>(Sees::Rplidar));
@@ -84,6 +97,12 @@ void RigForm::makeSensorRows(QFormLayout& form) {
   calibration_->setObjectName("rig_calibration");
   calibration_->setToolTip(tr("calib.yml as “handmap-cli calibrate” writes it"));
   calibration_row_ = withBrowse(calibration_, false);
+  auto* calibrate = new QToolButton;
+  calibrate->setObjectName("rig_calibrate");
+  calibrate->setText(tr("Calibrate…"));
+  calibrate->setToolTip(tr("Hold a checkerboard before the cameras"));
+  calibration_row_->layout()->addWidget(calibrate);
+  connect(calibrate, &QToolButton::clicked, this, &RigForm::calibrationWanted);
   form.addRow(tr("Calibration"), calibration_row_);
   width_ = new QSpinBox;
   height_ = new QSpinBox;
@@ -207,13 +226,25 @@ ScannerKind RigForm::scannerOf(Sees sees) {
   }
 }
 
+CameraKind RigForm::cameraOf(Sees sees) {
+  if (sees == Sees::FireWire) return CameraKind::FireWire;
+  return sees == Sees::Vision ? CameraKind::Vision : CameraKind::Video;
+}
+
+RigForm::Sees RigForm::seesOf(const CameraRig& camera) {
+  if (!camera.ros.empty()) return Sees::RosCameras;
+  if (camera.kind == CameraKind::FireWire) return Sees::FireWire;
+  if (camera.kind == CameraKind::Vision) return Sees::Vision;
+  return camera.right.empty() ? Sees::SideBySide : Sees::TwoCameras;
+}
+
 void RigForm::showRows() {
   const bool camera = hasCamera();
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
   const bool ros = odometry == OdometryRigKind::Ros;
   const bool over_ros = sees() == Sees::RosCameras;
   form_->setRowVisible(left_, camera && !over_ros);
-  form_->setRowVisible(right_, sees() == Sees::TwoCameras);
+  form_->setRowVisible(right_, seesWithTwo());
   form_->setRowVisible(calibration_row_, camera);
   for (QWidget* row : {camera_ros_, left_topic_, right_topic_}) {
     form_->setRowVisible(row, over_ros);
@@ -236,11 +267,33 @@ void RigForm::listPorts() {
     serial << port.systemLocation();
   }
   for (QComboBox* box : {scanner_port_, head_port_, odometry_port_}) offer(*box, serial);
-  QStringList cameras;
-  for (const QString& name : QDir("/dev").entryList({"video*"}, QDir::System, QDir::Name)) {
-    cameras << QStringLiteral("/dev/") + name;
+  listCameras();
+}
+
+/// Who asks what is on a bus waits for a second: not the window.
+void RigForm::listCameras() {
+  const CameraKind kind = cameraOf(sees());
+  if (kind == CameraKind::Video) {
+    QStringList cameras;
+    for (const QString& name : QDir("/dev").entryList({"video*"}, QDir::System, QDir::Name)) {
+      cameras << QStringLiteral("/dev/") + name;
+    }
+    for (QComboBox* box : {left_, right_}) offer(*box, cameras);
+    return;
   }
-  for (QComboBox* box : {left_, right_}) offer(*box, cameras);
+  startInBackground([self = self_, kind] {
+    QStringList cameras;
+    try {
+      for (const std::string& name : connectedCameras(kind))
+        cameras << QString::fromStdString(name);
+    } catch (const std::exception&) {
+      return;  // a bus that is not there has no cameras
+    }
+    self->post([kind, cameras](RigForm& form) {
+      if (cameraOf(form.sees()) != kind) return;
+      for (QComboBox* box : {form.left_, form.right_}) offer(*box, cameras);
+    });
+  });
 }
 
 }  // namespace handmap

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 
 #include "drivers/rig/rig.h"
+#include "widgets/background/background.h"
 
 class QCheckBox;
 class QComboBox;
@@ -21,16 +23,33 @@ class RigForm : public QWidget {
  public:
   /// `dialogs` must outlive it.
   explicit RigForm(Dialogs& dialogs, QWidget* parent = nullptr);
+  ~RigForm() override;
 
   /// Throws BadInput, in plain words, for what is missing or does not go together; the field to be
   /// mended then has the focus.
   Rig rig() const;
   void setRig(const Rig& rig);
+  /// As far as it is entered: what is missing is empty.
+  CameraRig camera() const;
+  void setCamera(const CameraRig& camera);
   /// Looks anew which ports and cameras there are.
   void listPorts();
 
+ Q_SIGNALS:
+  void calibrationWanted();
+
  private:
-  enum class Sees { SideBySide, TwoCameras, RosCameras, Hokuyo, Rplidar, Ros, RosCloud };
+  enum class Sees {
+    SideBySide,
+    TwoCameras,
+    FireWire,
+    Vision,
+    RosCameras,
+    Hokuyo,
+    Rplidar,
+    Ros,
+    RosCloud
+  };
   void makeSensorRows(QFormLayout& form);
   void makeMotionRows(QFormLayout& form);
   void makeOutputRows(QFormLayout& form);
@@ -46,9 +65,14 @@ class RigForm : public QWidget {
   void showRows();
   Sees sees() const;
   static ScannerKind scannerOf(Sees sees);
+  static CameraKind cameraOf(Sees sees);
+  static Sees seesOf(const CameraRig& camera);
+  void listCameras();
+  bool seesWithTwo() const { return sees() == Sees::TwoCameras || sees() == Sees::Vision; }
   bool hasCamera() const { return sees() <= Sees::RosCameras; }
 
   Dialogs& dialogs_;
+  std::shared_ptr<Lifeline<RigForm>> self_;  ///< shared with who asks for cameras
   QFormLayout* form_;
   QLineEdit* name_;
   QComboBox* sees_;

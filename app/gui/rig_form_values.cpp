@@ -45,7 +45,7 @@ void RigForm::needRosbridge(QLineEdit* field) const {
 
 /// What a person has forgotten, in the words of the fields.
 void RigForm::checkEntered() const {
-  const bool two = sees() == Sees::TwoCameras;
+  const bool two = seesWithTwo();
   need(left_, two ? tr("Choose the left camera.") : tr("Choose a camera."));
   need(right_, tr("Choose the right camera."));
   needRosbridge(camera_ros_);
@@ -71,6 +71,24 @@ void RigForm::checkEntered() const {
   }
 }
 
+CameraRig RigForm::camera() const {
+  CameraRig camera = kept_.camera.value_or(CameraRig{});
+  const bool ros = sees() == Sees::RosCameras;
+  camera.kind = cameraOf(sees());
+  if (seesWithTwo() || ros) camera.right_first = false;
+  camera.ros = ros ? textOf(*camera_ros_) : std::string();
+  camera.left = ros ? textOf(*left_topic_) : textOf(*left_);
+  camera.right = ros ? textOf(*right_topic_) : std::string();
+  if (seesWithTwo()) camera.right = textOf(*right_);
+  camera.calibration = textOf(*calibration_);
+  camera.width = ros ? 0 : width_->value();
+  camera.height = ros ? 0 : height_->value();
+  if (ros) camera.rate_hz = camera.right_delay_s = 0.0;
+  camera.mount = {x_->value(), y_->value(), z_->value(), toRadians(pitch_->value()),
+                  toRadians(yaw_->value())};
+  return camera;
+}
+
 Rig RigForm::rig() const {
   checkEntered();
   Rig rig = kept_;
@@ -78,19 +96,7 @@ Rig RigForm::rig() const {
   if (rig.name.empty()) rig.name = tr("My robot").toStdString();
   rig.range_limit_m = range_->value();
   if (hasCamera()) {
-    CameraRig camera = kept_.camera.value_or(CameraRig{});
-    const bool ros = sees() == Sees::RosCameras;
-    camera.ros = ros ? textOf(*camera_ros_) : std::string();
-    camera.left = ros ? textOf(*left_topic_) : textOf(*left_);
-    camera.right = ros ? textOf(*right_topic_) : std::string();
-    if (sees() == Sees::TwoCameras) camera.right = textOf(*right_);
-    camera.calibration = textOf(*calibration_);
-    camera.width = ros ? 0 : width_->value();
-    camera.height = ros ? 0 : height_->value();
-    if (ros) camera.rate_hz = camera.right_delay_s = 0.0;
-    camera.mount = {x_->value(), y_->value(), z_->value(), toRadians(pitch_->value()),
-                    toRadians(yaw_->value())};
-    rig.camera = camera;
+    rig.camera = camera();
     rig.scanner.reset();
     rig.head.reset();
     if (has_head_->isChecked()) rig.head = HeadRig{textOf(*head_port_)};
@@ -114,33 +120,33 @@ Rig RigForm::rig() const {
   return parseRig(formatRig(rig, {}), tr("The rig").toStdString(), {});
 }
 
+void RigForm::setCamera(const CameraRig& camera) {
+  kept_.camera = camera;
+  const Sees sees = seesOf(camera);
+  sees_->setCurrentIndex(sees_->findData(static_cast<int>(sees)));
+  if (sees == Sees::RosCameras) {
+    camera_ros_->setText(QString::fromStdString(camera.ros));
+    left_topic_->setText(QString::fromStdString(camera.left));
+    right_topic_->setText(QString::fromStdString(camera.right));
+  } else {
+    left_->setEditText(QString::fromStdString(camera.left));
+    right_->setEditText(QString::fromStdString(camera.right));
+  }
+  calibration_->setText(QString::fromStdString(camera.calibration.string()));
+  width_->setValue(camera.width);
+  height_->setValue(camera.height);
+  x_->setValue(camera.mount.x);
+  y_->setValue(camera.mount.y);
+  z_->setValue(camera.mount.z);
+  yaw_->setValue(toDegrees(camera.mount.yaw));
+  pitch_->setValue(toDegrees(camera.mount.pitch));
+}
+
 void RigForm::setRig(const Rig& rig) {
   kept_ = rig;
   name_->setText(QString::fromStdString(rig.name));
   range_->setValue(rig.range_limit_m);
-  if (rig.camera) {
-    const CameraRig& camera = *rig.camera;
-    const Sees sees = !camera.ros.empty()    ? Sees::RosCameras
-                      : camera.right.empty() ? Sees::SideBySide
-                                             : Sees::TwoCameras;
-    sees_->setCurrentIndex(sees_->findData(static_cast<int>(sees)));
-    if (sees == Sees::RosCameras) {
-      camera_ros_->setText(QString::fromStdString(camera.ros));
-      left_topic_->setText(QString::fromStdString(camera.left));
-      right_topic_->setText(QString::fromStdString(camera.right));
-    } else {
-      left_->setEditText(QString::fromStdString(camera.left));
-      right_->setEditText(QString::fromStdString(camera.right));
-    }
-    calibration_->setText(QString::fromStdString(camera.calibration.string()));
-    width_->setValue(camera.width);
-    height_->setValue(camera.height);
-    x_->setValue(camera.mount.x);
-    y_->setValue(camera.mount.y);
-    z_->setValue(camera.mount.z);
-    yaw_->setValue(toDegrees(camera.mount.yaw));
-    pitch_->setValue(toDegrees(camera.mount.pitch));
-  }
+  if (rig.camera) setCamera(*rig.camera);
   if (rig.scanner) {
     const ScannerRig& scanner = *rig.scanner;
     for (const Sees sees : {Sees::Hokuyo, Sees::Rplidar, Sees::Ros, Sees::RosCloud}) {

@@ -96,7 +96,9 @@ void RunActions::addSimulatorMenu() {
   menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
   menu->addAction(tr("T&his drawing"), this, &RunActions::simulateDrawing);
   menu->addSeparator();
-  menu->addAction(tr("A &live robot (virtual rig)"), this, &RunActions::openVirtualRig);
+  menu->addAction(tr("A &live robot (virtual rig)"), this, [this] { openVirtualRig(); });
+  menu->addAction(tr("A live robot with a &stereo head"), this,
+                  [this] { openVirtualRig(VirtualRigKind::StereoHead); });
   menu->addAction(tr("The &demonstration"), this, &RunActions::openDemonstration);
   parts_.actions["run.simulator"].setMenu(menu);
   parts_.actions.on("run.simulator", this, [this, menu] {  // by its key
@@ -185,7 +187,9 @@ bool RunActions::openDemonstration() {
   return true;
 }
 
-bool RunActions::openVirtualRig() { return openSimulation(liveSimulation(seed())); }
+bool RunActions::openVirtualRig(VirtualRigKind kind) {
+  return openSimulation(liveSimulation(seed(), kind));
+}
 
 bool RunActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 

@@ -58,7 +58,7 @@ class RunActions : public QObject {
   bool openDemonstration();
   bool openTwoRows();
   /// A live robot that is simulated, among two rows of buildings; it starts when the run does.
-  bool openVirtualRig();
+  bool openVirtualRig(VirtualRigKind kind = VirtualRigKind::Laser);
   void askForRecording();
   void setRobot(Robot robot);
 

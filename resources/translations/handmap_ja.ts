@@ -727,6 +727,14 @@
         <source>Lead the way through poses of a file in TUM form, in the frame of the map.</source>
         <translation>TUM 形式のファイルの姿勢 (地図の座標系) を通るように経路を導きます。</translation>
     </message>
+    <message>
+        <source>Ca&amp;librate Cameras…</source>
+        <translation>カメラの校正(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Hold a checkerboard before a stereo camera, so that it measures.</source>
+        <translation>ステレオカメラの前に市松模様の板をかざし、距離を測れるようにします。</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -967,6 +975,78 @@
     <message>
         <source>Polygon of %1 corners</source>
         <translation>%1 角形</translation>
+    </message>
+    <message>
+        <source>at the left edge</source>
+        <translation>左端に</translation>
+    </message>
+    <message>
+        <source>at the right edge</source>
+        <translation>右端に</translation>
+    </message>
+    <message>
+        <source>at the top edge</source>
+        <translation>上端に</translation>
+    </message>
+    <message>
+        <source>at the bottom edge</source>
+        <translation>下端に</translation>
+    </message>
+    <message>
+        <source>near: half as wide as the image</source>
+        <translation>近くに：画像の幅の半分</translation>
+    </message>
+    <message>
+        <source>far: a quarter of the image</source>
+        <translation>遠くに：画像の4分の1</translation>
+    </message>
+    <message>
+        <source>turned, its left side nearer</source>
+        <translation>回して、左側を手前に</translation>
+    </message>
+    <message>
+        <source>turned, its right side nearer</source>
+        <translation>回して、右側を手前に</translation>
+    </message>
+    <message>
+        <source>tilted, its top nearer</source>
+        <translation>傾けて、上側を手前に</translation>
+    </message>
+    <message>
+        <source>tilted, its bottom nearer</source>
+        <translation>傾けて、下側を手前に</translation>
+    </message>
+    <message>
+        <source>Move or tilt it: any new view helps.</source>
+        <translation>動かすか傾けてください。新しい向きなら何でも役に立ちます。</translation>
+    </message>
+    <message>
+        <source>Next: %1.</source>
+        <translation>次：%1。</translation>
+    </message>
+    <message>
+        <source>No whole board is seen.</source>
+        <translation>板の全体が見えません。</translation>
+    </message>
+    <message>
+        <source>Only one camera sees the whole board.</source>
+        <translation>板の全体が片方のカメラにしか見えません。</translation>
+    </message>
+    <message>
+        <source>Hold still.</source>
+        <translation>動かさないでください。</translation>
+    </message>
+    <message>
+        <source>Not sharp: more light, or hold it stiller.</source>
+        <translation>ぼけています。もっと明るくするか、じっと持ってください。</translation>
+    </message>
+    <message>
+        <source>Taken.</source>
+        <translation>撮りました。</translation>
+    </message>
+    <message>
+        <source>Found with %1 pairs: the corners are off by %2 px in the left and %3 px in the right image, rows by %4 px. Baseline %5 m, focal length %6 px. What lies on a line on the left lies on it on the right.</source>
+        <translation>%1 組から求めました。角のずれは左の画像で %2 px、右の画像で %3 px、行のずれは %4 px です。基線長 %5 m、焦点距離 %6 px。左で線の上にあるものは、右でも同じ線の上にあります。</translation>
     </message>
 </context>
 <context>
@@ -1358,6 +1438,121 @@ Observations: %4</source>
     <message>
         <source>&amp;Copy as CSV</source>
         <translation>CSV としてコピー(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::CalibrationDialog</name>
+    <message>
+        <source>Calibrate cameras</source>
+        <translation>カメラの校正</translation>
+    </message>
+    <message>
+        <source>Print a checkerboard, glue it on something flat, and measure its squares. Press Start and hold it before both cameras: what is needed is taken by itself.</source>
+        <translation>市松模様を印刷して平らな板に貼り、升目の大きさを測ってください。「開始」を押し、両方のカメラの前にかざすと、必要な画像が自動で撮られます。</translation>
+    </message>
+    <message>
+        <source>A device (/dev/video0), a video file, or the URL of a network camera</source>
+        <translation>装置（/dev/video0）、動画ファイル、またはネットワークカメラの URL</translation>
+    </message>
+    <message>
+        <source>none: both images in one</source>
+        <translation>なし：1枚に両方の画像</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Right camera</source>
+        <translation>右カメラ</translation>
+    </message>
+    <message>
+        <source>Where four squares meet: one less than there are squares</source>
+        <translation>4つの升目が接する点の数。升目の数より1少ない</translation>
+    </message>
+    <message>
+        <source>Inner corners across</source>
+        <translation>内側の角の数（横）</translation>
+    </message>
+    <message>
+        <source>Inner corners down</source>
+        <translation>内側の角の数（縦）</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>The side of a square, measured: all distances hang on it</source>
+        <translation>測った升目の一辺。すべての距離がこれで決まります</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>升目</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>保存しない</translation>
+    </message>
+    <message>
+        <source>For “handmap-cli calibrate”, to do it again with the same pictures</source>
+        <translation>「handmap-cli calibrate」で同じ画像からやり直すため</translation>
+    </message>
+    <message>
+        <source>Keep pictures in</source>
+        <translation>画像の保存先</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>開始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate now</source>
+        <translation>今すぐ校正(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Save and &amp;use…</source>
+        <translation>保存して使う(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Choose a camera.</source>
+        <translation>カメラを選んでください。</translation>
+    </message>
+    <message>
+        <source>A board with as many corners across as down does not tell which side is up: use another one.</source>
+        <translation>角の数が縦横同じ板では上下がわかりません。別の板を使ってください。</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation>最初の画像を待っています</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Calibrating: this takes some seconds.</source>
+        <translation>校正しています。数秒かかります。</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>もう一度開始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%2 組のうち %1 組</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>校正結果の保存</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yml)</source>
+        <translation>校正ファイル (*.yml)</translation>
     </message>
 </context>
 <context>
@@ -3420,10 +3615,6 @@ Corrected by a run.</source>
 <context>
     <name>handmap::RigForm</name>
     <message>
-        <source>A device (/dev/video0), a video file, or the URL of a network camera</source>
-        <translation>機器 (/dev/video0)、動画ファイル、またはネットワークカメラの URL</translation>
-    </message>
-    <message>
         <source>A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or tcp://host:port; of ROS the rosbridge: ws://host:9090</source>
         <translation>シリアルポート (/dev/ttyUSB0、速度つきは /dev/ttyUSB0@115200) または tcp://host:port。ROS では rosbridge: ws://host:9090</translation>
     </message>
@@ -3707,6 +3898,26 @@ Corrected by a run.</source>
         <source>A robot that stops to look around needs wheels that tell its motion.</source>
         <translation>止まって見回すロボットには、動きを示す車輪が必要です。</translation>
     </message>
+    <message>
+        <source>A device (/dev/video0), a video file, or the URL of a network camera; on FireWire the number of the head or “first”; of GigE and USB3 Vision its name</source>
+        <translation>装置（/dev/video0）、動画ファイル、またはネットワークカメラの URL。FireWire では装置の番号か「first」、GigE・USB3 Vision では装置の名前</translation>
+    </message>
+    <message>
+        <source>Stereo head on FireWire (Bumblebee)</source>
+        <translation>FireWire のステレオカメラ（Bumblebee）</translation>
+    </message>
+    <message>
+        <source>Two GigE or USB3 Vision cameras</source>
+        <translation>GigE・USB3 Vision カメラ2台</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>校正…</translation>
+    </message>
+    <message>
+        <source>Hold a checkerboard before the cameras</source>
+        <translation>カメラの前に市松模様の板をかざす</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RigPreviewView</name>
@@ -3934,6 +4145,10 @@ Corrected by a run.</source>
     <message>
         <source>no recording or simulator is open</source>
         <translation>記録もシミュレーターも開いていません</translation>
+    </message>
+    <message>
+        <source>A live robot with a &amp;stereo head</source>
+        <translation>ステレオカメラで見回すロボット（実時間）(&amp;S)</translation>
     </message>
 </context>
 <context>

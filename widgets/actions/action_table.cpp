@@ -214,6 +214,10 @@ constexpr std::array kActions = {
         "run.connect", QT_TRANSLATE_NOOP("Actions", "C&onnect a Robot…"), "", "Ctrl+Shift+R",
         QT_TRANSLATE_NOOP("Actions", "Put a live robot together: camera or scanner, head, wheels."),
         Menu::Run},
+    ActionSpec{"run.calibrate", QT_TRANSLATE_NOOP("Actions", "Ca&librate Cameras…"), "", "",
+               QT_TRANSLATE_NOOP(
+                   "Actions", "Hold a checkerboard before a stereo camera, so that it measures."),
+               Menu::Run},
     ActionSpec{
         "run.simulator", QT_TRANSLATE_NOOP("Actions", "Si&mulator"), "", "Ctrl+Shift+M",
         QT_TRANSLATE_NOOP("Actions", "Take the robot's observations from the built-in simulator."),
