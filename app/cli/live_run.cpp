@@ -45,7 +45,7 @@ VirtualDrive driveThroughDrawing(const Map& drawing, std::uint64_t seed,
   return drive;
 }
 
-/// Without a value CLI11 gives one of its own.
+/// Without a value CLI11 gives the default, or one of its own.
 std::string laserUnlessTold(std::string& kind) {
   if (kind == "camera" || kind == "laser") return {};
   if (!kind.empty() && kind != "true" && kind != "{}") {
@@ -66,6 +66,7 @@ void addLive(CLI::App& command, LiveArguments& arguments) {
                   "might be in truth: with a laser, or with a stereo camera that looks around at "
                   "each stop")
       ->expected(0, 1)
+      ->default_str("laser")
       ->transform(CLI::Validator(laserUnlessTold, ""))
       ->option_text("[laser|camera]");
   command
