@@ -8,6 +8,7 @@
 #include "app/gui/live_panel.h"
 #include "app/gui/live_robot.h"
 #include "app/gui/message_bar.h"
+#include "app/gui/rig_form.h"
 #include "app/gui/run_actions.h"
 #include "core/base/error.h"
 #include "drivers/connected/connected_devices.h"

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include <fmt/format.h>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "drivers/camera/raw_images.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/simulation/drive.h"
