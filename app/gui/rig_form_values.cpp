@@ -113,6 +113,7 @@ Rig RigForm::rig() const {
   if (!rig.head) rig.stops.reset();
   rig.odometry = {static_cast<OdometryRigKind>(odometry_->currentData().toInt()),
                   textOf(*odometry_port_), textOf(*odometry_topic_)};
+  if (rig.stops && rig.odometry.kind != OdometryRigKind::Ros) rig.stops->topic.clear();
   rig.publish = {textOf(*publish_ros_), foxglove_->value(),
                  foxglove_->value() > 0 && beyond_->isChecked()};
   rig.record = textOf(*record_);

@@ -46,6 +46,7 @@ class Maker {
     }
     if (odometry.kind != OdometryRigKind::Ros) return nullptr;
     return std::make_unique<RosOdometry>(ros(odometry.port), topic(odometry.topic),
+                                         topic(rig_.stops ? rig_.stops->topic : std::string()),
                                          monitor_.clock());
   }
 

@@ -40,6 +40,8 @@ class OdometrySensor : public Device {
  Q_SIGNALS:
   /// In the odometry frame.
   void moved(double time_s, const handmap::Pose2& pose);
+  /// The robot stands, and asks its head to look around.
+  void lookAsked();
 };
 
 class RangeSensor : public Device {

@@ -83,6 +83,8 @@ class RigHost::Hosting {
   void connectSensors() {
     if (devices_.odometry) {
       watch(*devices_.odometry, DeviceRole::Odometry);
+      QObject::connect(devices_.odometry.get(), &OdometrySensor::lookAsked, &context_,
+                       [this] { guarded([this] { assembler_.lookAround(); }); });
       QObject::connect(devices_.odometry.get(), &OdometrySensor::moved, &context_,
                        [this](double time_s, const Pose2& pose) {
                          monitor_.datum(DeviceRole::Odometry, time_s);

@@ -37,6 +37,7 @@ void LineOdometry::take(const QByteArray& bytes) {
 
 void LineOdometry::take(std::string_view line) {
   const double arrival_s = now_s();
+  if (asksToLook(line)) return lookAsked();
   std::optional<OdometryStream::Moved> told;
   try {
     const OdometryLine odometry = parseOdometryLine(line);

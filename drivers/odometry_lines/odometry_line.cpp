@@ -46,6 +46,11 @@ std::string_view withoutChecksum(std::string_view line) {
 
 }  // namespace
 
+bool asksToLook(std::string_view line) {
+  line = trimmed(line);
+  return line == "look" || line == R"({"look":true})";
+}
+
 OdometryLine parseOdometryLine(std::string_view line) {
   line = trimmed(line);
   if (line.starts_with('{')) {

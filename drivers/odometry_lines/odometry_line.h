@@ -4,6 +4,7 @@
 //   odom,12.345,1.50,-0.20,0.7854*5A         the same with a checksum: the XOR of all bytes before
 //   *
 //   {"t":12.345,"x":1.5,"y":-0.2,"yaw":0.7854}
+//   look                                     or {"look":true}: the head is to look around
 //
 // t: seconds of the base's own clock; x, y: metres; yaw: radians, counter-clockwise.
 #pragma once
@@ -19,6 +20,7 @@ struct OdometryLine {
   Pose2 pose;
 };
 
+bool asksToLook(std::string_view line);
 /// Throws BadInput.
 OdometryLine parseOdometryLine(std::string_view line);
 

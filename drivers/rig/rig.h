@@ -20,7 +20,8 @@
 //                 "mount": {"x_m", "y_m", "z_m", "yaw_deg"}},
 //    "odometry": {"kind": "lines"|"ros"|"visual"|"scan"|"none", "port": "…", "topic": "/odom"},
 //                                                    absent: visual or scan
-//    "stops":    {"pans_deg": [-150, -90, …], "standing_s": 1, "every_m": 1, "automatic": true},
+//    "stops":    {"pans_deg": [-150, -90, …], "standing_s": 1, "every_m": 1, "automatic": true,
+//                 "topic": "/look_around"},          of odometry "ros": std_msgs/Empty, asks to look
 //    "ros":      1,                                  where it is not 2
 //    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS
 //                 "foxglove": 8765,                  a port where Foxglove may look on,
@@ -108,6 +109,7 @@ struct StopRig {
   double standing_s = 1.0;   ///< so long without motion is a stop
   double every_m = 1.0;      ///< from the stop before; at less it is the same stop
   bool automatic = true;     ///< false: only when asked to
+  std::string topic;         ///< of the robot's ROS, by which it asks; empty: none
   bool operator==(const StopRig&) const = default;
 };
 /// All around, within the ±159° of a PTU-D46.

@@ -142,7 +142,7 @@ OdometryRig readOdometry(const JsonValue& json) {
 }
 
 StopRig readStops(const JsonValue& json) {
-  onlyKnown(json, {"pans_deg", "standing_s", "every_m", "automatic"});
+  onlyKnown(json, {"pans_deg", "standing_s", "every_m", "automatic", "topic"});
   StopRig stops = sixPans();
   if (const auto pans = json.find("pans_deg")) {
     stops.pans.clear();
@@ -154,6 +154,7 @@ StopRig readStops(const JsonValue& json) {
   readNumber(json, "standing_s", 0.1, kMaxStanding_s, stops.standing_s);
   readNumber(json, "every_m", 0.1, kMaxEvery_m, stops.every_m);
   if (const auto automatic = json.find("automatic")) stops.automatic = automatic->flag();
+  if (json.find("topic")) stops.topic = neededText(json, "topic");
   return stops;
 }
 
@@ -182,6 +183,9 @@ void checkTogether(const Rig& rig, const std::string& source) {
     throwBadInput(source, "odometry", "nothing that measures it",
                   "lines or ros: a robot that stops to look around sees too little in common "
                   "between two stops");
+  }
+  if (rig.stops && !rig.stops->topic.empty() && rig.odometry.kind != OdometryRigKind::Ros) {
+    throwBadInput(source, "stops.topic", "odometry that is not by ROS", "odometry \"ros\"");
   }
   if (rig.odometry.kind == OdometryRigKind::Visual && !rig.camera) {
     throwBadInput(source, "odometry.kind", "visual without a camera", "a camera");

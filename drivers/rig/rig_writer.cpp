@@ -81,10 +81,12 @@ Json odometryJson(const OdometryRig& odometry) {
 Json stopsJson(const StopRig& stops) {
   Json pans = Json::array();
   for (const double pan : stops.pans) pans.push_back(degreesOf(pan));
-  return {{"pans_deg", pans},
-          {"standing_s", stops.standing_s},
-          {"every_m", stops.every_m},
-          {"automatic", stops.automatic}};
+  Json json{{"pans_deg", pans},
+            {"standing_s", stops.standing_s},
+            {"every_m", stops.every_m},
+            {"automatic", stops.automatic}};
+  if (!stops.topic.empty()) json["topic"] = stops.topic;
+  return json;
 }
 
 Json publishJson(const PublishRig& publish) {

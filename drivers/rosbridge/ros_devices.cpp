@@ -20,8 +20,10 @@ RosType scanType(RosScanner::Kind kind) {
 }  // namespace
 
 RosOdometry::RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic,
-                         RigClock clock)
-    : topic_(std::move(client), topic, {QStringLiteral("nav_msgs"), QStringLiteral("Odometry")},
+                         QString look, RigClock clock)
+    : client_(client),
+      look_(std::move(look)),
+      topic_(std::move(client), topic, {QStringLiteral("nav_msgs"), QStringLiteral("Odometry")},
              std::move(clock), [this](const RosValue& message, double arrival_s) {
                const RosOdometryMessage read = readOdometry(message);
                const auto told = stream_.take(read.stamp_s, read.pose, arrival_s);
@@ -29,6 +31,23 @@ RosOdometry::RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString&
                return stream_.detail();
              }) {
   connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
+}
+
+RosOdometry::~RosOdometry() {
+  if (!look_.isEmpty()) client_->unsubscribe(look_);
+}
+
+void RosOdometry::open() {
+  if (!look_.isEmpty()) {
+    client_->subscribe(look_, {QStringLiteral("std_msgs"), QStringLiteral("Empty")},
+                       [this](const RosValue&) { Q_EMIT lookAsked(); });
+  }
+  topic_.open();
+}
+
+void RosOdometry::close() {
+  if (!look_.isEmpty()) client_->unsubscribe(look_);
+  topic_.close();
 }
 
 RosScanner::RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& topic, Kind kind,

@@ -11,15 +11,20 @@
 
 namespace handmap {
 
-/// nav_msgs/Odometry.
+/// nav_msgs/Odometry, and a std_msgs/Empty by which the robot asks its head to look around.
 class RosOdometry : public OdometrySensor {
   Q_OBJECT
  public:
-  RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic, RigClock clock);
-  void open() override { topic_.open(); }
-  void close() override { topic_.close(); }
+  /// `look`: the topic of the Empty; empty: none.
+  RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic, QString look,
+              RigClock clock);
+  ~RosOdometry() override;
+  void open() override;
+  void close() override;
 
  private:
+  std::shared_ptr<RosbridgeClient> client_;
+  QString look_;
   OdometryStream stream_;
   RosTopic topic_;
 };

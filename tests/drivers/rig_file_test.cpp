@@ -69,6 +69,17 @@ TEST(RigFile, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(parseRig(text, "rig.json", "/robots"), rig);
 }
 
+TEST(RigFile, ALookAroundMayBeAskedForOverRos) {
+  const std::string robot = std::string(kCamera) + R"(, "head": {"port": "/dev/ttyUSB0"},
+      "stops": {"topic": "/look"}, )";
+  const Rig rig = parsed(
+      robot + R"("odometry": {"kind": "ros", "port": "ws://rover:9090", "topic": "/odom"})");
+  EXPECT_EQ(rig.stops->topic, "/look");
+  EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
+  EXPECT_THROW(
+      parsed(robot + R"("odometry": {"kind": "lines", "port": "tcp://base:7000"})"), Error);
+}
+
 TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
   const Rig rig = parsed(R"("camera": {"ros": "ws://rover:9090", "left": "/left", "right": "/right",
       "calibration": "c.yml"}, "publish": {"ros": "ws://rover:9090", "foxglove": 8765})");

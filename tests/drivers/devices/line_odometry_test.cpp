@@ -95,6 +95,17 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(EmulatedPort::Kind::PseudoTerminal, EmulatedPort::Kind::Tcp),
                      testing::Values(Form::Fields, Form::FieldsWithChecksum, Form::Json)));
 
+TEST(LineOdometry, TheBaseMayAskToLookAround) {
+  Base base(EmulatedPort::Kind::PseudoTerminal, Form::Fields);
+  int asked = 0;
+  QObject::connect(&base.odometry, &OdometrySensor::lookAsked, &base.odometry, [&] { ++asked; });
+  base.odometry.open();
+  ASSERT_TRUE(base.comes(2));
+  base.emulator.say("look\r\n{\"look\":true}\n");
+  EXPECT_TRUE(waitUntil([&] { return asked == 2; }));
+  EXPECT_EQ(base.odometry.refusedLines(), 0);
+}
+
 TEST(LineOdometry, OtherLinesArePassedOverAndMuchOfThemIsSaid) {
   Base base(EmulatedPort::Kind::PseudoTerminal, Form::Fields);
   base.odometry.open();

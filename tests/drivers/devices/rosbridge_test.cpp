@@ -26,7 +26,9 @@ std::shared_ptr<RosbridgeClient> clientOf(const RosbridgeEmulator& server, bool 
 
 struct Odometry {
   explicit Odometry(const std::shared_ptr<RosbridgeClient>& client)
-      : device(client, QStringLiteral("/odom"), startedRigClock()), log(device) {
+      : device(client, QStringLiteral("/odom"), QStringLiteral("/look"), startedRigClock()),
+        log(device) {
+    QObject::connect(&device, &OdometrySensor::lookAsked, &device, [this] { ++looks; });
     QObject::connect(&device, &OdometrySensor::moved, &device,
                      [this](double time_s, const Pose2& pose) {
                        EXPECT_GT(time_s, last_s);
@@ -40,6 +42,7 @@ struct Odometry {
   Pose2 last;
   double last_s = -1.0;
   int count = 0;
+  int looks = 0;
 };
 
 /// Sends odometry while it waits.
@@ -76,6 +79,9 @@ TEST_P(RosbridgeOf, OdometryComes) {
   EXPECT_NEAR(odometry.last.heading, 0.5, 1e-9);
   EXPECT_EQ(server.typeOf(QStringLiteral("/odom")).toStdString(),
             ros == RosVersion::Ros1 ? "nav_msgs/Odometry" : "nav_msgs/msg/Odometry");
+  EXPECT_EQ(odometry.looks, 0);
+  server.publish(QStringLiteral("/look"), QCborMap());
+  EXPECT_TRUE(waitUntil([&] { return odometry.looks == 1; }));
   odometry.device.close();
   EXPECT_TRUE(waitUntil([&] { return !server.hasSubscriber(QStringLiteral("/odom")); }));
 }
