@@ -2,6 +2,7 @@
 
 #include <QCloseEvent>
 #include <QDir>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
@@ -44,6 +45,7 @@ namespace handmap {
 
 namespace {
 
+constexpr auto kNotNowTopic = "not now";
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
 constexpr int kStateVersion = 6;  // of the set of docks and bars
@@ -392,6 +394,20 @@ void MainWindow::changeEvent(QEvent* event) {
     overlays_->setColours(Colours::of(palette()));
   }
   QMainWindow::changeEvent(event);
+}
+
+/// Only keys of commands that are disabled come here: the others were taken as shortcuts.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  const QString id = actions_.ownerOf({QKeySequence(event->keyCombination())}, {});
+  const QString why_not = id.isEmpty() ? QString() : actions_.whyNot(id);
+  if (why_not.isEmpty()) return QMainWindow::keyPressEvent(event);
+  const QString command = actions_[id].iconText();
+  messages_->show(MessageBar::Kind::Info, tr("“%1”: not now, %2.").arg(command, why_not), {},
+                  kNotNowTopic);
+  if (id != QLatin1String("run.run") || run_.state() != RunState::Idle) return;
+  for (const char* source : {"run.open_recording", "run.simulator", "run.connect"}) {
+    messages_->addAction(actions_[source].text(), [this, source] { actions_[source].trigger(); });
+  }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -2641,6 +2641,10 @@ Observations: %4</source>
         <source>Unsaved work is kept in %1</source>
         <translation>保存していない作業は %1 に置かれています</translation>
     </message>
+    <message>
+        <source>“%1”: not now, %2.</source>
+        <translation>「%1」は今はできません：%2。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::MapCanvas</name>

@@ -36,6 +36,20 @@ TEST_F(WindowTest, ARunGoesToItsEndAndIsAcceptedAsOneStep) {
   EXPECT_EQ(window->document().map(), drawn);
 }
 
+TEST_F(WindowTest, KeysOfDisabledCommandsSayWhyNot) {
+  const auto window = open();
+  QTest::keyClick(&window->canvas(), Qt::Key_F5);
+  EXPECT_TRUE(message(*window).contains("no recording, robot or simulator is open"))
+      << message(*window).toStdString();
+  QStringList offered;
+  for (const auto* button : window->messages().findChildren<QPushButton*>()) {
+    offered << button->text();
+  }
+  EXPECT_EQ(offered.size(), 3) << offered.join(", ").toStdString();
+  QTest::keyClick(&window->canvas(), Qt::Key_F6);
+  EXPECT_TRUE(message(*window).contains("nothing is running")) << message(*window).toStdString();
+}
+
 TEST_F(WindowTest, PauseStepResumeStop) {
   const auto window = open();
   runSimulator(*window);
