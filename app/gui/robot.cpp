@@ -38,10 +38,7 @@ Robot renderedRobot(const QString& name, RenderedDrive drive, const QString& fol
   robot.connect =
       [drive = std::move(drive), path = folder.toStdString()](
           const ReplayOptions&, const std::stop_token& stop,
-          const std::function<void(double)>& progress) -> std::unique_ptr<ObservationSource> {
-    if (!renderOnce(drive, path, stop, progress)) return nullptr;
-    return replay(openRecording(path), {});
-  };
+          const std::function<void(double)>&) { return renderedOnce(drive, path, stop); };
   return robot;
 }
 

@@ -4,13 +4,15 @@
 #include <string_view>
 
 #include "core/base/text.h"
-#include "core/geometry/pose2.h"
+#include "core/recording/observation.h"
 
 namespace handmap {
 
 /// What readTum() gives of a pose that formatTum() wrote: rounded. It stays itself when it is
 /// written again.
 Pose2 asWritten(const Pose2& pose);
+/// What a replay gives of an observation that RecordingWriter wrote.
+Observation asWritten(Observation observation);
 
 /// Whether the file ends in this line and without a line end: it may be only a part of what was to
 /// be written when the power went.

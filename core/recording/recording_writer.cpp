@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/recording/as_written.h"
 #include "core/recording/calibration.h"
 #include "core/recording/frame_table.h"
 #include "core/recording/image_file.h"
@@ -181,11 +182,18 @@ RecordingWriter::RecordingWriter(const fs::path& folder, const SourceInfo& info)
     writeFileAtomically(calibration, formatCalibration(*info.camera));
     files_->info.camera = readCalibration(calibration, "P0", "P1", asWritten(info.camera->mount));
   }
+  files_->info.start_odometry = asWritten(info.start_odometry);
   writeFileAtomically(folder / "recording.json", formatRecordingJson(info));
   files_->frames.append(frameTableHeader());
 }
 
 RecordingWriter::~RecordingWriter() = default;
+
+Observation asWritten(Observation observation) {
+  observation.odometry = asWritten(observation.odometry);
+  for (View& view : observation.views) view.pan = toRadians(toDegrees(view.pan));
+  return observation;
+}
 
 const SourceInfo& RecordingWriter::info() const { return files_->info; }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/recording/as_written.h"
 #include "core/recording/recording.h"
 
 namespace handmap {
@@ -66,24 +67,66 @@ class Unfinished {
   fs::path path_;
 };
 
+/// Hands out what it renders, and keeps it.
+class KeptSource : public ObservationSource {
+ public:
+  KeptSource(std::unique_ptr<ObservationSource> source, const fs::path& folder)
+      : source_(std::move(source)), info_(source_->info()) {
+    keeping([&] {
+      kept_.emplace(folder, info_);
+      info_ = kept_->writer.info();
+    });
+  }
+
+  const SourceInfo& info() const override { return info_; }
+
+  std::optional<Observation> next() override {
+    auto observation = source_->next();
+    if (!observation) return std::nullopt;
+    observation = asWritten(std::move(*observation));
+    if (kept_) keeping([&] { keep(*observation); });
+    return observation;
+  }
+
+ private:
+  struct Kept {
+    Kept(const fs::path& place, const SourceInfo& info)
+        : folder(place), writer(folder.path(), info) {}
+    Unfinished folder;
+    RecordingWriter writer;
+    std::size_t count = 0;
+  };
+
+  void keep(const Observation& observation) {
+    kept_->writer.add(observation, info_.truth[kept_->count].pose);
+    if (++kept_->count < info_.truth.size()) return;
+    kept_->folder.moveToItsPlace();
+    kept_.reset();
+  }
+
+  template <typename Work>
+  void keeping(Work work) {
+    try {
+      work();
+    } catch (const Error&) {
+      kept_.reset();
+    }
+  }
+
+  std::unique_ptr<ObservationSource> source_;
+  SourceInfo info_;
+  std::optional<Kept> kept_;  ///< while it can be
+};
+
 }  // namespace
 
-bool renderOnce(const RenderedDrive& drive, const fs::path& folder, const std::stop_token& stop,
-                const std::function<void(double)>& progress) {
-  if (fileExists(folder)) return true;
-  const Unfinished unfinished(folder);
-  const auto source = renderedSource(drive.world, drive.simulation, drive.rendering, drive.looking,
-                                     drive.seed, {}, stop);
-  RecordingWriter writer(unfinished.path(), source->info());
-  const auto& truth = source->info().truth;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    progress(static_cast<double>(i) / static_cast<double>(truth.size()));
-    const auto observation = source->next();
-    if (!observation) return false;
-    writer.add(*observation, truth[i].pose);
-  }
-  unfinished.moveToItsPlace();
-  return true;
+std::unique_ptr<ObservationSource> renderedOnce(const RenderedDrive& drive, const fs::path& folder,
+                                                const std::stop_token& stop) {
+  if (fileExists(folder)) return replay(openRecording(folder, stop), {});
+  return std::make_unique<KeptSource>(
+      renderedSource(drive.world, drive.simulation, drive.rendering, drive.looking, drive.seed, {},
+                     stop),
+      folder);
 }
 
 }  // namespace handmap

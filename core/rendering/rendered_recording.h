@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <stop_token>
 
 #include "core/rendering/rendered_source.h"
@@ -18,10 +18,12 @@ struct RenderedDrive {
   std::uint64_t seed = 1;
 };
 
-/// Sees to it that the drive's recording is in `folder`: it is there as a whole or not at all.
-/// `progress` hears the share done, 0 … 1. Returns false when `stop` was requested before the end.
-/// Throws RunFailed where nothing can be written, and as renderedSource().
-bool renderOnce(const RenderedDrive& drive, const std::filesystem::path& folder,
-                const std::stop_token& stop, const std::function<void(double)>& progress);
+/// The drive out of its recording in `folder`. Where there is none it is rendered as it is asked for,
+/// and kept there once it was asked for to its end: the recording is there as a whole or not at all,
+/// and gives the same. A folder that cannot be written is no error: the drive is rendered each time.
+/// At its end when `stop` was requested. Throws as renderedSource() and openRecording().
+std::unique_ptr<ObservationSource> renderedOnce(const RenderedDrive& drive,
+                                                const std::filesystem::path& folder,
+                                                const std::stop_token& stop);
 
 }  // namespace handmap

@@ -16,7 +16,6 @@ class RecordingSource : public ObservationSource {
         info_(writer_->info()),
         listener_(std::move(listener)) {
     status_.folder = folder.string();
-    info_.start_odometry = asWritten(info_.start_odometry);
     info_.visual_odometry = false;  // it is the recording's own now
     tell();
   }
@@ -29,8 +28,7 @@ class RecordingSource : public ObservationSource {
       writer_.reset();
       return observation;
     }
-    observation->odometry = asWritten(observation->odometry);
-    for (View& view : observation->views) view.pan = toRadians(toDegrees(view.pan));
+    observation = asWritten(std::move(*observation));
     write(*observation);
     return observation;
   }
