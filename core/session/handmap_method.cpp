@@ -52,8 +52,7 @@ class HandmapMethod : public EstimationMethod {
     followTrajectory();
     const Pose2& here = trajectory_.poses().back();
     if (recorder_ != nullptr) {
-      estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_,
-                                     [this](FrameReport& report) { describe(report); }));
+      estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_, *this));
     }
     estimator_.step(time_s, here, percept.scan, stop, progress);
     estimator_.watch({});
@@ -169,7 +168,7 @@ class HandmapMethod : public EstimationMethod {
     return estimator_.pose();
   }
   Pose2 pose() const {
-    return shown_trajectory_.empty() ? estimator_.pose() : shown_trajectory_.back().pose;
+    return concluded_ ? onward_ * newestBy(concluded_->way.by) : estimator_.pose();
   }
 
   RunKnowledge known() const {

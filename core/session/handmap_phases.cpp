@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/session/estimation_method.h"
-
 namespace handmap {
 
 namespace {
@@ -31,29 +29,26 @@ PhaseKind kindOf(EstimatorPhase phase) {
 }  // namespace
 
 HandmapPhases::HandmapPhases(const HandmapEstimator& estimator, const Map& drawing,
-                             PhaseRecorder& recorder, std::function<void(FrameReport&)> describe)
+                             PhaseRecorder& recorder, const EstimationMethod& method)
     : estimator_(estimator),
       drawing_(drawing),
       recorder_(recorder),
-      describe_(std::move(describe)),
+      method_(method),
       before_(recorder.now().report.pose),
       loops_(recorder.now().report.loops) {}
 
 void HandmapPhases::operator()(EstimatorPhase step) {
   const PhaseKind kind = kindOf(step);
   Snapshot& now = recorder_.now();
-  describe_(now.report);
-  now.particles.clear();
-  for (const PoseParticle& particle : estimator_.particles()) {
-    now.particles.push_back({particle.pose, particle.weight});
-  }
-  now.trajectory = estimator_.trajectory();
+  method_.describe(now.report);
+  now.particles = method_.particles();
+  now.trajectory = method_.trajectory();
   if (kind == PhaseKind::Evidence) {
     const LocalMap evidence = estimator_.evidence();
     now.local_map = LazyLocalMap(evidence.range(), [evidence] { return evidence; });
   }
   Lazy<Map> map_before = now.map;
-  if (kind == PhaseKind::Correction) now.map = Lazy<Map>(estimator_.refinedMapLater());
+  if (kind == PhaseKind::Correction) now.map = Lazy<Map>(method_.refinedMap());
   Phase& phase = recorder_.add(kind);
   const Pose2 moved = between(before_, now.report.pose);
   phase.facts.moved_m = moved.position().norm();

@@ -1,19 +1,16 @@
 // The phases of one observation of our method, as they are told to those who want to look.
 #pragma once
 
-#include <functional>
-
-#include "core/estimation/estimator.h"
-#include "core/session/phase.h"
+#include "core/session/estimation_method.h"
 
 namespace handmap {
 
 /// While the estimator takes one step.
 class HandmapPhases {
  public:
-  /// `describe`: what the method says of the robot at the time. All of it must outlive this object.
+  /// `method`: the one that the estimator works for. All of it must outlive this object.
   HandmapPhases(const HandmapEstimator& estimator, const Map& drawing, PhaseRecorder& recorder,
-                std::function<void(FrameReport&)> describe);
+                const EstimationMethod& method);
 
   void operator()(EstimatorPhase phase);
 
@@ -25,7 +22,7 @@ class HandmapPhases {
   const HandmapEstimator& estimator_;
   const Map& drawing_;
   PhaseRecorder& recorder_;
-  std::function<void(FrameReport&)> describe_;
+  const EstimationMethod& method_;
   Pose2 before_;  ///< the robot, after the phase before
   int loops_;
 };
