@@ -70,7 +70,9 @@ TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
                    [&](const Phase& phase, int, int) { names << PhaseWords::name(phase); });
   action(*window_, "run.phase")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !names.isEmpty(); }, kPatienceMs));
-  EXPECT_EQ(done(), before + 1);
+  const int told = done();
+  EXPECT_GT(told, before);
+  EXPECT_LE(told, before + 2) << "one that it was in the midst of, and one that tells its phases";
   auto* strip = window_->findChild<RunStrip*>();
   EXPECT_TRUE(strip->words().contains("Phase 1 of")) << strip->words().toStdString();
   const auto whole = window_->run().history()->at(done());
@@ -80,9 +82,9 @@ TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
   EXPECT_TRUE(strip->words().contains("Phase"));
   action(*window_, "run.phase")->trigger();  // the whole
   EXPECT_FALSE(strip->words().contains("Phase"));
-  EXPECT_EQ(done(), before + 1);
+  EXPECT_EQ(done(), told);
   action(*window_, "run.back")->trigger();
-  EXPECT_EQ(shown(), before);
+  EXPECT_EQ(shown(), told - 1);
   action(*window_, "run.phase")->trigger();  // it still knows how it came about
   EXPECT_TRUE(strip->words().contains("Phase 1 of"));
 }

@@ -144,10 +144,10 @@ std::shared_ptr<const Perceived> seenFrom(const Pose2& robot) {
   return seen;
 }
 
-TEST_F(RunOverlaysTest, WhatTheRobotSeesNowIsShownWhileItIsKept) {
+TEST_F(RunOverlaysTest, WhatTheRobotSeesIsShownWhileItIsKept) {
   const auto snapshot = fullSnapshot();
   for (const LayerSpec& spec : kLayers) overlays_.setLayerVisible(spec.layer, false);
-  auto seen = seenFrom(snapshot->report.pose);
+  const auto seen = seenFrom(snapshot->report.pose);
   snapshot->seen = seen;
   overlays_.show(*snapshot);
   const std::vector<std::pair<Layer, QPointF>> places = {
@@ -163,8 +163,7 @@ TEST_F(RunOverlaysTest, WhatTheRobotSeesNowIsShownWhileItIsKept) {
   }
   overlays_.setLayerVisible(Layer::SeenWalls, true);
   EXPECT_TRUE(isBlank(darkestNear(picture(), 46.0, 40.0))) << "a part that no ray met";
-  seen.reset();
-  overlays_.show(*snapshot);
+  overlays_.show(*fullSnapshot());  // of which nothing is kept any more
   EXPECT_TRUE(isBlank(darkestNear(picture(), 36.0, 40.0)));
 }
 
