@@ -78,6 +78,7 @@ OutlineScorer::OutlineScorer(const PlacedRays& placed, double range_limit_m,
       if (aside > reach || along < -reach || along - reach > ray.range + 2.0F) continue;
       const bool owned = !owners.empty() && owners[i] != kNobody && owners[i] != building;
       rays_.push_back({ray, i, owned});
+      lines_.push_back({ray.x, ray.y, ray.dx, ray.dy});
     }
     robots_.emplace_back(static_cast<double>(first.x), static_cast<double>(first.y));
   }
@@ -106,7 +107,7 @@ void OutlineScorer::forMet(const Polygon& outline, std::size_t stride, Use use) 
   const auto my = static_cast<float>(middle.y());
   const auto within = static_cast<float>(radius);
   for (std::size_t i = 0; i < rays_.size(); i += stride) {
-    const PlacedRay& ray = rays_[i].ray;
+    const Line& ray = lines_[i];
     if (std::abs((mx - ray.x) * ray.dy - (my - ray.y) * ray.dx) > within) continue;
     Met met{-1.0F, 0.0F, 0.0F, 0.0F, 0};
     for (std::size_t w = 0; w < walls.size(); ++w) {

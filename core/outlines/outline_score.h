@@ -68,7 +68,12 @@ class OutlineScorer {
   void forMet(const Polygon& outline, std::size_t stride, Use use) const;
   float ratioOf(const Asked& asked, const Met& met, float slack_m) const;
 
+  /// Of a ray: most pass an outline by, and this is all that need be read to see it.
+  struct Line {
+    float x, y, dx, dy;
+  };
   std::vector<Asked> rays_;
+  std::vector<Line> lines_;   ///< of the rays
   std::vector<Vec2> robots_;  ///< where the rays come from
   RayNoise noise_;
   float range_limit_m_;

@@ -57,45 +57,74 @@ struct Piece {
   Vec2 normal = Vec2::Zero();
 };
 
+/// Orders cells by column, and in it by row.
 std::int64_t keyOf(int column, int row) {
-  return (static_cast<std::int64_t>(column) << 32) | static_cast<std::uint32_t>(row);
+  constexpr std::uint32_t kZero = 1U << 31U;  // rows below zero come before those above
+  return (static_cast<std::int64_t>(column) << 32) | (static_cast<std::uint32_t>(row) ^ kZero);
 }
 int cellOf(double metres) { return static_cast<int>(std::floor(metres / kCell_m)); }
 
 class Cells {
  public:
   Cells(const std::vector<PlacedRay>& rays, const RayNoise& noise, const std::stop_token& stop) {
+    std::unordered_map<std::int64_t, std::size_t> places;
     for (const PlacedRay& ray : rays) {
       if (stop.stop_requested()) return;
       if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > kFar_m) continue;
       const Vec2 end = ray.end();
       const double variance = std::pow(noise.at(static_cast<double>(ray.range)), 2);
       const double weight = static_cast<double>(ray.share) / (variance + kPoses);
-      moments_[keyOf(cellOf(end.x()), cellOf(end.y()))].add(end.x(), end.y(), weight, variance);
+      const int column = cellOf(end.x());
+      const int row = cellOf(end.y());
+      const auto [place, is_new] = places.try_emplace(keyOf(column, row), cells_.size());
+      if (is_new) cells_.push_back({place->first, column, row, {}, {}});
+      cells_[place->second].moments.add(end.x(), end.y(), weight, variance);
     }
-    for (const auto& [key, own] : moments_) {
-      if (stop.stop_requested()) return;
-      const auto column = static_cast<int>(key >> 32);
-      const auto row = static_cast<int>(static_cast<std::int32_t>(key & 0xffffffff));
-      pieces_[key] = pieceAt(column, row);
-    }
+    std::sort(cells_.begin(), cells_.end(),
+              [](const Cell& a, const Cell& b) { return a.key < b.key; });
+    tellPieces(stop);
   }
+
   const Piece* of(const PlacedRay& ray) const {
     const Vec2 end = ray.end();
-    const auto found = pieces_.find(keyOf(cellOf(end.x()), cellOf(end.y())));
-    return found == pieces_.end() ? nullptr : &found->second;
+    const std::int64_t key = keyOf(cellOf(end.x()), cellOf(end.y()));
+    const auto found =
+        std::lower_bound(cells_.begin(), cells_.end(), key,
+                         [](const Cell& cell, std::int64_t wanted) { return cell.key < wanted; });
+    return found == cells_.end() || found->key != key ? nullptr : &found->piece;
   }
 
  private:
-  Piece pieceAt(int column, int row) const {
-    Moments sum;
-    for (int i = -kReach; i <= kReach; ++i) {
-      for (int k = -kReach; k <= kReach; ++k) {
-        if (i * i + k * k > kReach * kReach) continue;
-        const auto found = moments_.find(keyOf(column + i, row + k));
-        if (found != moments_.end()) sum.add(found->second);
+  struct Cell {
+    std::int64_t key;
+    int column;
+    int row;
+    Moments moments;
+    Piece piece;
+  };
+
+  /// What lies around a cell is a run of cells in each column beside it, and the runs move on with
+  /// the cell.
+  void tellPieces(const std::stop_token& stop) {
+    std::array<std::size_t, 2 * kReach + 1> first{};
+    for (Cell& cell : cells_) {
+      if (stop.stop_requested()) return;
+      Moments around;
+      for (int i = -kReach; i <= kReach; ++i) {
+        const int half = static_cast<int>(std::sqrt(kReach * kReach - i * i));
+        const std::int64_t low = keyOf(cell.column + i, cell.row - half);
+        const std::int64_t high = keyOf(cell.column + i, cell.row + half);
+        std::size_t& begin = first[static_cast<std::size_t>(i + kReach)];
+        while (begin < cells_.size() && cells_[begin].key < low) ++begin;
+        for (std::size_t n = begin; n < cells_.size() && cells_[n].key <= high; ++n) {
+          around.add(cells_[n].moments);
+        }
       }
+      cell.piece = pieceOf(around);
     }
+  }
+
+  static Piece pieceOf(const Moments& sum) {
     Piece piece;
     if (sum.count < kLeastReturns) return piece;
     const double mx = sum.x / sum.weight;
@@ -119,8 +148,7 @@ class Cells {
     return piece;
   }
 
-  std::unordered_map<std::int64_t, Moments> moments_;
-  std::unordered_map<std::int64_t, Piece> pieces_;
+  std::vector<Cell> cells_;  ///< by key
 };
 
 /// How far returns are off what is straight, by their distance: offset and quadratic term by least

@@ -12,7 +12,7 @@ namespace handmap {
 /// written again.
 Pose2 asWritten(const Pose2& pose);
 /// What a replay gives of an observation that RecordingWriter wrote.
-Observation asWritten(Observation observation);
+Observation asReplayed(Observation observation);
 
 /// Whether the file ends in this line and without a line end: it may be only a part of what was to
 /// be written when the power went.

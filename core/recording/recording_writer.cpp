@@ -189,7 +189,7 @@ RecordingWriter::RecordingWriter(const fs::path& folder, const SourceInfo& info)
 
 RecordingWriter::~RecordingWriter() = default;
 
-Observation asWritten(Observation observation) {
+Observation asReplayed(Observation observation) {
   observation.odometry = asWritten(observation.odometry);
   for (View& view : observation.views) view.pan = toRadians(toDegrees(view.pan));
   return observation;

@@ -83,7 +83,7 @@ class KeptSource : public ObservationSource {
   std::optional<Observation> next() override {
     auto observation = source_->next();
     if (!observation) return std::nullopt;
-    observation = asWritten(std::move(*observation));
+    observation = asReplayed(std::move(*observation));
     if (kept_) keeping([&] { keep(*observation); });
     return observation;
   }

@@ -28,7 +28,7 @@ class RecordingSource : public ObservationSource {
       writer_.reset();
       return observation;
     }
-    observation = asWritten(std::move(*observation));
+    observation = asReplayed(std::move(*observation));
     write(*observation);
     return observation;
   }

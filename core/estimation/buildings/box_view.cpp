@@ -5,12 +5,6 @@
 
 namespace handmap {
 
-namespace {
-
-constexpr float kMiss = -1.0F;
-
-}  // namespace
-
 BoxSlabs::BoxSlabs(const Box& box, const Pose2& robot) {
   const Pose2 own = between({box.pivot.x(), box.pivot.y(), box.heading}, robot);
   x_ = static_cast<float>(own.x);
@@ -42,7 +36,7 @@ BoxSlabs::BoxSlabs(const Box& box, const Pose2& robot) {
 }
 
 Entry BoxSlabs::entryIntoOutline(float dx, float dy) const {
-  Entry entry{kMiss, 0.0F, 0};
+  Entry entry;
   for (std::size_t i = 0, last = corners_ - 1; i < corners_; last = i++) {
     const float along_x = corner_x_[i] - corner_x_[last];
     const float along_y = corner_y_[i] - corner_y_[last];
@@ -76,24 +70,6 @@ BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
   }
   low_bearing_ = static_cast<float>(direction + low);
   high_bearing_ = static_cast<float>(direction + high);
-}
-
-Entry BoxSlabs::entry(const FrameRay& ray) const {
-  const float dx = cos_ * ray.x - sin_ * ray.y;
-  const float dy = sin_ * ray.x + cos_ * ray.y;
-  if (corners_ > 0) return entryIntoOutline(dx, dy);
-  Entry entry{kMiss, 0.0F, 0};
-  if (x_ > high_x_ ? dx < 0.0F : x_ < low_x_ && dx > 0.0F) {
-    const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_) / dx;
-    const float y = y_ + distance * dy;
-    if (y >= low_y_ && y <= high_y_) entry = {distance, std::abs(dx), dx < 0.0F ? 0 : 2};
-  }
-  if (entry.distance < 0.0F && (y_ > high_y_ ? dy < 0.0F : y_ < low_y_ && dy > 0.0F)) {
-    const float distance = ((dy < 0.0F ? high_y_ : low_y_) - y_) / dy;
-    const float x = x_ + distance * dx;
-    if (x >= low_x_ && x <= high_x_) entry = {distance, std::abs(dy), dy < 0.0F ? 1 : 3};
-  }
-  return entry;
 }
 
 }  // namespace handmap

@@ -1,6 +1,7 @@
 // A box as one robot pose sees it: which rays can meet it, and where they do.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/estimation/buildings/box.h"
@@ -10,9 +11,9 @@ namespace handmap {
 
 /// Where a ray from outside enters a building.
 struct Entry {
-  float distance = 0.0F;  ///< < 0: it misses the box
-  float cosine = 0.0F;    ///< of the angle of incidence
-  int wall = 0;           ///< of Box::walls()
+  float distance = -1.0F;  ///< < 0: it misses the box
+  float cosine = 0.0F;     ///< of the angle of incidence
+  int wall = 0;            ///< of Box::walls()
 };
 
 /// A robot pose in the frame of a box.
@@ -37,6 +38,25 @@ class BoxSlabs {
   std::array<float, kMostWalls> corner_x_;
   std::array<float, kMostWalls> corner_y_;
 };
+
+// Asked more often than anything else: here, to be inlined.
+inline Entry BoxSlabs::entry(const FrameRay& ray) const {
+  const float dx = cos_ * ray.x - sin_ * ray.y;
+  const float dy = sin_ * ray.x + cos_ * ray.y;
+  if (corners_ > 0) return entryIntoOutline(dx, dy);
+  Entry entry;
+  if (x_ > high_x_ ? dx < 0.0F : x_ < low_x_ && dx > 0.0F) {
+    const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_) / dx;
+    const float y = y_ + distance * dy;
+    if (y >= low_y_ && y <= high_y_) entry = {distance, std::abs(dx), dx < 0.0F ? 0 : 2};
+  }
+  if (entry.distance < 0.0F && (y_ > high_y_ ? dy < 0.0F : y_ < low_y_ && dy > 0.0F)) {
+    const float distance = ((dy < 0.0F ? high_y_ : low_y_) - y_) / dy;
+    const float x = x_ + distance * dx;
+    if (x >= low_x_ && x <= high_x_) entry = {distance, std::abs(dy), dy < 0.0F ? 1 : 3};
+  }
+  return entry;
+}
 
 /// A box as one robot pose sees it.
 class BoxView : public BoxSlabs {
