@@ -402,8 +402,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   const QString why_not = id.isEmpty() ? QString() : actions_.whyNot(id);
   if (why_not.isEmpty()) return QMainWindow::keyPressEvent(event);
   const QString command = actions_[id].iconText();
-  messages_->show(MessageBar::Kind::Info, tr("“%1”: not now, %2.").arg(command, why_not), {},
-                  kNotNowTopic);
+  messages_->show(MessageBar::Kind::Info, tr("“%1” is not possible now: %2.").arg(command, why_not),
+                  {}, kNotNowTopic);
   if (id != QLatin1String("run.run") || run_.state() != RunState::Idle) return;
   for (const char* source : {"run.open_recording", "run.simulator", "run.connect"}) {
     messages_->addAction(actions_[source].text(), [this, source] { actions_[source].trigger(); });

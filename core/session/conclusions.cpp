@@ -1,6 +1,6 @@
 #include "core/session/conclusions.h"
 
-#include <chrono>
+#include <utility>
 
 #include "core/base/parallel.h"
 
@@ -9,19 +9,24 @@ namespace handmap {
 std::optional<Conclusion> Conclusions::take() {
   const bool is_ready =
       made_.valid() && made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  return is_ready ? made_.get() : std::nullopt;
+  if (!is_ready) return std::nullopt;
+  Made made = made_.get();
+  begin_at_ = Clock::now() + kRest * made.took;
+  return std::move(made.conclusion);
 }
 
 void Conclusions::begin(double way_m, const std::function<Make()>& know) {
-  if (made_.valid() || way_m < begin_at_m_) return;
-  begin_at_m_ = kLonger * way_m;
-  std::promise<std::optional<Conclusion>> promise;
+  if (made_.valid() || way_m < begin_at_m_ || Clock::now() < begin_at_) return;
+  begin_at_m_ = way_m + kStretch_m;
+  std::promise<Made> promise;
   made_ = promise.get_future();
   thread_ = std::jthread(
       [make = know(), promise = std::move(promise)](const std::stop_token& stop) mutable {
         // One thread: the run itself has the others.
         try {
-          promise.set_value(Arena(1).execute([&] { return make(stop); }));
+          const auto begun = Clock::now();
+          auto conclusion = Arena(1).execute([&] { return make(stop); });
+          promise.set_value({std::move(conclusion), Clock::now() - begun});
         } catch (...) {
           promise.set_exception(std::current_exception());
         }

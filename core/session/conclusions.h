@@ -1,6 +1,7 @@
 // Conclusions while a run goes on, each made in a thread of its own from what is known so far.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <future>
 #include <optional>
@@ -11,8 +12,9 @@
 
 namespace handmap {
 
-/// One is begun whenever the way is half as long again. Nobody waits for it: it is there when it is
-/// there, and nothing else depends on it.
+/// One is begun after each stretch of the way, and after a rest twice as long as the last one took:
+/// together they have a third of one core. Nobody waits for them: one is there when it is there, and
+/// nothing else depends on it.
 class Conclusions {
  public:
   /// Makes one; runs in the other thread.
@@ -24,11 +26,17 @@ class Conclusions {
   void begin(double way_m, const std::function<Make()>& know);
 
  private:
-  static constexpr double kFirst_m = 20.0;
-  static constexpr double kLonger = 1.5;
+  using Clock = std::chrono::steady_clock;
+  static constexpr double kStretch_m = 20.0;
+  static constexpr int kRest = 2;
 
-  double begin_at_m_ = kFirst_m;
-  std::future<std::optional<Conclusion>> made_;
+  struct Made {
+    std::optional<Conclusion> conclusion;
+    Clock::duration took{};
+  };
+  double begin_at_m_ = kStretch_m;
+  Clock::time_point begin_at_{};
+  std::future<Made> made_;
   std::jthread thread_;  ///< last: ends before what it writes to
 };
 

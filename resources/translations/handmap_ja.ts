@@ -2642,7 +2642,7 @@ Observations: %4</source>
         <translation>保存していない作業は %1 に置かれています</translation>
     </message>
     <message>
-        <source>“%1”: not now, %2.</source>
+        <source>“%1” is not possible now: %2.</source>
         <translation>「%1」は今はできません：%2。</translation>
     </message>
 </context>

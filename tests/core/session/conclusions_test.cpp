@@ -23,11 +23,12 @@ std::optional<Conclusion> waitFor(Conclusions& conclusions) {
   }
 }
 
-TEST(Conclusions, AreBegunWhereTheWayIsHalfAsLongAgain) {
+TEST(Conclusions, AreBegunAfterEachStretchOfTheWay) {
   Conclusions conclusions;
   std::vector<std::string> taken;
-  for (double way_m = 0.0; way_m < 100.0; way_m += 1.0) {
+  for (double way_m = 0.0; way_m < 99.0; way_m += 1.0) {
     bool begun = false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // they take next to nothing
     conclusions.begin(way_m, [&] {
       begun = true;
       return [name = std::to_string(static_cast<int>(way_m))](const std::stop_token&) {
@@ -36,7 +37,30 @@ TEST(Conclusions, AreBegunWhereTheWayIsHalfAsLongAgain) {
     });
     if (begun) taken.push_back(waitFor(conclusions)->map.name);
   }
-  EXPECT_EQ(taken, (std::vector<std::string>{"20", "30", "45", "68"}));
+  EXPECT_EQ(taken, (std::vector<std::string>{"20", "40", "60", "80"}));
+}
+
+TEST(Conclusions, RestLongerThanTheyTake) {
+  constexpr auto kTakes = std::chrono::milliseconds(50);
+  Conclusions conclusions;
+  const auto slow = [&] {
+    return [&](const std::stop_token&) {
+      std::this_thread::sleep_for(kTakes);
+      return std::optional(named("slow"));
+    };
+  };
+  conclusions.begin(20.0, slow);
+  waitFor(conclusions);
+  const auto since = std::chrono::steady_clock::now();
+  bool begun = false;
+  for (double way_m = 40.0; !begun; way_m += 20.0) {
+    conclusions.begin(way_m, [&]() -> Conclusions::Make {
+      begun = true;
+      return slow();
+    });
+    std::this_thread::yield();
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - since, 2 * kTakes);
 }
 
 TEST(Conclusions, KeepNobodyWaiting) {
