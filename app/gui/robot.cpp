@@ -35,10 +35,11 @@ Robot renderedRobot(const QString& name, RenderedDrive drive, const QString& fol
   robot.name = QObject::tr("Simulator: %1").arg(name);
   robot.opening = QObject::tr("Rendering what the cameras see");
   robot.truth_map = drive.world.map;
-  robot.connect =
-      [drive = std::move(drive), path = folder.toStdString()](
-          const ReplayOptions&, const std::stop_token& stop,
-          const std::function<void(double)>&) { return renderedOnce(drive, path, stop); };
+  robot.connect = [drive = std::move(drive), path = folder.toStdString()](
+                      const ReplayOptions&, const std::stop_token& stop,
+                      const std::function<void(double)>&) {
+    return renderedOnce(drive, path, stop);
+  };
   return robot;
 }
 

@@ -21,7 +21,8 @@ constexpr double kMisfitted = 0.15;
 constexpr double kMisfit_m = 1.5;
 /// What the drawing says of its errors counts as so many sides that were measured.
 constexpr double kStatedSides = 4.0;
-/// What a fitted side is off whatever it says: poses, recesses, and how far maps of real places are.
+/// What a fitted side is off whatever it says: poses, recesses, and how far maps of real places
+/// are.
 constexpr double kLeastSigma_m = 0.3;
 /// Fewer buildings that are right do not tell how the whole lies.
 constexpr double kLeastTogether = 3.0;

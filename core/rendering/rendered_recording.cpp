@@ -123,10 +123,9 @@ class KeptSource : public ObservationSource {
 std::unique_ptr<ObservationSource> renderedOnce(const RenderedDrive& drive, const fs::path& folder,
                                                 const std::stop_token& stop) {
   if (fileExists(folder)) return replay(openRecording(folder, stop), {});
-  return std::make_unique<KeptSource>(
-      renderedSource(drive.world, drive.simulation, drive.rendering, drive.looking, drive.seed, {},
-                     stop),
-      folder);
+  return std::make_unique<KeptSource>(renderedSource(drive.world, drive.simulation, drive.rendering,
+                                                     drive.looking, drive.seed, {}, stop),
+                                      folder);
 }
 
 }  // namespace handmap

@@ -13,8 +13,8 @@
 namespace handmap {
 
 /// One is begun after each stretch of the way, and after a rest twice as long as the last one took:
-/// together they have a third of one core. Nobody waits for them: one is there when it is there, and
-/// nothing else depends on it.
+/// together they have a third of one core. Nobody waits for them: one is there when it is there,
+/// and nothing else depends on it.
 class Conclusions {
  public:
   /// Makes one; runs in the other thread.

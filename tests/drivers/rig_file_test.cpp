@@ -72,12 +72,12 @@ TEST(RigFile, WhatIsWrittenReadsBackTheSame) {
 TEST(RigFile, ALookAroundMayBeAskedForOverRos) {
   const std::string robot = std::string(kCamera) + R"(, "head": {"port": "/dev/ttyUSB0"},
       "stops": {"topic": "/look"}, )";
-  const Rig rig = parsed(
-      robot + R"("odometry": {"kind": "ros", "port": "ws://rover:9090", "topic": "/odom"})");
+  const Rig rig =
+      parsed(robot + R"("odometry": {"kind": "ros", "port": "ws://rover:9090", "topic": "/odom"})");
   EXPECT_EQ(rig.stops->topic, "/look");
   EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
-  EXPECT_THROW(
-      parsed(robot + R"("odometry": {"kind": "lines", "port": "tcp://base:7000"})"), Error);
+  EXPECT_THROW(parsed(robot + R"("odometry": {"kind": "lines", "port": "tcp://base:7000"})"),
+               Error);
 }
 
 TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
