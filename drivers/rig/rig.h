@@ -21,8 +21,7 @@
 //    "odometry": {"kind": "lines"|"ros"|"visual"|"scan"|"none", "port": "…", "topic": "/odom"},
 //                                                    absent: visual or scan
 //    "stops":    {"pans_deg": [-150, -90, …], "standing_s": 1, "every_m": 1, "automatic": true,
-//                 "topic": "/look_around"},          of odometry "ros": std_msgs/Empty, asks to
-//                 look
+//                 "topic": "/look_around"},          an Empty there asks; of odometry "ros"
 //    "ros":      1,                                  where it is not 2
 //    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS
 //                 "foxglove": 8765,                  a port where Foxglove may look on,
