@@ -148,7 +148,7 @@ TEST_F(Teach, TellsWhatCannotBeUsed) {
   panel_.findChild<QListWidget*>()->setCurrentRow(2);
   ASSERT_EQ(messages.size(), 1);
   EXPECT_TRUE(messages.takeFirst().at(0).toString().contains("none.png"));
-  click(3, 2);  // on nothing
+  QTest::mouseClick(&panel_.view(), Qt::LeftButton, {}, {30, 20});  // on nothing
   EXPECT_FALSE(panel_.loadModel(folder_.filePath("0.png")));
   EXPECT_EQ(messages.size(), 1);
   EXPECT_FALSE(panel_.classifier());
