@@ -18,6 +18,7 @@ constexpr double kWay = 2.0;                 // half the width of the route that
 /// What people keep right however wrong the measures are.
 struct Place {
   Polygon footprint;
+  Bounds bounds;                           ///< of the footprint
   std::optional<Route::Projection> along;  ///< of the centre on the route, where there is one
 };
 
@@ -52,7 +53,8 @@ class Perturbation {
 
  private:
   Place placeOf(const Building& building) const {
-    Place place{building.footprint(), std::nullopt};
+    const Polygon footprint = building.footprint();
+    Place place{footprint, boundsOf(footprint), std::nullopt};
     if (route_) place.along = route_->project(building.box().centre);
     return place;
   }
@@ -88,7 +90,10 @@ class Perturbation {
     for (std::size_t j = 0; j < places_.size(); ++j) {
       if (j == i) continue;
       if (keeps_ && !sameOrder(place, truth, places_[j], true_places_[j])) return false;
-      if (overlap(place.footprint, places_[j].footprint)) return false;
+      const Place& other = places_[j];
+      if (place.bounds.overlaps(other.bounds) && overlap(place.footprint, other.footprint)) {
+        return false;
+      }
     }
     return !route_ || route_->distanceTo(place.footprint) >
                           std::min(kWay, route_->distanceTo(truth.footprint) / 2.0);
