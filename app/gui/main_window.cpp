@@ -108,7 +108,10 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   updateTitle();
 }
 
-MainWindow::~MainWindow() { run_.discard(); }
+MainWindow::~MainWindow() {
+  run_.discard();
+  delete views_;  // it hears of docks that go, when the overlays it works with have gone
+}
 
 QWidget* MainWindow::makeCentre() {
   // Files that are dropped are the window's business, not the scene's.

@@ -89,6 +89,14 @@ TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
   EXPECT_TRUE(strip->words().contains("Phase 1 of"));
 }
 
+TEST_F(LookingBack, TheWindowMayGoWhileAWallIsAskedWhy) {
+  ASSERT_TRUE(waitForPast(2));
+  action(*window_, "run.why")->trigger();
+  ASSERT_TRUE(window_->docks().isWhyShown());
+  window_->close();
+  window_.reset();  // what it then does wrong only sanitizers see
+}
+
 TEST_F(LookingBack, WhatIsStillToComeIsComputedFirst) {
   ASSERT_TRUE(waitForPast(1));
   const int goal = window_->transport().timeline().maximum() - 2;
