@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/recording/acts.h"
+#include "core/session/acts.h"
 #include "widgets/background/background.h"
 
 namespace handmap {

@@ -7,8 +7,8 @@
 #include <stop_token>
 #include <variant>
 
-#include "core/recording/acts.h"
 #include "core/recording/recording.h"
+#include "core/session/acts.h"
 #include "widgets/background/background.h"
 #include "widgets/run/run_worker.h"
 

@@ -7,6 +7,7 @@
 #include "app/gui/message_bar.h"
 #include "app/gui/playback_actions.h"
 #include "app/gui/run_controller.h"
+#include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
@@ -121,11 +122,7 @@ void RevisionActions::give(const Pose2& pose) {
   if (!snapshot) return;
   const double now_s = snapshot->report.time_s;
   std::vector<StampedPose> given = parts_.run.settings().given_poses;
-  std::erase_if(given, [now_s](const StampedPose& other) { return other.time_s == now_s; });
-  const auto after = std::upper_bound(
-      given.begin(), given.end(), now_s,
-      [](double time_s, const StampedPose& other) { return time_s < other.time_s; });
-  given.insert(after, {now_s, pose});
+  handmap::give(given, {now_s, pose});
   keep({now_s, Act::Kind::RobotIsHere, pose, {}, {}});
   revise(given, Then::Take, tr("Recomputing with the pose that you gave"));
 }

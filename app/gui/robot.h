@@ -7,9 +7,9 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/recording/acts.h"
 #include "core/recording/recording.h"
 #include "core/rendering/rendered_recording.h"
+#include "core/session/acts.h"
 #include "core/simulation/world.h"
 
 namespace handmap {

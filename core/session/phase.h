@@ -37,7 +37,7 @@ struct PhaseFacts {
   double turned = 0.0;  ///< radians; Prediction, Way, Poses
   /// Swarms: best scores of all buildings. Weights: effective sample size.
   double value = 0.0;
-  /// Resampling: it was due. Way: it goes on to the other phases. Correction: a loop was closed.
+  /// Resampling: it was due. Correction: a loop was closed.
   bool happened = false;
 };
 

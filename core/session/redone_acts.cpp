@@ -4,16 +4,11 @@
 
 namespace handmap {
 
-namespace {
-
-/// One a moment: the last that was said of it.
 void give(std::vector<StampedPose>& poses, const StampedPose& pose) {
   std::erase_if(poses, [&](const StampedPose& other) { return other.time_s == pose.time_s; });
   const auto after = std::ranges::upper_bound(poses, pose.time_s, {}, &StampedPose::time_s);
   poses.insert(after, pose);
 }
-
-}  // namespace
 
 RedoneActs redone(const Map& drawing, std::span<const Act> acts) {
   RedoneActs result{drawing, {}, {}};

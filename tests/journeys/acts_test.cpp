@@ -1,5 +1,5 @@
 // What a person says on a drive: kept beside its recording, and said again by a run of that.
-#include "core/recording/acts.h"
+#include "core/session/acts.h"
 
 #include <QPushButton>
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-#include "core/recording/acts.h"
+#include "core/session/acts.h"
 
 #include <fstream>
 

@@ -1,4 +1,4 @@
-#include "core/recording/acts.h"
+#include "core/session/acts.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/text.h"
+#include "core/map/map_limits.h"
 
 namespace handmap {
 
@@ -21,11 +22,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxBytes = 16U << 20U;
 constexpr double kMaxTime_s = 1e12;
-constexpr double kMaxCoordinate = 1e6;
-constexpr double kMaxSize = 1e5;
-constexpr double kMaxHeadingDeg = 3600.0;
-constexpr std::size_t kMaxTextBytes = 4096;
-constexpr std::size_t kMaxVertices = 2'000;
 
 struct Name {
   Act::Kind kind;
@@ -59,7 +55,7 @@ std::variant<Rectangle, Polygon> shapeOf(const JsonValue& json) {
                      heading(json)};
   }
   Polygon polygon;
-  for (const JsonValue& corner : vertices->items(kMaxVertices)) {
+  for (const JsonValue& corner : vertices->items(kMaxPolygonVertices)) {
     const auto numbers = corner.items(2);
     if (numbers.size() != 2) corner.fail("[x, y]");
     polygon.emplace_back(coordinate(numbers[0]), coordinate(numbers[1]));
