@@ -1,5 +1,6 @@
 #include "core/session/conclusions.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -17,7 +18,7 @@ std::optional<Conclusion> Conclusions::take() {
 
 void Conclusions::begin(double way_m, const std::function<Make()>& know) {
   if (made_.valid() || way_m < begin_at_m_ || Clock::now() < begin_at_) return;
-  begin_at_m_ = way_m + kStretch_m;
+  begin_at_m_ = way_m + std::max(kStretch_m, kStretch * way_m);
   std::promise<Made> promise;
   made_ = promise.get_future();
   thread_ = std::jthread(

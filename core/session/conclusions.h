@@ -12,9 +12,9 @@
 
 namespace handmap {
 
-/// One is begun after each stretch of the way, and after a rest twice as long as the last one took:
-/// together they have a third of one core. Nobody waits for them: one is there when it is there,
-/// and nothing else depends on it.
+/// One is begun after each stretch of the way, at least a tenth of it (what is known is copied for
+/// it), and after a rest twice as long as the last one took: together they have a third of one
+/// core. Nobody waits for them: one is there when it is there, and nothing else depends on it.
 class Conclusions {
  public:
   /// Makes one; runs in the other thread.
@@ -28,6 +28,7 @@ class Conclusions {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr double kStretch_m = 20.0;
+  static constexpr double kStretch = 0.1;  // of the way
   static constexpr int kRest = 2;
 
   struct Made {
