@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/text.h"
+#include "core/recording/image_file.h"
 
 namespace handmap {
 
@@ -16,13 +17,6 @@ constexpr std::int64_t kMostCorners = 50;
 constexpr double kWindowShare = 0.35;  // of the distance of two corners, to either side
 constexpr double kMaxWindow_px = 8.0;
 constexpr int kGlimpseWidth_px = 640;
-
-cv::Mat greyOf(const cv::Mat& image) {
-  if (image.channels() == 1) return image;
-  cv::Mat grey;
-  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
 
 /// Halves the error of the detector at least, as far as no other corner is in the window.
 void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners) {
@@ -50,7 +44,7 @@ cv::Size parseBoardCorners(const std::string& text) {
 }
 
 std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
-  const cv::Mat grey = greyOf(image);
+  const cv::Mat grey = greyImage(image);
   std::vector<cv::Point2f> corners;
   if (!cv::findChessboardCornersSB(grey, board.corners, corners, cv::CALIB_CB_NORMALIZE_IMAGE)) {
     return {};
@@ -60,7 +54,7 @@ std::vector<cv::Point2f> findCorners(const cv::Mat& image, const Board& board) {
 }
 
 std::vector<cv::Point2f> glimpseCorners(const cv::Mat& image, const Board& board) {
-  cv::Mat grey = greyOf(image);
+  cv::Mat grey = greyImage(image);
   const double scale = std::max(1.0, static_cast<double>(grey.cols) / kGlimpseWidth_px);
   if (scale > 1.0) cv::resize(grey, grey, {}, 1.0 / scale, 1.0 / scale, cv::INTER_AREA);
   std::vector<cv::Point2f> corners;
@@ -80,7 +74,7 @@ void alignOrder(BoardView& view) {
 }
 
 double blurOf(const cv::Mat& image, const Board& board, const std::vector<cv::Point2f>& corners) {
-  return cv::estimateChessboardSharpness(greyOf(image), board.corners, corners)[0];
+  return cv::estimateChessboardSharpness(greyImage(image), board.corners, corners)[0];
 }
 
 }  // namespace handmap

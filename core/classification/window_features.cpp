@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/classification/edge_statistics.h"
+#include "core/recording/image_file.h"
 
 namespace handmap {
 
@@ -144,12 +145,7 @@ int featureCount(const FeatureSet& set) {
 
 SampleMatrix windowFeatures(const cv::Mat& image, const FeatureSet& set) {
   checkImage(image, set);
-  cv::Mat1b grey;
-  if (image.channels() == 3) {
-    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-  } else {
-    grey = image;
-  }
+  const cv::Mat1b grey = greyImage(image);
   const cv::Mat own = ownFeatures(image, grey, set);
   if (set.family == FeatureFamily::Handmap) return withSurroundings(own);
   return Eigen::Map<const SampleMatrix>(own.ptr<float>(), own.rows * own.cols, own.channels());

@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "core/recording/image_file.h"
+
 namespace handmap {
 
 namespace {
@@ -23,20 +25,13 @@ constexpr float kMaxReturnError_px = 0.5F;
 constexpr float kMinDisparity_px = 1.0F;
 constexpr int kFeatures = 1500;
 
-cv::Mat grey(const cv::Mat& image) {
-  if (image.channels() == 1) return image;
-  cv::Mat result;
-  cv::cvtColor(image, result, cv::COLOR_BGR2GRAY);
-  return result;
-}
-
 }  // namespace
 
 TrackedPair preparePair(const cv::Mat& left, const cv::Mat& right) {
   TrackedPair pair;
-  pair.left = grey(left);
+  pair.left = greyImage(left);
   cv::buildOpticalFlowPyramid(pair.left, pair.left_levels, kWindow, kLevels, true);
-  cv::buildOpticalFlowPyramid(grey(right), pair.right_levels, kWindow, kLevels, true);
+  cv::buildOpticalFlowPyramid(greyImage(right), pair.right_levels, kWindow, kLevels, true);
   return pair;
 }
 

@@ -12,6 +12,7 @@
 #include "core/perception/stereo_scan.h"
 #include "core/perception/stopwatch.h"
 #include "core/perception/wall_columns.h"
+#include "core/recording/image_file.h"
 
 namespace handmap {
 namespace {
@@ -124,8 +125,7 @@ struct StereoWalls::Matcher {
 /// Grey, reduced, and padded on the left, or the search for large disparities would cost the view.
 void StereoWalls::Matcher::prepare(const cv::Mat& image, cv::Size size, int padding,
                                    cv::Mat& prepared) const {
-  cv::Mat grey = image;
-  if (image.channels() == 3) cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  const cv::Mat grey = greyImage(image);
   cv::Mat small = grey;
   if (size != grey.size()) cv::resize(grey, small, size, 0.0, 0.0, cv::INTER_AREA);
   cv::copyMakeBorder(small, prepared, 0, 0, padding, 0, cv::BORDER_REPLICATE);

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/recording/image_file.h"
 
 namespace handmap {
 
@@ -36,8 +37,7 @@ cv::Mat reducedGrey(const cv::Mat& image) {
   const double scale = std::min(1.0, static_cast<double>(kSwapWidth_px) / image.cols);
   cv::Mat small;
   cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
-  if (small.channels() == 3) cv::cvtColor(small, small, cv::COLOR_BGR2GRAY);
-  return small;
+  return greyImage(small);
 }
 
 double difference(const cv::Mat& left, cv::Point at, const cv::Mat& right, cv::Point other) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -108,6 +109,13 @@ cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
                   "1 or 3 channels of 8 bits");
   }
   return image;
+}
+
+cv::Mat greyImage(const cv::Mat& image) {
+  if (image.channels() == 1) return image;
+  cv::Mat grey;
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  return grey;
 }
 
 void writePng(const cv::Mat& image, const std::filesystem::path& path) {

@@ -15,6 +15,9 @@ cv::Mat readImage(const std::filesystem::path& path);
 /// The same of the bytes of such a file, from wherever; `name` stands for it in messages.
 cv::Mat decodeImage(std::string_view bytes, const std::string& name);
 
+/// One channel; an image that has one already is not copied.
+cv::Mat greyImage(const cv::Mat& image);
+
 /// Throws RunFailed.
 void writePng(const cv::Mat& image, const std::filesystem::path& path);
 
