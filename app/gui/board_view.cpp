@@ -2,18 +2,14 @@
 
 #include <QPainter>
 
+#include "widgets/run/camera_panel.h"
+
 namespace handmap {
 
 namespace {
 
 constexpr int kLines = 12;
 constexpr double kCorner_px = 3.0;
-
-/// Shares the pixels: only for as long as the image lives.
-QImage shared(const cv::Mat& image) {
-  const auto format = image.channels() == 1 ? QImage::Format_Grayscale8 : QImage::Format_BGR888;
-  return {image.data, image.cols, image.rows, static_cast<qsizetype>(image.step), format};
-}
 
 }  // namespace
 
@@ -70,7 +66,7 @@ void BoardPairView::paintSide(QPainter& painter, int x, const cv::Mat& image,
       QSize(image.cols, image.rows).scaled(width() / 2 - 2, height(), Qt::KeepAspectRatio);
   const QPoint origin(x, (height() - size.height()) / 2);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(QRect(origin, size), shared(image));
+  painter.drawImage(QRect(origin, size), sharedImage(image));
   const double scale = static_cast<double>(size.width()) / image.cols;
   painter.setRenderHint(QPainter::Antialiasing);
   QPolygonF chain;

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -21,6 +20,7 @@
 #include "app/gui/dialogs.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "drivers/camera/image_devices.h"
 
 namespace handmap {
 
@@ -155,9 +155,8 @@ void CalibrationDialog::makeButtons() {
 }
 
 void CalibrationDialog::listCameras() {
-  for (const QString& name : QDir("/dev").entryList({"video*"}, QDir::System, QDir::Name)) {
-    left_->addItem(QStringLiteral("/dev/") + name);
-    right_->addItem(QStringLiteral("/dev/") + name);
+  for (const std::string& name : connectedCameras(CameraKind::Video)) {
+    for (QComboBox* box : {left_, right_}) box->addItem(QString::fromStdString(name));
   }
   right_->setEditText({});
 }

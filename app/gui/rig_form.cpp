@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -25,8 +24,7 @@ constexpr int kMostPort = 65535;
 QString cameraHint() {
   return RigForm::tr(
       "A device (/dev/video0), a video file, or the URL of a network camera; on FireWire the "
-      "number "
-      "of the head or “first”; of GigE and USB3 Vision its name");
+      "number of the head or “first”; of GigE and USB3 Vision its name");
 }
 QString portHint() {
   return RigForm::tr(
@@ -272,16 +270,7 @@ void RigForm::listPorts() {
 
 /// Who asks what is on a bus waits for a second: not the window.
 void RigForm::listCameras() {
-  const CameraKind kind = cameraOf(sees());
-  if (kind == CameraKind::Video) {
-    QStringList cameras;
-    for (const QString& name : QDir("/dev").entryList({"video*"}, QDir::System, QDir::Name)) {
-      cameras << QStringLiteral("/dev/") + name;
-    }
-    for (QComboBox* box : {left_, right_}) offer(*box, cameras);
-    return;
-  }
-  startInBackground([self = self_, kind] {
+  startInBackground([self = self_, kind = cameraOf(sees())] {
     QStringList cameras;
     try {
       for (const std::string& name : connectedCameras(kind))

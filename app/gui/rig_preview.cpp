@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/run/camera_panel.h"
+
 namespace handmap {
 
 namespace {
 
 constexpr double kLeastRange_m = 5.0;
-
-/// Shares the pixels: only for as long as the image lives.
-QImage shared(const cv::Mat& image) {
-  const auto format = image.channels() == 1 ? QImage::Format_Grayscale8 : QImage::Format_BGR888;
-  return {image.data, image.cols, image.rows, static_cast<qsizetype>(image.step), format};
-}
 
 }  // namespace
 
@@ -55,7 +51,7 @@ void RigPreviewView::paintImages(QPainter& painter) const {
     if (image->empty()) continue;
     const QSize size =
         QSize(image->cols, image->rows).scaled(half - 2, height(), Qt::KeepAspectRatio);
-    painter.drawImage(QRect(QPoint(x, (height() - size.height()) / 2), size), shared(*image));
+    painter.drawImage(QRect(QPoint(x, (height() - size.height()) / 2), size), sharedImage(*image));
     x += half;
   }
 }

@@ -1,5 +1,8 @@
 #include "drivers/camera/image_devices.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -16,6 +19,18 @@ namespace {
     throw Error(ErrorCode::RunFailed,
                 fmt::format("this program was built without {}, which such cameras need", library));
   };
+}
+
+/// Of V4L2, in order of their names.
+std::vector<std::string> videoDevices() {
+  std::vector<std::string> devices;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/dev", error)) {
+    std::string path = entry.path().string();
+    if (path.starts_with("/dev/video")) devices.push_back(std::move(path));
+  }
+  std::sort(devices.begin(), devices.end());
+  return devices;
 }
 
 }  // namespace
@@ -42,7 +57,8 @@ OpenImageDevice imageDevice(const CameraRig& rig, const std::string& source, Rig
   return opencvDevice({source, rig.width, rig.height, rig.rate_hz, begin_s}, std::move(clock));
 }
 
-std::vector<std::string> connectedCameras([[maybe_unused]] CameraKind kind) {
+std::vector<std::string> connectedCameras(CameraKind kind) {
+  if (kind == CameraKind::Video) return videoDevices();
 #ifdef HANDMAP_IIDC
   if (kind == CameraKind::FireWire) return iidcCameras(*systemIidc());
 #endif

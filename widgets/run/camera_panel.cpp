@@ -16,16 +16,14 @@ constexpr double kJudgedBuilding = 0.5;  // probability of a window that has a c
 
 }  // namespace
 
-QImage cameraImage(const cv::Mat& image) {
+QImage sharedImage(const cv::Mat& image) {
   if (image.empty() || image.depth() != CV_8U) return {};
-  const auto wrapped = [&image](QImage::Format format) {
-    return QImage(image.data, image.cols, image.rows, static_cast<qsizetype>(image.step), format)
-        .copy();
-  };
-  if (image.channels() == 1) return wrapped(QImage::Format_Grayscale8);
-  if (image.channels() == 3) return wrapped(QImage::Format_BGR888);
-  return {};
+  if (image.channels() != 1 && image.channels() != 3) return {};
+  const auto format = image.channels() == 1 ? QImage::Format_Grayscale8 : QImage::Format_BGR888;
+  return {image.data, image.cols, image.rows, static_cast<qsizetype>(image.step), format};
 }
+
+QImage cameraImage(const cv::Mat& image) { return sharedImage(image).copy(); }
 
 QImage judgedImage(const cv::Mat& image, const cv::Mat1f& buildings) {
   if (image.empty() || buildings.empty()) return cameraImage(image);
