@@ -12,7 +12,7 @@ namespace handmap {
 
 namespace {
 constexpr int kSettledMs = 300;  // who writes a file writes it in several goes
-constexpr auto kTopic = "changed_on_disk";
+constexpr auto kDiskWatchTopic = "changed_on_disk";
 }  // namespace
 
 DiskWatch::DiskWatch(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
@@ -31,7 +31,7 @@ void DiskWatch::follow() {
   path_ = parts_.document.filePath();
   known_ = path_.isEmpty() ? QByteArray() : markOf(path_);
   if (!path_.isEmpty()) watcher_.addPath(path_);
-  parts_.messages.withdraw(kTopic);
+  parts_.messages.withdraw(kDiskWatchTopic);
 }
 
 QByteArray DiskWatch::markOf(const QString& path) {
@@ -52,13 +52,13 @@ void DiskWatch::look() {
   if (mark.isEmpty()) {
     parts_.messages.show(MessageBar::Kind::Warning,
                          tr("“%1” is gone, or cannot be read any more.").arg(name),
-                         tr("What is drawn is still here; save it."), kTopic);
+                         tr("What is drawn is still here; save it."), kDiskWatchTopic);
     return;
   }
   parts_.messages
       .ask(tr("Another program has changed “%1”.").arg(name),
            parts_.document.isModified() ? tr("There are unsaved changes here too.") : QString(),
-           kTopic)
+           kDiskWatchTopic)
       .addAction(tr("Reload"), [this] { reload(); });
   parts_.messages.addAction(tr("Keep mine"), [this] {
     parts_.document.undoStack().resetClean();  // it is not what is saved any more

@@ -23,7 +23,7 @@ namespace handmap {
 namespace {
 
 constexpr auto kFolderKey = "pictures/folder";
-constexpr auto kTopic = "picture";
+constexpr auto kPictureActionsTopic = "picture";
 constexpr double kShareOfCanvas = 0.8;
 constexpr double kUsualOpacity = 0.6;
 
@@ -72,7 +72,7 @@ void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
     head = readPictureHead(path);
   } catch (const Error& error) {
     parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
-                         QString::fromStdString(error.hint()), kTopic);
+                         QString::fromStdString(error.hint()), kPictureActionsTopic);
     return;
   }
   const QRectF visible = parts_.canvas.visibleMetres();
@@ -107,14 +107,14 @@ void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
       hint = tr("Its pixels are not square: it is off by up to %1 m.")
                  .arg(placed->fit.residual, 0, 'f', 1);
     parts_.messages.show(MessageBar::Kind::Info, tr("“%1” lies where its file says.").arg(name),
-                         hint, kTopic);
+                         hint, kPictureActionsTopic);
     return;
   }
   const QString hint = head.geometry
                            ? tr("It lies too far from where the map is; drag it to its place.")
                            : tr("Drag it to its place. Its scale is a guess:");
   parts_.messages.show(MessageBar::Kind::Info, tr("“%1” lies under the drawing.").arg(name), hint,
-                       kTopic);
+                       kPictureActionsTopic);
   parts_.messages.addAction(tr("Scale by a length"),
                             [this] { adjust(static_cast<int>(PictureTool::Mode::Scale)); });
   parts_.messages.addAction(tr("Fit by points"),

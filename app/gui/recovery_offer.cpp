@@ -15,7 +15,7 @@ namespace handmap {
 namespace {
 
 constexpr QSize kPictureSize(120, 80);
-constexpr auto kTopic = "recovery";
+constexpr auto kRecoveryOfferTopic = "recovery";
 
 QString counted(qsizetype count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
@@ -66,7 +66,7 @@ void RecoveryOffer::answered() {
 void RecoveryOffer::offer(const LeftBehind& left, const UnsavedWork& work) {
   Message& message = parts_.messages.ask(
       tr("An earlier session ended with unsaved changes to “%1”.").arg(work.name()),
-      contentsOf(work), kTopic);
+      contentsOf(work), kRecoveryOfferTopic);
   const qreal ratio = parts_.window.devicePixelRatioF();
   QImage picture = pictureOf(work.map, kPictureSize * ratio, Colours::of(parts_.window.palette()));
   picture.setDevicePixelRatio(ratio);
@@ -82,7 +82,7 @@ void RecoveryOffer::offer(const LeftBehind& left, const UnsavedWork& work) {
 void RecoveryOffer::tellUnreadable(const LeftBehind& left, const QString& problem) {
   Message& message =
       parts_.messages.ask(tr("What an earlier session left behind cannot be read: %1").arg(problem),
-                          tr("Closing this message keeps the file."), kTopic);
+                          tr("Closing this message keeps the file."), kRecoveryOfferTopic);
   message.addAction(tr("Delete the file"), [this, left] {
     parts_.recovery.forget(left);
     answered();

@@ -15,7 +15,7 @@ namespace {
 constexpr auto kTrustedKey = "files/trusted_references";
 constexpr int kMostTrusted = 200;
 constexpr qsizetype kMostNamed = 3;
-constexpr auto kTopic = "references";
+constexpr auto kReferenceTrustTopic = "references";
 }  // namespace
 
 ReferenceTrust::ReferenceTrust(const Parts& parts, QObject* parent)
@@ -37,7 +37,7 @@ QStringList ReferenceTrust::outside() const {
 }
 
 void ReferenceTrust::onReplaced() {
-  parts_.messages.withdraw(kTopic);
+  parts_.messages.withdraw(kReferenceTrustTopic);
   const QStringList names = outside();
   if (names.isEmpty()) return;
   const QString path = parts_.document.filePath();
@@ -51,7 +51,7 @@ void ReferenceTrust::onReplaced() {
   parts_.messages
       .ask(tr("“%1” wants to read files outside of its folder: %2")
                .arg(parts_.document.displayName(), named),
-           tr("Say yes if you know where the drawing comes from."), kTopic)
+           tr("Say yes if you know where the drawing comes from."), kReferenceTrustTopic)
       .addAction(tr("Read them"), [this, path] { grant(path); });
 }
 

@@ -17,7 +17,7 @@ namespace handmap {
 
 namespace {
 
-constexpr auto kTopic = "revision";
+constexpr auto kRevisionActionsTopic = "revision";
 constexpr double kMoved_m = 0.1;
 
 const Building* find(const Map& map, const std::string& id) {
@@ -71,7 +71,8 @@ RevisionActions::RevisionActions(const Parts& parts)
   connect(&run, &RunController::revisionProgressed, this, [this](double share) {
     left_.update(share, steadySeconds());
     const QString how_far = tr("%1: %2 %").arg(text_).arg(static_cast<int>(100.0 * share));
-    parts_.messages.show(MessageBar::Kind::Info, how_far + left_.inWords(), {}, kTopic);
+    parts_.messages.show(MessageBar::Kind::Info, how_far + left_.inWords(), {},
+                         kRevisionActionsTopic);
     parts_.messages.addAction(tr("Cancel"), [this] { parts_.run.dropRevision(); });
   });
   connect(&run, &RunController::revisionFailed, this, [this](const RunFailure& failure) {
@@ -94,7 +95,7 @@ RevisionActions::~RevisionActions() {
 void RevisionActions::forget() {
   outcome_->setPoses({});
   outcome_->setBuildings({});
-  parts_.messages.withdraw(kTopic);
+  parts_.messages.withdraw(kRevisionActionsTopic);
 }
 
 void RevisionActions::revise(const std::vector<StampedPose>& given, Then then,
@@ -180,17 +181,18 @@ void RevisionActions::onReady() {
   const auto before = parts_.run.history()->at(parts_.run.history()->newest());
   const auto after = parts_.run.revision()->last;
   const QString words = differenceInWords(*before, *after);
-  parts_.messages.withdraw(kTopic);
+  parts_.messages.withdraw(kRevisionActionsTopic);
   if (then_ == Then::Take) {
     parts_.run.takeRevision();
-    parts_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words), {}, kTopic);
+    parts_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words), {},
+                         kRevisionActionsTopic);
     return;
   }
   outcome_->setPoses(after->trajectory.all());
   outcome_->setBuildings(after->map->buildings);
   Message& question =
       parts_.messages.ask(tr("The run was done again with the changed drawing. %1").arg(words),
-                          tr("The dashed outlines show what came of it."), kTopic);
+                          tr("The dashed outlines show what came of it."), kRevisionActionsTopic);
   question.addAction(tr("Take the new one"), [this] { parts_.run.takeRevision(); });
   question.addAction(tr("Keep what was"), [this] { parts_.run.dropRevision(); });
 }

@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kClusterRounds = 8;
 constexpr int kMaxIterations = 50'000;
-constexpr double kTolerance = 0.01;   // of the optimum of the plane
-constexpr Eigen::Index kBlock = 128;  // samples at a time: their kernels stay in the cache
-constexpr float kRidge = 0.001F;      // vectors that lie close together
+constexpr double kTolerance = 0.01;     // of the optimum of the plane
+constexpr Eigen::Index kBlock = 128;    // samples at a time: their kernels stay in the cache
+constexpr float kVectorRidge = 0.001F;  // vectors that lie close together
 
 /// A view of the samples; OpenCV does not write to it.
 cv::Mat1f viewOf(const SampleMatrix& samples) {
@@ -113,7 +113,7 @@ KernelSvm KernelSvm::train(const SampleMatrix& samples, const std::vector<bool>&
                 static_cast<float>(options.gamma / static_cast<double>(samples.cols())));
   // K = L Lᵀ; the inputs L⁻¹ k(x) have the scalar products of the kernel.
   Eigen::MatrixXf vectors = svm.kernel(svm.vectors_);
-  vectors.diagonal().array() += kRidge;
+  vectors.diagonal().array() += kVectorRidge;
   const Eigen::LLT<Eigen::MatrixXf> root(vectors);
   const SampleMatrix inputs = root.matrixL().solve(svm.kernel(samples).transpose()).transpose();
   const Plane plane = separatingPlane(inputs, positive, options.c);

@@ -10,7 +10,8 @@ namespace handmap {
 namespace {
 
 constexpr int kIterations = 50;
-constexpr double kRidge = 1e-6;  // keeps Newton's step finite where the classes do not overlap
+constexpr double kNewtonRidge =
+    1e-6;  // keeps Newton's step finite where the classes do not overlap
 
 }  // namespace
 
@@ -27,8 +28,8 @@ Logistic Logistic::fit(const Eigen::VectorXf& distances, const std::vector<bool>
   const double low = 1.0 / (all - positives + 2.0);
   Eigen::Vector2d line(1.0, 0.0);
   for (int i = 0; i < kIterations; ++i) {
-    Eigen::Vector2d gradient = -kRidge * line;
-    Eigen::Matrix2d curvature = kRidge * Eigen::Matrix2d::Identity();
+    Eigen::Vector2d gradient = -kNewtonRidge * line;
+    Eigen::Matrix2d curvature = kNewtonRidge * Eigen::Matrix2d::Identity();
     for (Eigen::Index k = 0; k < distances.size(); ++k) {
       const bool is_positive = positive[static_cast<std::size_t>(k)];
       const double weight = 0.5 / (is_positive ? positives : all - positives);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kMeasures = {"x", "front", "width"};
 constexpr std::size_t kBuildings = Trial::kBuildings.size();
 
-constexpr auto kNotes =
+constexpr auto kErrorNotes =
     "\nAbsolute errors in metres, as they are (no alignment), mean / median, of the drawing → of "
     "the refined map. The charts of the buildings show medians with their distribution-free 95 % "
     "intervals, those against sigma the mean of the six. The paper's own Fig. 8 (Matsuo and Miura, "
@@ -142,7 +142,7 @@ void addErrors(const std::vector<TrialGroup>& groups, Report& report) {
     report.charts.emplace_back(fmt::format("fig8-{}.png", kMeasures[measure]),
                                chartAgainstSigma(groups, measure));
   }
-  report.markdown += kNotes;
+  report.markdown += kErrorNotes;
 }
 
 }  // namespace handmap

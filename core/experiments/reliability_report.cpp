@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kEdges = {0.0, 0.1, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0};
 constexpr double kPercent = 100.0;
 
-constexpr auto kNotes =
+constexpr auto kReliabilityNotes =
     "\nStated: mean of what the runs said in that range. True: how often it was so, in brackets "
     "Wilson's 95 % interval as if all were independent; poses of one run, 5 m of way apart, and "
     "walls of one building are not quite. Pose: live, after each observation. Wall within its "
@@ -140,7 +140,7 @@ Report reliabilityReport(const std::vector<RunStatements>& runs) {
         chart);
   }
   addRuns(runs, report);
-  report.markdown += kNotes;
+  report.markdown += kReliabilityNotes;
   for (const auto& [name, chart] : report.charts) {
     report.markdown += fmt::format("\n![{}]({})\n", chart.title, name);
   }

@@ -21,7 +21,7 @@ constexpr std::array kKnown = {KnownSuccess{1.0, "5/5", "10/10"}, KnownSuccess{5
                                KnownSuccess{10.0, "4/5", "8/10"}, KnownSuccess{12.5, "1/5", "7/10"},
                                KnownSuccess{15.0, "1/5", "5/10"}};
 
-constexpr auto kNotes =
+constexpr auto kSuccessNotes =
     "\nLoose: every building of the refined map overlaps its true one, the paper's measure. "
     "Strict: every one has an IoU of at least 0.5. In brackets Wilson's 95 % interval. "
     "Published: loose success in the paper's own Table II (Matsuo and Miura, IROS 2012; 100 "
@@ -90,7 +90,7 @@ void addSuccess(const std::vector<TrialGroup>& groups, Report& report) {
     seriesOf(group.method, loose_chart).points.push_back({group.sigma_m, percent(l)});
     seriesOf(group.method, strict_chart).points.push_back({group.sigma_m, percent(s)});
   }
-  report.markdown += kNotes;
+  report.markdown += kSuccessNotes;
   report.charts = {{"table2-loose.png", loose_chart}, {"table2-strict.png", strict_chart}};
 }
 

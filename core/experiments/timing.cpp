@@ -14,7 +14,7 @@ namespace {
 constexpr double kDrawnOff_m = 5.0;
 constexpr double kMsPerS = 1000.0;
 
-constexpr auto kNotes =
+constexpr auto kTimingNotes =
     "\nSeconds a frame, all stages, median over the frames with its distribution-free 95 % "
     "interval. Published: the paper's own Table I (Matsuo and Miura, IROS 2012, on a machine of "
     "its time). Simulated: six buildings in two rows, range points, drawings 5 m off; swarms of 10 "
@@ -119,7 +119,7 @@ Report timeReport(const std::vector<FrameTimes>& measured, int threads) {
         {static_cast<double>(i),
          {kMsPerS * median.value, kMsPerS * median.low, kMsPerS * median.high}});
   }
-  report.markdown += kNotes;
+  report.markdown += kTimingNotes;
   report.markdown +=
       threads == 0 ? "\nEach run on all threads of the machine.\n"
                    : fmt::format("\nEach run on {} thread{}.\n", threads, threads == 1 ? "" : "s");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kRowEvery = 5;  // steps, in the table to read
 
-constexpr auto kNotes =
+constexpr auto kWayNotes =
     "\nWhat was known on the way, after each observation; medians over the trials with their "
     "distribution-free 95 % intervals. Map: mean of |x|, |front| and |width| over the buildings, "
     "also those not yet met. Ways end where the shortest trial does. The paper has no such "
@@ -102,7 +102,7 @@ void addWay(const std::vector<TrialGroup>& groups, Report& report) {
     const bool last = i + 1 == groups.size() || groups[i + 1].sigma_m != groups[i].sigma_m;
     if (last) addCharts(groups, groups[i].sigma_m, report);
   }
-  report.markdown += kNotes;
+  report.markdown += kWayNotes;
 }
 
 }  // namespace handmap

@@ -22,7 +22,7 @@ constexpr int kIterations = 8;
 constexpr double kInlier_px = 2.0;
 constexpr double kPixelSigma = 0.35;  // of a tracked corner
 constexpr double kConverged = 1e-7;
-constexpr double kNearest_m = 0.1;
+constexpr double kNearestSeen_m = 0.1;
 constexpr std::size_t kMinInliers = 15;
 
 /// A match with its point, in the frame before, and what the point would move by with the pixels
@@ -63,7 +63,7 @@ double improve(const StereoCamera& camera, const std::vector<Landmark>& landmark
   Vector6d right = Vector6d::Zero();
   for (const std::size_t i : use) {
     const Eigen::Vector3d p = motion * landmarks[i].point;
-    if (p.z() < kNearest_m) continue;
+    if (p.z() < kNearestSeen_m) continue;
     const Eigen::Matrix3d by_point = pixelByPoint(camera, p);
     const StereoPixel residual = landmarks[i].now - projected(camera, p);
     const Eigen::Matrix3d weight = weight_of(landmarks[i], by_point, motion, residual);
@@ -112,7 +112,7 @@ std::vector<std::size_t> inliersOf(const StereoCamera& camera,
   std::vector<std::size_t> inliers;
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     const Eigen::Vector3d p = motion * landmarks[i].point;
-    if (p.z() < kNearest_m) continue;
+    if (p.z() < kNearestSeen_m) continue;
     const double error = (landmarks[i].now - projected(camera, p)).squaredNorm();
     if (error < kInlier_px * kInlier_px) inliers.push_back(i);
   }

@@ -20,9 +20,7 @@ constexpr int kGridRows = 8;
 constexpr std::size_t kCornersPerCell = 4;
 constexpr float kMinDistance_px = 8.0F;
 constexpr double kMinEigenvalue = 1e-3;
-constexpr float kMaxRowError_px = 1.0F;
 constexpr float kMaxReturnError_px = 0.5F;
-constexpr float kMinDisparity_px = 1.0F;
 constexpr int kFeatures = 1500;
 
 }  // namespace

@@ -10,11 +10,9 @@ namespace handmap {
 
 namespace {
 
-constexpr float kMaxRowError_px = 1.0F;
-constexpr double kMinDisparity_px = 1.0;
 constexpr double kKeepKey = 0.5;         // of its corners that must still be seen
 constexpr std::size_t kMinCorners = 30;  // of a key pair
-constexpr double kNearest_m = 0.5;
+constexpr double kNearestKept_m = 0.5;
 constexpr double kMinAlike = 0.15;  // of the features: most that look alike are not the same
 
 void check(const cv::Mat& left, const cv::Mat& right, cv::Size size) {
@@ -86,7 +84,7 @@ std::vector<StereoMatch> StereoOdometry::matches(const TrackedPair& now,
   std::vector<cv::Point2f> disparities;
   for (std::size_t i = 0; i < key_->corners.size(); ++i) {
     const Eigen::Vector3d point = guess * triangulated(camera_, key_->pixels[i]);
-    if (point.z() < kNearest_m) continue;
+    if (point.z() < kNearestKept_m) continue;
     const Eigen::Vector3f place = projected(camera_, point).cast<float>();
     if (!cv::Rect2f(0, 0, static_cast<float>(size_.width), static_cast<float>(size_.height))
              .contains({place.x(), place.y()})) {

@@ -23,7 +23,7 @@ constexpr double kMostTurn = 0.08;
 constexpr double kMostShear = 0.03;
 constexpr double kMostCorner_m = 1.0;
 constexpr double kLeastShare = 0.01;
-constexpr double kSlack_m = 0.15;
+constexpr double kFitSlack_m = 0.15;
 
 double sizeOf(const Polygon& outline) {
   const Bounds bounds = boundsOf(outline);
@@ -79,7 +79,7 @@ Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScor
     const Vec2 normal = unitVector(heading + static_cast<double>(k) * kPi / 2.0);
     sides[k].sigma = spreadOfSide(outline, normal, priorShift(task), scorer);
   }
-  const std::vector<double> returns = scorer.returnsOf(outline, kSlack_m);
+  const std::vector<double> returns = scorer.returnsOf(outline, kFitSlack_m);
   std::array<double, 4> of_side{};
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 along = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
@@ -133,8 +133,8 @@ class Fitting {
     if (stop_.stop_requested()) return {};
     OutlineResult result;
     result.evidence = fitted.score - kOverlap * overlap(i, fitted.outline);
-    const double drawn = scorer(task.drawn, kSlack_m) - kOverlap * overlap(i, task.drawn);
-    const double start = scorer(task.start, kSlack_m) - kOverlap * overlap(i, task.start);
+    const double drawn = scorer(task.drawn, kFitSlack_m) - kOverlap * overlap(i, task.drawn);
+    const double start = scorer(task.start, kFitSlack_m) - kOverlap * overlap(i, task.start);
     result.gain = result.evidence + fitted.prior - drawn;
     if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
       result.verdict = Verdict::Moved;

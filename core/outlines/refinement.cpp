@@ -14,7 +14,7 @@ namespace {
 /// Of the far half of a wall that was seen to its end: 2.4 to 5 where gables stand free, up to 1.7
 /// in gaps between houses of a real street, which look through.
 constexpr double kSeenToEndReturns = 2.0;
-constexpr double kSlack_m = 0.3;
+constexpr double kRefinementSlack_m = 0.3;
 // Of the start as it is drawn, one σ.
 constexpr double kStartTurn = toRadians(1.0);
 constexpr double kStart_m = 0.3;
@@ -40,7 +40,7 @@ std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& sco
     halves.push_back(0.5 * (from + outline[i]));
     halves.push_back(outline[i]);
   }
-  const std::vector<double> returns = scorer.returnsOf(halves, kSlack_m);
+  const std::vector<double> returns = scorer.returnsOf(halves, kRefinementSlack_m);
   std::vector<HalfWall> walls;
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const Vec2& from = halves[(i + halves.size() - 1) % halves.size()];
@@ -219,7 +219,7 @@ double supportOf(const Map& drawing, const PlacedRays& placed, double range_limi
     const double radius = 0.5 * (bounds.high - bounds.low).norm();
     const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, 0.5 * (bounds.low + bounds.high),
                                radius);
-    const double evidence = scorer(outline, kSlack_m);
+    const double evidence = scorer(outline, kRefinementSlack_m);
     if (std::abs(evidence) < kTells) continue;
     met += 1.0;
     if (evidence > 0.0) supported += 1.0;

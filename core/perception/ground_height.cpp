@@ -8,7 +8,7 @@
 namespace handmap {
 namespace {
 
-constexpr float kCell_m = 2.0F;
+constexpr float kGroundCell_m = 2.0F;
 constexpr float kMaxSlope = 0.15F;
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr std::size_t kLowest = 3;  ///< the third lowest point of a cell: strays lie below ground
@@ -16,7 +16,7 @@ constexpr std::size_t kLowest = 3;  ///< the third lowest point of a cell: stray
 }  // namespace
 
 GroundHeight::GroundHeight(const std::vector<RangePoint>& points, float range_m)
-    : cells_(range_m, kCell_m), height_(lowHeights(points)) {
+    : cells_(range_m, kGroundCell_m), height_(lowHeights(points)) {
   const int centre = cells_.columnOf(0.0F);
   const int side = cells_.side();
   const auto inwards = [centre](int i) { return i + (i < centre) - (i > centre); };
@@ -24,7 +24,7 @@ GroundHeight::GroundHeight(const std::vector<RangePoint>& points, float range_m)
     if (column < 0 || row < 0 || column >= side || row >= side) return;
     const float inner = height_[cells_.index(inwards(column), inwards(row))];
     float& height = height_[cells_.index(column, row)];
-    constexpr float kStep = kMaxSlope * kCell_m;
+    constexpr float kStep = kMaxSlope * kGroundCell_m;
     height = height == kUnknown ? inner : std::clamp(height, inner - kStep, inner + kStep);
   };
   height_[cells_.index(centre, centre)] = 0.0F;

@@ -9,7 +9,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kCell_m = 0.5;
+constexpr double kLowCell_m = 0.5;
 constexpr int kLeastPasses = 4;
 constexpr int kPassesAStop = 4;  // windows let rays pass, but the frame around them does not
 
@@ -23,11 +23,12 @@ LowThings::LowThings(double low_m, double high_m, double range_m)
     : low_(low_m),
       high_(high_m),
       side_(static_cast<std::int64_t>(
-          std::bit_ceil(static_cast<std::uint64_t>(3.0 * range_m / kCell_m) + 1U))),
+          std::bit_ceil(static_cast<std::uint64_t>(3.0 * range_m / kLowCell_m) + 1U))),
       cells_(static_cast<std::size_t>(side_ * side_)) {}
 
 LowThings::Place LowThings::placeOf(const Vec2& at) {
-  return {std::llround(std::floor(at.x() / kCell_m)), std::llround(std::floor(at.y() / kCell_m))};
+  return {std::llround(std::floor(at.x() / kLowCell_m)),
+          std::llround(std::floor(at.y() / kLowCell_m))};
 }
 
 std::size_t LowThings::indexOf(const Place& place) const {

@@ -10,7 +10,7 @@
 namespace handmap {
 namespace {
 
-constexpr float kSigma_m = 0.03F;
+constexpr float kRangeSigma_m = 0.03F;
 constexpr float kPlanar_m = 0.3F;
 constexpr float kColumn_m = 0.25F;  ///< cells in which vertical extent is measured
 constexpr int kMinPoints = 3;       ///< in a column
@@ -29,7 +29,7 @@ std::vector<RangePoint> inRange(const std::vector<RangePoint>& points, float min
   return kept;
 }
 
-WallPoint wallPoint(const RangePoint& p) { return {p.x, p.y, kSigma_m, std::min(p.w, 1.0F)}; }
+WallPoint wallPoint(const RangePoint& p) { return {p.x, p.y, kRangeSigma_m, std::min(p.w, 1.0F)}; }
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kDirections = 720;
 constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
-constexpr float kSigma_m = 0.05F;
+constexpr float kScanSigma_m = 0.05F;
 constexpr float kLeastRange_m = 0.3F;
 constexpr float kGround_m = 0.3F;  // lower returns of a tilted sensor are from the ground
 
@@ -70,7 +70,7 @@ void ScanBuilder::addRays(const std::vector<RangePoint>& points, Scan& scan) {
       continue;
     }
     const float wall = std::clamp(p.w, 0.0F, 1.0F);
-    keepNearest(nearest_[direction], {bearing, range, kSigma_m, wall, true});
+    keepNearest(nearest_[direction], {bearing, range, kScanSigma_m, wall, true});
   }
   const auto limit = static_cast<float>(range_limit_m_);
   for (std::size_t i = 0; i < kDirections; ++i) {

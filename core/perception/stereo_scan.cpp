@@ -12,10 +12,12 @@ namespace handmap {
 
 namespace {
 
-constexpr double kDirectionWidth = toRadians(0.5);
+constexpr double kStereoDirection = toRadians(0.5);
 constexpr std::size_t kSupport = 8;  ///< pixels of a column that a farthest surface needs
 
-int directionOf(double bearing) { return static_cast<int>(std::lround(bearing / kDirectionWidth)); }
+int stereoDirection(double bearing) {
+  return static_cast<int>(std::lround(bearing / kStereoDirection));
+}
 
 }  // namespace
 
@@ -46,7 +48,7 @@ std::vector<Vec2> lookedThrough(const cv::Mat1f& disparity, const StereoCamera& 
 Scan stereoScan(const std::vector<WallPoint>& walls, const std::vector<Vec2>& looked_through) {
   std::map<int, Ray> by_direction;
   const auto put = [&](const Ray& ray, auto better) {
-    const auto [kept, added] = by_direction.try_emplace(directionOf(ray.bearing), ray);
+    const auto [kept, added] = by_direction.try_emplace(stereoDirection(ray.bearing), ray);
     if (!added && better(ray.range, kept->second.range)) kept->second = ray;
   };
   for (const WallPoint& wall : walls) {
@@ -58,7 +60,7 @@ Scan stereoScan(const std::vector<WallPoint>& walls, const std::vector<Vec2>& lo
     const Ray ray{static_cast<float>(std::atan2(end.y(), end.x())), static_cast<float>(end.norm()),
                   0.0F, 0.0F, false};
     put(ray, [&](float range, float kept) {
-      return !by_direction.at(directionOf(ray.bearing)).returned && range > kept;
+      return !by_direction.at(stereoDirection(ray.bearing)).returned && range > kept;
     });
   }
   Scan scan;

@@ -15,8 +15,8 @@ namespace {
 
 using Projection = std::array<double, 12>;
 
-constexpr std::uintmax_t kMaxBytes = 1u << 20;
-constexpr double kMaxPixels = 1e5;
+constexpr std::uintmax_t kMaxKittiCalibrationBytes = 1u << 20;
+constexpr double kMaxIntrinsic_px = 1e5;
 constexpr double kMaxBaseline = 100.0;
 constexpr double kTolerance = 1e-3;  // relative or pixels: rectified images agree to that
 
@@ -34,9 +34,10 @@ Projection parseProjection(std::string_view numbers, const std::string& file,
     }
     p[i] = *value;
   }
-  const bool is_pinhole = p[0] > 1.0 && p[0] < kMaxPixels && p[5] > 1.0 && p[5] < kMaxPixels &&
-                          std::abs(p[2]) < kMaxPixels && std::abs(p[6]) < kMaxPixels &&
-                          p[1] == 0.0 && p[4] == 0.0 && p[8] == 0.0 && p[9] == 0.0 && p[10] == 1.0;
+  const bool is_pinhole = p[0] > 1.0 && p[0] < kMaxIntrinsic_px && p[5] > 1.0 &&
+                          p[5] < kMaxIntrinsic_px && std::abs(p[2]) < kMaxIntrinsic_px &&
+                          std::abs(p[6]) < kMaxIntrinsic_px && p[1] == 0.0 && p[4] == 0.0 &&
+                          p[8] == 0.0 && p[9] == 0.0 && p[10] == 1.0;
   if (!is_pinhole) {
     throwBadInput(file, place, "no projection matrix of a rectified camera",
                   "fx 0 cx tx  0 fy cy ty  0 0 1 tz");
@@ -73,7 +74,7 @@ double offsetOf(const Projection& p) { return -p[3] / p[0]; }
 StereoCamera readCalibration(const std::filesystem::path& path, const std::string& left,
                              const std::string& right, const CameraMount& mount) {
   const std::string file = path.string();
-  const std::string content = readFile(path, kMaxBytes);
+  const std::string content = readFile(path, kMaxKittiCalibrationBytes);
   const Projection l = findProjection(content, left, file);
   const Projection r = findProjection(content, right, file);
   requireSame(l[0], r[0], "fx", file);

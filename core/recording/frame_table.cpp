@@ -9,14 +9,14 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
+#include "core/recording/time_limits.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::uintmax_t kMaxTableBytes = 256u << 20;
 constexpr std::size_t kMaxPathBytes = 1024;
-constexpr double kMaxTime = 1e12;
 constexpr double kMaxPanDeg = 3600.0;
 constexpr int kMaxNumber = 1'000'000'000;
 
@@ -56,13 +56,13 @@ class TableReader {
     }
     FrameRow row;
     row.frame = integer(Column::Frame);
-    row.time_s = number(Column::Time, kMaxTime);
+    row.time_s = number(Column::Time, kMaxTime_s);
     if (!field(Column::Stop).empty()) row.stop = integer(Column::Stop);
     if (!field(Column::Pan).empty()) row.pan = toRadians(number(Column::Pan, kMaxPanDeg));
     row.left = file(Column::Left);
     row.right = file(Column::Right);
     row.points = file(Column::Points);
-    if (!field(Column::RightTime).empty()) row.right_time_s = number(Column::RightTime, kMaxTime);
+    if (!field(Column::RightTime).empty()) row.right_time_s = number(Column::RightTime, kMaxTime_s);
     if (row.left.empty() != row.right.empty()) fail("", "one image of a pair", "both or none");
     if (row.left.empty() && row.points.empty()) fail("", "neither images nor points", "some");
     checkOrder(row);
@@ -149,7 +149,7 @@ class TableReader {
 
 std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
                                      const std::stop_token& stop) {
-  const std::string content = readFile(path, kMaxBytes);
+  const std::string content = readFile(path, kMaxTableBytes);
   const std::string file = path.string();
   ContentLines lines(content);
   const auto header = lines.next();

@@ -16,8 +16,7 @@ namespace handmap {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 256u << 20;
-constexpr std::int64_t kMaxPixels = 64'000'000;
+constexpr std::uintmax_t kMaxImageBytes = 256u << 20;
 constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kPngEnd = "IEND\xae\x42\x60\x82";
 constexpr std::string_view kJpegMagic = "\xff\xd8\xff";
@@ -79,23 +78,24 @@ Header readHeader(std::string_view bytes, const std::string& file) {
 }  // namespace
 
 cv::Mat readImage(const std::filesystem::path& path) {
-  return decodeImage(readFile(path, kMaxBytes), path.string());
+  return decodeImage(readFile(path, kMaxImageBytes), path.string());
 }
 
 cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
   const Header header = readHeader(bytes, file);
   // The sides first: their product may be more than a number holds.
-  const bool fits = header.width <= kMaxPixels && header.height <= kMaxPixels &&
-                    header.width * header.height <= kMaxPixels;
+  const bool fits = header.width <= kMaxImagePixels && header.height <= kMaxImagePixels &&
+                    header.width * header.height <= kMaxImagePixels;
   if (!fits) {
     throwBadInput(file, "", fmt::format("{} × {} pixels", header.width, header.height),
-                  fmt::format("at most {} megapixels", kMaxPixels / 1'000'000));
+                  fmt::format("at most {} megapixels", kMaxImagePixels / 1'000'000));
   }
   if (!header.complete) throwBadInput(file, "", "an image that is cut off", "a whole one");
 
   cv::Mat image;
   try {
-    if (bytes.size() > kMaxBytes) throwBadInput(file, "", "more than 256 MiB", "a smaller image");
+    if (bytes.size() > kMaxImageBytes)
+      throwBadInput(file, "", "more than 256 MiB", "a smaller image");
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
                          const_cast<char*>(bytes.data()));
     image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);

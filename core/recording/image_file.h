@@ -1,6 +1,7 @@
 // Images of a recording: PNG and JPEG, checked before anything is allocated for their pixels.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,6 +9,8 @@
 #include <opencv2/core/mat.hpp>
 
 namespace handmap {
+
+inline constexpr std::int64_t kMaxImagePixels = 64'000'000;
 
 /// 8 bit, one or three channels, at most 64 megapixels. Throws BadInput for anything else, and for
 /// a file that is missing, empty or cut off.

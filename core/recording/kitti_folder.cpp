@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/recording/calibration.h"
 #include "core/recording/frame_table.h"
+#include "core/recording/time_limits.h"
 
 namespace handmap {
 
@@ -17,9 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::uintmax_t kMaxKittiBytes = 256u << 20;
 constexpr double kMaxCoordinate = 1e8;
-constexpr double kMaxTime = 1e12;
 constexpr double kRotationTolerance = 0.01;
 
 Pose2 parsePose(const TextLine& line, const std::string& file) {
@@ -94,13 +94,13 @@ std::optional<fs::path> odometryFile(const fs::path& folder) {
 
 std::vector<double> readKittiTimes(const fs::path& path) {
   const std::string file = path.string();
-  const std::string content = readFile(path, kMaxBytes);
+  const std::string content = readFile(path, kMaxKittiBytes);
   std::vector<double> times;
   ContentLines lines(content);
   while (const auto line = lines.next()) {
     const std::string place = fmt::format("line {}", line->number);
     const auto time = parseFinite(line->text);
-    if (!time || std::abs(*time) > kMaxTime) {
+    if (!time || std::abs(*time) > kMaxTime_s) {
       throwBadInput(file, place, fmt::format("\"{}\"", line->text.substr(0, 40)),
                     "a time in seconds");
     }
@@ -120,7 +120,7 @@ std::vector<double> readKittiTimes(const fs::path& path) {
 
 Trajectory readKittiPoses(const fs::path& path, const std::vector<double>& times_s) {
   const std::string file = path.string();
-  const std::string content = readFile(path, kMaxBytes);
+  const std::string content = readFile(path, kMaxKittiBytes);
   std::vector<StampedPose> poses;
   std::size_t found = 0;
   ContentLines lines(content);

@@ -12,7 +12,7 @@ namespace handmap {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 64u << 20;
+constexpr std::uintmax_t kMaxPointsBytes = 64u << 20;
 static_assert(std::endian::native == std::endian::little && sizeof(RangePoint) == 16,
               "points files are read as they lie in memory");
 
@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little && sizeof(RangePoint) =
 
 std::vector<RangePoint> readPoints(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const std::string content = readFile(path, kMaxBytes);
+  const std::string content = readFile(path, kMaxPointsBytes);
   if (content.empty() || content.size() % sizeof(RangePoint) != 0) {
     throwBadInput(file, "", fmt::format("{} bytes", content.size()),
                   "16 bytes a point, at least one point");

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kVersion = 1;
-constexpr std::uintmax_t kMaxBytes = 1u << 20;
+constexpr std::uintmax_t kMaxRecordingBytes = 1u << 20;
 constexpr std::size_t kMaxTextBytes = 4096;
 /// What is kept of the surroundings grows with the square: 0.6 GB at 200 m, and no sensor that
 /// drives along streets tells walls from farther away.
@@ -86,7 +86,7 @@ void readCamera(const JsonValue& json, Recording& recording) {
 
 Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop) {
   const fs::path path = folder / "recording.json";
-  const auto parsed = parseJson(readFile(path, kMaxBytes), path.string());
+  const auto parsed = parseJson(readFile(path, kMaxRecordingBytes), path.string());
   const JsonValue json(parsed, path.string());
   checkFormat(json);
 

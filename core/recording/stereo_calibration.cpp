@@ -9,15 +9,15 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
+#include "core/recording/image_file.h"
 #include "core/recording/opencv_file.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 1u << 16;
+constexpr std::uintmax_t kMaxCalibrationBytes = 1u << 16;
 constexpr int kMaxSide = 32768;
-constexpr std::int64_t kMaxPixels = 64'000'000;  // as for images
 constexpr double kMinFocal = 0.1;  // of the image's width: wider than a pinhole can be
 constexpr double kMaxFocal = 50.0;
 constexpr double kMinBaseline_m = 0.005;
@@ -30,7 +30,7 @@ using Keys = std::initializer_list<const char*>;
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path)
-      : file_(path.string()), values_(readFile(path, kMaxBytes), file_) {}
+      : file_(path.string()), values_(readFile(path, kMaxCalibrationBytes), file_) {}
 
   cv::Size size() const {
     const Words* const both = values_.find({"image_size", "size"});
@@ -38,10 +38,10 @@ class Reader {
         both != nullptr && both->size() == 2
             ? cv::Size{side((*both)[0], "image_size"), side((*both)[1], "image_size")}
             : cv::Size{side({"image_width", "width"}), side({"image_height", "height"})};
-    if (std::int64_t{size.width} * size.height > kMaxPixels) {
+    if (std::int64_t{size.width} * size.height > kMaxImagePixels) {
       throwBadInput(file_, "image_width and image_height",
                     fmt::format("{} × {} pixels", size.width, size.height),
-                    fmt::format("at most {} megapixels", kMaxPixels / 1'000'000));
+                    fmt::format("at most {} megapixels", kMaxImagePixels / 1'000'000));
     }
     return size;
   }

@@ -9,15 +9,15 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
+#include "core/recording/time_limits.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 256u << 20;
+constexpr std::uintmax_t kMaxTrajectoryBytes = 256u << 20;
 constexpr std::size_t kMaxPoses = 5'000'000;
 constexpr double kMaxCoordinate = 1e8;  // odometry may count from a distant origin
-constexpr double kMaxTime = 1e12;
 constexpr double kNormTolerance = 0.05;
 
 double yawOf(double qx, double qy, double qz, double qw) {
@@ -35,7 +35,7 @@ StampedPose parseTumLine(const TextLine& line, const std::string& file) {
   }
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto value = parseFinite(words[i]);
-    const double limit = i == 0 ? kMaxTime : kMaxCoordinate;
+    const double limit = i == 0 ? kMaxTime_s : kMaxCoordinate;
     if (!value || std::abs(*value) > limit) {
       throwBadInput(file, placeOf(line), fmt::format("\"{}\"", words[i].substr(0, 40)),
                     fmt::format("a finite number, at most {}", formatNumber(limit)));
@@ -86,7 +86,7 @@ std::optional<Pose2> Trajectory::at(double time_s, double tolerance_s) const {
 
 Trajectory readTum(const std::filesystem::path& path, const std::stop_token& stop) {
   const std::string file = path.string();
-  const std::string content = readFile(path, kMaxBytes);
+  const std::string content = readFile(path, kMaxTrajectoryBytes);
   std::vector<StampedPose> poses;
   ContentLines lines(content);
   while (const auto line = lines.next()) {

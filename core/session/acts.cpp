@@ -13,6 +13,7 @@
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/map/map_limits.h"
+#include "core/recording/time_limits.h"
 
 namespace handmap {
 
@@ -21,7 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxBytes = 16U << 20U;
-constexpr double kMaxTime_s = 1e12;
 
 struct Name {
   Act::Kind kind;

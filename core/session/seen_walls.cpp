@@ -8,9 +8,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kLeastCosine = 0.1;  // of incidence: flatter rays tell nothing across
-constexpr double kLeastWall = 0.05;   // how surely a return is of a wall, at least
-constexpr int kLeastRays = 2;         // one makes no piece
+constexpr int kLeastRays = 2;  // one makes no piece
 
 struct Return {
   Vec2 end;

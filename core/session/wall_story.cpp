@@ -14,8 +14,6 @@ namespace {
 constexpr double kShared_m = 0.2;
 /// Looks from one metre of the way are one: their poses are off together.
 constexpr double kOneLook_m = 1.0;
-constexpr double kLeastCosine = 0.1;  // of incidence: flatter rays tell nothing across
-constexpr double kLeastWall = 0.05;   // how surely a return is of a wall, at least
 constexpr double kLeastSigma_m = 0.01;
 
 struct PlacedWall {

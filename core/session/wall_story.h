@@ -11,6 +11,11 @@
 
 namespace handmap {
 
+/// Rays that place a wall: the least cosine of incidence (flatter ones tell nothing across) and how
+/// surely the return is of a wall.
+inline constexpr double kLeastCosine = 0.1;
+inline constexpr double kLeastWall = 0.05;
+
 /// What one observation saw, robot frame.
 struct SeenScan {
   double time_s;

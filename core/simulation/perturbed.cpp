@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kPerturbed = 4;
 constexpr int kSweeps = 10;
-constexpr int kTries = 200;
+constexpr int kPlacings = 200;
 constexpr std::size_t kMaxBuildings = 5000;  // each is held against all others
 constexpr double kWay = 2.0;                 // half the width of the route that stays free
 
@@ -61,7 +61,7 @@ class Perturbation {
 
   double drawnSize(double size) {
     const double least = std::min(3.0, size / 2.0);
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kPlacings; ++i) {
       const double drawn = random_.normal(size, sigma_m_);
       if (drawn >= least) return drawn;
     }
@@ -70,7 +70,7 @@ class Perturbation {
 
   void redraw(std::size_t i) {
     const Rectangle box = truth_.buildings[i].box();
-    for (int attempt = 0; attempt < kTries; ++attempt) {
+    for (int attempt = 0; attempt < kPlacings; ++attempt) {
       Rectangle drawn = box;
       drawn.centre += Vec2(random_.normal(0.0, sigma_m_), random_.normal(0.0, sigma_m_));
       drawn.width = drawnSize(box.width);

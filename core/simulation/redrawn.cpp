@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kRedrawn = 14;
 constexpr std::size_t kLeastCorners = 4;
-constexpr int kTries = 50;
+constexpr int kRedrawings = 50;
 
 Polygon without(const Polygon& polygon, std::size_t corner) {
   Polygon rest = polygon;
@@ -51,7 +51,7 @@ Polygon simplified(const Polygon& truth, double most_m) {
 }
 
 Polygon shaken(const Polygon& outline, double sigma_m, RandomStream& random) {
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kRedrawings; ++i) {
     Polygon moved = outline;
     for (Vec2& corner : moved) {
       corner += Vec2(random.normal(0.0, sigma_m), random.normal(0.0, sigma_m));

@@ -10,7 +10,7 @@ namespace {
 constexpr double kWindow_m = 100.0;  // of way: what was seen longer ago is out of sight
 constexpr double kKeep_m = 0.8;
 constexpr double kKeep = 0.15;  // radians
-constexpr std::array kGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
+constexpr std::array kOdometryGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
 constexpr int kLeastMatched = 20;
 constexpr double kTurnSigmas = 3.0;
 constexpr double kMoveSquare = 18.0;  // in σ²
@@ -32,7 +32,8 @@ bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& 
 
 std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>& scan,
                                                    const Pose2& motion, const MotionPrior& prior) {
-  const auto match = matchScan(scan, map_, prior.from * prior.motion.motion, kGates_m, prior);
+  const auto match =
+      matchScan(scan, map_, prior.from * prior.motion.motion, kOdometryGates_m, prior);
   if (!match || match->matched < kLeastMatched) return std::nullopt;
   noise_.learn(motion, between(prior.from, match->pose));
   const Eigen::Vector3d off = prior.motion.at(prior.from, match->pose).residual;

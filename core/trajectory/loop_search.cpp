@@ -25,7 +25,7 @@ constexpr double kMostShift_m = 12.0;
 constexpr double kTurn = 0.06;
 constexpr double kTurnPerMetre = 0.0002;
 constexpr double kMostTurn = 0.22;
-constexpr std::array kGates_m{1.0, 0.7, 0.5, 0.4};
+constexpr std::array kLoopGates_m{1.0, 0.7, 0.5, 0.4};
 constexpr double kLeastShare = 0.45;  // of straight pieces that find theirs
 constexpr int kLeastNear = 60;
 constexpr double kLeastEigenRatio = 0.04;  // a corridor tells nothing along itself
@@ -133,7 +133,7 @@ std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
   if (!coarse) return std::nullopt;
   PointMap map;
   map.add(target, 0);
-  const auto match = matchScan(seen, map, *coarse, kGates_m);
+  const auto match = matchScan(seen, map, *coarse, kLoopGates_m);
   if (!match || match->straight_near < kLeastNear || !holds(match->information)) {
     return std::nullopt;
   }

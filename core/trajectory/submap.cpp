@@ -8,7 +8,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kCell_m = 0.5;
+constexpr double kSubmapCell_m = 0.5;
 constexpr double kTurnStep = 0.02;     // radians: 0.5 m at 25 m
 constexpr double kHalf_m = 75.0;       // half the side of the grid
 constexpr double kOtherShift_m = 2.5;  // farther off is another place
@@ -17,7 +17,7 @@ constexpr double kMostOther = 0.85;  // of the best place's hits
 constexpr std::size_t kMostPoints = 250;
 constexpr double kFaceReach = 0.5;  // cosine: a piece at 45° to two ways counts as both
 
-int cellOf(double v) { return static_cast<int>(std::floor((v + kHalf_m) / kCell_m)); }
+int cellOf(double v) { return static_cast<int>(std::floor((v + kHalf_m) / kSubmapCell_m)); }
 
 int nearestFace(const Vec2& normal) {
   if (std::abs(normal.x()) >= std::abs(normal.y())) return normal.x() > 0.0 ? 0 : 2;
@@ -76,7 +76,7 @@ std::optional<Pose2> clearBest(const std::vector<Placement>& placements) {
 WallGrid::WallGrid(const std::vector<ScanPoint>& points)
     : side_(cellOf(kHalf_m)),
       faces_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {
-  constexpr double kReach_m = 0.5 * kCell_m;
+  constexpr double kReach_m = 0.5 * kSubmapCell_m;
   for (const ScanPoint& p : points) {
     if (!p.straight()) continue;
     for (const double dx : {-kReach_m, kReach_m}) {
@@ -97,7 +97,7 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
   std::vector<ScanPoint> straight;
   std::copy_if(points.begin(), points.end(), std::back_inserter(straight),
                [](const ScanPoint& p) { return p.straight(); });
-  const int shifts = static_cast<int>(std::ceil(window.shift_m / kCell_m));
+  const int shifts = static_cast<int>(std::ceil(window.shift_m / kSubmapCell_m));
   const int turns = static_cast<int>(std::ceil(window.turn / kTurnStep));
   std::vector<Placement> placements;
   for (int turn = -turns; turn <= turns; ++turn) {
@@ -116,7 +116,7 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
         const bool edge =
             std::abs(dx) == shifts || std::abs(dy) == shifts || std::abs(turn) == turns;
         placements.push_back(
-            {{pose.x + dx * kCell_m, pose.y + dy * kCell_m, pose.heading}, hits, edge});
+            {{pose.x + dx * kSubmapCell_m, pose.y + dy * kSubmapCell_m, pose.heading}, hits, edge});
       }
     }
   }

@@ -10,7 +10,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kCell_m = 2.0;
+constexpr double kSharpnessCell_m = 2.0;
 constexpr double kWall2 = 0.1 * 0.1;   // m²: plaster, frames, drainpipes, added along the ray
 constexpr double kRound2 = 0.02;       // m², in every direction: of the spacing of returns
 constexpr double kMostSquare = 16.0;   // Mahalanobis: farther adds nothing
@@ -24,7 +24,9 @@ struct Placed {
 
 using Cell = std::int64_t;
 Cell cellOf(std::int64_t x, std::int64_t y) { return (x << 32) ^ (y & 0xffffffff); }
-std::int64_t indexOf(double v) { return static_cast<std::int64_t>(std::floor(v / kCell_m)); }
+std::int64_t indexOf(double v) {
+  return static_cast<std::int64_t>(std::floor(v / kSharpnessCell_m));
+}
 
 std::vector<Placed> placed(const std::vector<SharpnessFrame>& frames,
                            const std::vector<Pose2>& poses) {

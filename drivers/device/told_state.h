@@ -7,6 +7,9 @@
 
 namespace handmap {
 
+/// What sends all the time and has not for so long is lost.
+inline constexpr double kSilence_s = 1.0;
+
 class ToldState {
  public:
   /// Whether there is something new to say; then it counts as said.

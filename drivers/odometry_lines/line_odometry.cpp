@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t kLongestLine = 512;
 constexpr int kWatch_ms = 100;
-constexpr double kSilence_s = 1.0;
 constexpr double kGone_s = 5.0;  // a port may be open though nobody is there
 
 }  // namespace

@@ -6,8 +6,7 @@ namespace handmap {
 
 namespace {
 
-constexpr int kWatch_ms = 100;
-constexpr double kSilence_s = 1.0;
+constexpr int kTopicWatch_ms = 100;
 
 }  // namespace
 
@@ -43,7 +42,7 @@ void RosTopic::open() {
   tell(DeviceState::Connecting, QStringLiteral("connecting to the rosbridge"));
   client_->subscribe(topic_, type_, [this](const RosValue& message) { come(message); });
   client_->open();
-  timer_.start(kWatch_ms);
+  timer_.start(kTopicWatch_ms);
 }
 
 void RosTopic::close() {

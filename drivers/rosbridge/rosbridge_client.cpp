@@ -14,7 +14,7 @@ namespace handmap {
 namespace {
 
 constexpr qint64 kMostWaiting = 8 << 20;  // bytes not yet sent
-constexpr int kWatch_ms = 1000;
+constexpr int kConnectionWatch_ms = 1000;
 constexpr qint64 kPatience_ms = 5000;
 
 qint64 now_ms() { return QDeadlineTimer::current(Qt::PreciseTimer).deadline(); }
@@ -66,7 +66,7 @@ void RosbridgeClient::attempt() {
   connect(socket_, &QWebSocket::binaryMessageReceived, this, &RosbridgeClient::takeBinary);
   connect(socket_, &QWebSocket::pong, this, [this] { heard_ms_ = now_ms(); });
   opened_ms_ = heard_ms_ = now_ms();
-  watch_.start(kWatch_ms);
+  watch_.start(kConnectionWatch_ms);
   socket_->open(options_.url);
 }
 

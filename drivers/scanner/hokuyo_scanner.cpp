@@ -9,16 +9,15 @@ namespace handmap {
 namespace {
 
 constexpr std::size_t kLongestLine = 300;
-constexpr int kWatch_ms = 100;
-constexpr double kPatience_s = 1.0;
-constexpr int kMostAttempts = 4;
-constexpr double kSilence_s = 1.0;  // a scanner turns ten times a second and more
+constexpr int kHokuyoWatch_ms = 100;
+constexpr double kHokuyoPatience_s = 1.0;
+constexpr int kHokuyoAttempts = 4;
 
 }  // namespace
 
 HokuyoScanner::HokuyoScanner(PortAddress address, RigClock clock, std::uint64_t seed,
                              QObject* parent)
-    : PortDevice(std::move(address), std::move(clock), seed, kWatch_ms,
+    : PortDevice(std::move(address), std::move(clock), seed, kHokuyoWatch_ms,
                  QStringLiteral("opening the port of the scanner"), parent),
       lines_(kLongestLine, true) {}
 
@@ -106,8 +105,8 @@ void HokuyoScanner::watch() {
     if (now_s() - last_scan_s_ > kSilence_s) {
       port().giveUp(QStringLiteral("the scanner has sent no whole scan for a second"));
     }
-  } else if (now_s() - step_since_s_ > kPatience_s) {
-    if (++attempts_ >= kMostAttempts) {
+  } else if (now_s() - step_since_s_ > kHokuyoPatience_s) {
+    if (++attempts_ >= kHokuyoAttempts) {
       return port().giveUp(
           QStringLiteral("what is at this port does not answer as a Hokuyo scanner"));
     }

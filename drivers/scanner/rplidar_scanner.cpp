@@ -10,13 +10,12 @@ namespace {
 using rplidar::Answer;
 using rplidar::Request;
 
-constexpr int kWatch_ms = 50;
+constexpr int kRplidarWatch_ms = 50;
 constexpr double kQuiet_s = 0.1;  // until what was still under way has come
 constexpr double kReset_s = 2.5;  // it starts its own computer anew
-constexpr double kPatience_s = 1.0;
+constexpr double kRplidarPatience_s = 1.0;
 constexpr double kSpinUp_s = 4.0;  // until the motor turns evenly
-constexpr double kSilence_s = 1.0;
-constexpr int kMostAttempts = 4;
+constexpr int kRplidarAttempts = 4;
 constexpr std::uint8_t kHealthError = 2;
 
 std::string littleEndian(unsigned value) {
@@ -27,7 +26,7 @@ std::string littleEndian(unsigned value) {
 
 RplidarScanner::RplidarScanner(PortAddress address, RigClock clock, std::uint64_t seed,
                                QObject* parent)
-    : PortDevice(std::move(address), std::move(clock), seed, kWatch_ms,
+    : PortDevice(std::move(address), std::move(clock), seed, kRplidarWatch_ms,
                  QStringLiteral("opening the port of the scanner"), parent) {}
 
 RplidarScanner::~RplidarScanner() { close(); }
@@ -121,7 +120,7 @@ void RplidarScanner::watch() {
   if (step_ == Step::Stopping) {
     if (waited_s > kQuiet_s) go(Step::Identifying);
   } else if (step_ == Step::Resetting) {
-    if (waited_s > kReset_s) go(++attempts_ < kMostAttempts ? Step::Stopping : Step::Closed);
+    if (waited_s > kReset_s) go(++attempts_ < kRplidarAttempts ? Step::Stopping : Step::Closed);
     if (step_ == Step::Closed) port().giveUp(QStringLiteral("the scanner reports an error"));
   } else if (step_ == Step::Scanning) {
     const bool began = last_turn_s_ > 0.0;
@@ -129,10 +128,10 @@ void RplidarScanner::watch() {
     if (silent_s > (began ? kSilence_s : kSpinUp_s)) {
       port().giveUp(QStringLiteral("the scanner sends no whole turn: does its motor run?"));
     }
-  } else if (step_ == Step::StartingExpress && waited_s > kPatience_s) {
+  } else if (step_ == Step::StartingExpress && waited_s > kRplidarPatience_s) {
     go(Step::StartingPlain);  // older firmwares know no other
-  } else if (waited_s > kPatience_s) {
-    if (++attempts_ < kMostAttempts) return go(Step::Stopping);
+  } else if (waited_s > kRplidarPatience_s) {
+    if (++attempts_ < kRplidarAttempts) return go(Step::Stopping);
     port().giveUp(QStringLiteral("what is at this port does not answer as an RPLIDAR"));
   }
 }

@@ -26,12 +26,12 @@ Rig stopAndLook() {
 
 std::vector<RangePoint> onePoint() { return {{1.0F, 0.0F, 0.0F, 1.0F}}; }
 
-struct Heard {
-  explicit Heard(const Rig& rig)
+struct Assembled {
+  explicit Assembled(const Rig& rig)
       : assembler(rig, {[this](Observation o) { observations.push_back(std::move(o)); },
                         [this](double pan) { looks.push_back(pan); },
                         [this](const std::string& reason) { ++refused[reason]; }}) {}
-  Heard(const Heard&) = delete;
+  Assembled(const Assembled&) = delete;
 
   std::vector<Observation> observations;
   std::vector<double> looks;
@@ -40,7 +40,7 @@ struct Heard {
 };
 
 TEST(Assembler, WaitsForTheOdometryOfAScanAndInterpolates) {
-  Heard heard(laserCart());
+  Assembled heard(laserCart());
   heard.assembler.moved(1.0, {1.0, 0.0, 0.0}, 1.0);
   heard.assembler.scanned(1.05, onePoint(), 1.06);
   EXPECT_TRUE(heard.observations.empty());
@@ -55,7 +55,7 @@ TEST(Assembler, WaitsForTheOdometryOfAScanAndInterpolates) {
 TEST(Assembler, PointsAreMovedToWhereTheScannerIs) {
   Rig rig = laserCart();
   rig.scanner->mount = {0.5, 0.25, 0.75, kPi / 2.0};
-  Heard heard(rig);
+  Assembled heard(rig);
   heard.assembler.moved(1.0, {}, 1.0);
   heard.assembler.scanned(1.0, onePoint(), 1.0);
   ASSERT_EQ(heard.observations.size(), 1U);
@@ -66,7 +66,7 @@ TEST(Assembler, PointsAreMovedToWhereTheScannerIs) {
 }
 
 TEST(Assembler, GivesUpOnOdometryThatDoesNotCome) {
-  Heard heard(laserCart());
+  Assembled heard(laserCart());
   heard.assembler.moved(1.0, {}, 1.0);
   heard.assembler.scanned(1.2, onePoint(), 1.2);
   heard.assembler.tick(1.5);
@@ -81,7 +81,7 @@ TEST(Assembler, GivesUpOnOdometryThatDoesNotCome) {
 }
 
 TEST(Assembler, DoesNotUseWhatIsLateRepeatedOrFromTheFuture) {
-  Heard heard(laserCart());
+  Assembled heard(laserCart());
   Assembler& assembler = heard.assembler;
   assembler.moved(10.0, {}, 10.0);
   assembler.moved(10.0, {9.0, 0.0, 0.0}, 10.0);
@@ -106,7 +106,7 @@ TEST(Assembler, DoesNotUseWhatIsLateRepeatedOrFromTheFuture) {
 TEST(Assembler, WithoutMeasuredOdometryNothingIsWaitedFor) {
   Rig rig = laserCart();
   rig.odometry = {OdometryRigKind::Scan, "", ""};
-  Heard heard(rig);
+  Assembled heard(rig);
   heard.assembler.scanned(1.0, onePoint(), 1.0);
   heard.assembler.scanned(1.1, onePoint(), 1.1);
   ASSERT_EQ(heard.observations.size(), 2U);
@@ -114,13 +114,13 @@ TEST(Assembler, WithoutMeasuredOdometryNothingIsWaitedFor) {
 }
 
 TEST(Assembler, MemoryStaysBoundedWhenOdometryNeverComes) {
-  Heard heard(laserCart());
+  Assembled heard(laserCart());
   for (int i = 0; i < 100; ++i) heard.assembler.scanned(1.0 + 0.001 * i, onePoint(), 1.1);
   EXPECT_GE(heard.refused["no odometry at the time of an observation"], 90);
 }
 
 TEST(Assembler, ALookAroundIsOneObservation) {
-  Heard heard(stopAndLook());
+  Assembled heard(stopAndLook());
   Assembler& assembler = heard.assembler;
   double now = 0.0;
   const Pose2 here{4.0, 5.0, 0.5};
@@ -148,7 +148,7 @@ TEST(Assembler, ALookAroundIsOneObservation) {
 }
 
 TEST(Assembler, AnInterruptedLookAroundIsForgotten) {
-  Heard heard(stopAndLook());
+  Assembled heard(stopAndLook());
   Assembler& assembler = heard.assembler;
   double now = 0.0;
   for (; now < 1.25; now += 0.1) assembler.moved(now, {}, now);

@@ -11,7 +11,7 @@
 namespace handmap {
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kRunPatienceMs = 60'000;
 
 class RunControllerTest : public testing::Test {
  protected:
@@ -26,7 +26,7 @@ class RunControllerTest : public testing::Test {
     run_.start(drawing_, simulatedRobot("rows", world_, 2), setup, begin);
   }
   bool waitFor(RunState state) {
-    return QTest::qWaitFor([&] { return run_.state() == state; }, kPatienceMs);
+    return QTest::qWaitFor([&] { return run_.state() == state; }, kRunPatienceMs);
   }
 
   World world_ = twoRowWorld(2);

@@ -13,7 +13,7 @@ namespace handmap {
 
 namespace {
 
-constexpr int kPercent = 100;
+constexpr int kSliderPercent = 100;
 constexpr int kMostRowsShown = 8;
 enum Column { NameColumn, ShownColumn, LockedColumn, Columns };
 
@@ -56,7 +56,7 @@ DrawingLayersPanel::DrawingLayersPanel(MapDocument& document, QWidget* parent)
     tree_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   opacity_->setObjectName(QStringLiteral("layer_opacity"));
   opacity_->setAccessibleName(tr("Opacity of the layer"));
-  opacity_->setRange(0, kPercent);
+  opacity_->setRange(0, kSliderPercent);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(tree_);
@@ -68,7 +68,7 @@ DrawingLayersPanel::DrawingLayersPanel(MapDocument& document, QWidget* parent)
   connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
     if (filling_ || chosen().isEmpty()) return;
     LayerState state = stateOfRow(chosen());
-    state.opacity = static_cast<double>(percent) / kPercent;
+    state.opacity = static_cast<double>(percent) / kSliderPercent;
     setState(chosen(), state, tr("Fade Layer"), true);
   });
   connect(opacity_, &QSlider::sliderReleased, &document_, &MapDocument::finishMerging);
@@ -157,7 +157,7 @@ void DrawingLayersPanel::refreshSlider() {
   const QString key = chosen();
   opacity_->setEnabled(!key.isEmpty());
   const double opacity = key.isEmpty() ? 1.0 : stateOfRow(key).opacity;
-  opacity_->setValue(static_cast<int>(std::lround(kPercent * opacity)));
+  opacity_->setValue(static_cast<int>(std::lround(kSliderPercent * opacity)));
   filling_ = false;
 }
 

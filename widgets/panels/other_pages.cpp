@@ -11,7 +11,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kPercent = 100.0;
 
 }  // namespace
 

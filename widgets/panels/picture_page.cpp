@@ -13,7 +13,6 @@
 namespace handmap {
 
 namespace {
-constexpr double kPercent = 100.0;
 constexpr double kLeastScale = 1e-6;
 }  // namespace
 

@@ -10,6 +10,8 @@
 
 namespace handmap {
 
+inline constexpr double kPercent = 100.0;  ///< what pages show of shares
+
 class PropertyPage : public QWidget {
   Q_OBJECT
  public:

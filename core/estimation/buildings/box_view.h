@@ -78,5 +78,9 @@ class BoxView : public BoxSlabs {
 
 /// How far a wall may be off against the poses, metres across the wall. Choice.
 inline constexpr float kWallSlack = 0.05F;
+/// What is measured of noise and clutter: of what is known, kept at a key frame; the least cosine
+/// of the angle of incidence. Choices: 70 m, and no wall seen along itself.
+inline constexpr double kForgetting = 0.97;
+inline constexpr float kSteep = 0.5F;
 
 }  // namespace handmap

@@ -9,11 +9,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kForgetting = 0.97;   // a key frame; choice: 70 m
-constexpr float kSteep = 0.5F;         // least cosine of the angle of incidence; choice
 constexpr double kInFront = 2.0;       // metres that are looked at; choice
 constexpr double kClear = 0.5;         // metres between a ray and the end of the wall; choice
-constexpr double kMuch = 0.3;          // of a rate; choice
+constexpr double kMuchRate = 0.3;      // of a rate; choice
 constexpr double kMuchDensity = 0.01;  // a metre; choice
 
 }  // namespace
@@ -73,7 +71,7 @@ Clutter ClutterEstimate::measured() const {
 
 bool differMuch(const Clutter& a, const Clutter& b) {
   const auto differ = [](double one, double other, double least) {
-    return std::abs(one - other) > kMuch * other + least;
+    return std::abs(one - other) > kMuchRate * other + least;
   };
   return differ(a.wall_like_per_m, b.wall_like_per_m, kMuchDensity) ||
          differ(a.others_per_m, b.others_per_m, kMuchDensity) ||

@@ -11,15 +11,13 @@ namespace handmap {
 
 namespace {
 
-constexpr double kForgetting = 0.97;         // a key frame; choice: 70 m
-constexpr float kSteep = 0.5F;               // least cosine of the angle of incidence; choice
 constexpr double kLeastReturns = 60.0;       // a bin; choice: σ to 10 %
 constexpr double kLeastSigma = 0.03;         // metres; choice: a laser
 constexpr double kLeastInformation = 400.0;  // 1/m²: 5 cm; choice
 constexpr double kAssumedSystematic = 0.03;  // metres; choice, until it is measured
 constexpr double kLeastSystematic = 0.01;    // metres; choice: plaster
 constexpr double kMostSystematic = 0.2;      // metres; choice: recesses
-constexpr double kMuch = 1.3;                // ratio of σ; choice: as the evidence is sure of
+constexpr double kMuchRatio = 1.3;           // ratio of σ; choice: as the evidence is sure of
 constexpr double kMuchBias = 0.1;            // of σ; choice
 
 }  // namespace
@@ -101,7 +99,7 @@ RangeNoise NoiseEstimate::fitted(const RangeNoise& assumed) const {
 bool differMuch(const RangeNoise& a, const RangeNoise& b) {
   for (const double distance : {8.0, 24.0}) {
     const double ratio = a.at(distance) / b.at(distance);
-    if (ratio > kMuch || ratio < 1.0 / kMuch) return true;
+    if (ratio > kMuchRatio || ratio < 1.0 / kMuchRatio) return true;
     if (std::abs(a.bias(distance) - b.bias(distance)) > kMuchBias * b.at(distance)) return true;
   }
   return false;

@@ -9,7 +9,6 @@ namespace handmap {
 
 namespace {
 
-constexpr std::size_t kHeading = 4;  // index among the parameters
 constexpr double kGate = 12.0;    // squared Mahalanobis distance of one parameter; choice: 3.5 σ
 constexpr double kChance = 60.0;  // metres over which walls of other buildings are spread; choice
 constexpr double kSure = 10.0;    // nats; choice: as the acceptance of an outline (FIELD.md 2, 4)

@@ -7,8 +7,7 @@ namespace handmap {
 
 namespace {
 
-constexpr std::size_t kHeading = 4;  // index among the parameters
-constexpr double kSeen = 1.0;        // metres, one σ, of a wall that is compared; choice
+constexpr double kSeen = 1.0;       // metres, one σ, of a wall that is compared; choice
 constexpr double kWallFloor = 0.2;  // metres, one σ, of what two boxes of a wall may differ; choice
 constexpr double kHeadingFloor = 0.02;  // radians, the same; choice
 

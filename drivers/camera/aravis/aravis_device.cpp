@@ -14,7 +14,7 @@ namespace handmap {
 
 namespace {
 
-constexpr int kBuffers = 4;
+constexpr int kAravisBuffers = 4;
 constexpr std::uint64_t kWait_us = 100'000;
 constexpr double kSilent_s = 2.0;
 
@@ -90,7 +90,7 @@ class AravisDevice : public ImageDevice {
     complaint.raise("receive its images");
     const guint bytes = arv_camera_get_payload(camera_.get(), complaint.out());
     complaint.raise("ask how large its images are");
-    for (int i = 0; i < kBuffers; ++i) {
+    for (int i = 0; i < kAravisBuffers; ++i) {
       arv_stream_push_buffer(stream_.get(), arv_buffer_new_allocate(bytes));
     }
     arv_camera_start_acquisition(camera_.get(), complaint.out());

@@ -12,7 +12,7 @@ namespace handmap {
 
 namespace {
 
-constexpr std::uint32_t kBuffers = 4;
+constexpr std::uint32_t kIidcBuffers = 4;
 /// Of Format 7, in which Point Grey's stereo heads send their images together.
 constexpr dc1394video_mode_t kStereoMode = DC1394_VIDEO_MODE_FORMAT7_3;
 constexpr std::uint64_t kBayerTileMapping = 0x1040;
@@ -67,7 +67,7 @@ class SystemIidc : public IidcCamera {
         dc1394_format7_set_roi(camera_, kStereoMode, coding(), DC1394_USE_RECOMMENDED, 0, 0,
                                static_cast<std::int32_t>(width), static_cast<std::int32_t>(height)),
         "set its image");
-    need(dc1394_capture_setup(camera_, kBuffers, DC1394_CAPTURE_FLAGS_DEFAULT),
+    need(dc1394_capture_setup(camera_, kIidcBuffers, DC1394_CAPTURE_FLAGS_DEFAULT),
          "receive its images");
     need(dc1394_video_set_transmission(camera_, DC1394_ON), "start it");
   }

@@ -7,7 +7,7 @@
 namespace handmap {
 namespace {
 
-const Polygon kHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.1}.corners();
+const Polygon kFittedHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.1}.corners();
 const Polygon kEll = {{35, 8}, {50, 8}, {50, 20}, {44, 20}, {44, 13}, {35, 13}};
 
 OutlineTask taskFor(const Polygon& drawn, bool rectangle) {
@@ -19,29 +19,29 @@ OutlineTask taskFor(const Polygon& drawn, bool rectangle) {
 }
 
 TEST(MapFit, MovesHousesToWhereTheyAre) {
-  const Drive drive = drivePast({kHouse, kEll});
+  const Drive drive = drivePast({kFittedHouse, kEll});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
   ASSERT_TRUE(placed.showsStructure());
   const auto results = fitOutlines(
-      {taskFor(moved(kHouse, {2.5, 1.5}), true), taskFor(moved(kEll, {-2.0, 2.0}), false)}, placed,
-      40.0, 1);
+      {taskFor(moved(kFittedHouse, {2.5, 1.5}), true), taskFor(moved(kEll, {-2.0, 2.0}), false)},
+      placed, 40.0, 1);
   ASSERT_EQ(results.size(), 2U);
   for (const OutlineResult& result : results) {
     EXPECT_EQ(result.verdict, Verdict::Moved);
     ASSERT_TRUE(result.estimate);
     EXPECT_GT(result.estimate->observations, 10);
   }
-  EXPECT_GT(intersectionOverUnion(results[0].outline, kHouse), 0.85);
+  EXPECT_GT(intersectionOverUnion(results[0].outline, kFittedHouse), 0.85);
   EXPECT_GT(intersectionOverUnion(results[1].outline, kEll), 0.85);
 }
 
 TEST(MapFit, SaysHowWellEachSideIsKnown) {
   // So wide that neither its ends nor its back were seen.
   const Polygon wide = Rectangle{{30.0, 12.0}, 200.0, 8.0, 0.0}.corners();
-  const Drive drive = drivePast({wide, moved(kHouse, {0.0, -25.0})});
+  const Drive drive = drivePast({wide, moved(kFittedHouse, {0.0, -25.0})});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
   const auto results = fitOutlines(
-      {taskFor(wide, true), taskFor(moved(kHouse, {0.5, -25.5}), true)}, placed, 40.0, 1);
+      {taskFor(wide, true), taskFor(moved(kFittedHouse, {0.5, -25.5}), true)}, placed, 40.0, 1);
   ASSERT_TRUE(results.at(1).estimate);
   EXPECT_LT(results[1].estimate->sigma_x, 0.5);
   const OutlineScorer scorer(placed, 40.0, {}, kNobody, {30.0, 12.0}, 130.0);
@@ -50,7 +50,7 @@ TEST(MapFit, SaysHowWellEachSideIsKnown) {
 }
 
 TEST(MapFit, KeepsAHouseThatNothingSpeaksFor) {
-  const Drive drive = drivePast({kHouse});
+  const Drive drive = drivePast({kFittedHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
   const Polygon far = Rectangle{{30.0, -120.0}, 10.0, 8.0, 0.0}.corners();
   const auto results = fitOutlines({taskFor(far, true)}, placed, 40.0, 1);
@@ -60,11 +60,11 @@ TEST(MapFit, KeepsAHouseThatNothingSpeaksFor) {
 }
 
 TEST(MapFit, DoesNotLetNeighboursTakeOneWall) {
-  const Drive drive = drivePast({kHouse});
+  const Drive drive = drivePast({kFittedHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
-  const auto results = fitOutlines(
-      {taskFor(moved(kHouse, {0.5, 0.5}), true), taskFor(moved(kHouse, {6.0, 3.0}), true)}, placed,
-      40.0, 1);
+  const auto results = fitOutlines({taskFor(moved(kFittedHouse, {0.5, 0.5}), true),
+                                    taskFor(moved(kFittedHouse, {6.0, 3.0}), true)},
+                                   placed, 40.0, 1);
   EXPECT_EQ(results.at(0).verdict, Verdict::Moved);
   EXPECT_LT(intersectionOverUnion(results[0].outline, results[1].outline), 0.6);
 }
@@ -85,19 +85,20 @@ TEST(MapFit, GivesAWallBackToTheNeighbourThatItIsOf) {
 }
 
 TEST(MapFit, IsTheSameEachTime) {
-  const Drive drive = drivePast({kHouse});
+  const Drive drive = drivePast({kFittedHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
-  const std::vector<OutlineTask> tasks = {taskFor(moved(kHouse, {2.0, 1.0}), true)};
+  const std::vector<OutlineTask> tasks = {taskFor(moved(kFittedHouse, {2.0, 1.0}), true)};
   EXPECT_EQ(fitOutlines(tasks, placed, 40.0, 5).at(0).outline,
             fitOutlines(tasks, placed, 40.0, 5).at(0).outline);
 }
 
 TEST(MapFit, ComesBackEmptyWhenStopped) {
-  const Drive drive = drivePast({kHouse});
+  const Drive drive = drivePast({kFittedHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_TRUE(fitOutlines({taskFor(kHouse, true)}, placed, 40.0, 1, stop.get_token()).empty());
+  EXPECT_TRUE(
+      fitOutlines({taskFor(kFittedHouse, true)}, placed, 40.0, 1, stop.get_token()).empty());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace handmap {
 namespace {
 
-const Polygon kHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.0}.corners();
+const Polygon kSeenHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.0}.corners();
 const Polygon kHedge = Rectangle{{45.0, 9.0}, 20.0, 0.5, 0.0}.corners();
 
 double shareOf(const PlacedRays& placed, const Polygon& near, Structure structure) {
@@ -22,14 +22,14 @@ double shareOf(const PlacedRays& placed, const Polygon& near, Structure structur
 }
 
 TEST(Structure, TellsWallsFromHedges) {
-  const Drive drive = drivePast({kHouse}, {kHedge});
+  const Drive drive = drivePast({kSeenHouse}, {kHedge});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
-  EXPECT_GT(shareOf(placed, kHouse, Structure::Straight), 0.8);
+  EXPECT_GT(shareOf(placed, kSeenHouse, Structure::Straight), 0.8);
   EXPECT_LT(shareOf(placed, kHedge, Structure::Straight), 0.2);
 }
 
 TEST(Structure, MeasuresTheNoiseOfReturns) {
-  const Drive drive = drivePast({kHouse});
+  const Drive drive = drivePast({kSeenHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
   EXPECT_NEAR(placed.noise.at(10.0), 0.03, 0.03);
 }

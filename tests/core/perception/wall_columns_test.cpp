@@ -5,7 +5,7 @@
 namespace handmap {
 namespace {
 
-constexpr double kRange_m = 40.0;
+constexpr double kColumnRange_m = 40.0;
 constexpr double kUp_m = 1.5;
 
 /// Level, 1.5 m above the ground; the image ends 5.4 m above that at a distance of 10 m.
@@ -23,7 +23,7 @@ class WallColumns : public testing::Test {
     }
   }
 
-  std::vector<WallColumn> found(double range_m = kRange_m) const {
+  std::vector<WallColumn> found(double range_m = kColumnRange_m) const {
     const CameraRays rays(kCamera, disparity_.size());
     return wallColumns(disparity_, kCamera, rays, {}, {}, range_m);
   }

@@ -5,7 +5,7 @@
 namespace handmap {
 namespace {
 
-Map drawing() {
+Map remembered() {
   Map map;
   for (const char* id : {"A", "B"}) {
     Building building;
@@ -24,7 +24,7 @@ TEST(RedoneActs, BuildingsAreHeldAndTakenOut) {
   const Rectangle right{{3.0, 4.0}, 11.0, 9.0, 0.1};
   const std::vector<Act> acts = {{1.0, Act::Kind::BuildingIsRight, {}, "A", right},
                                  {2.0, Act::Kind::BuildingIsNotThere, {}, "B", {}}};
-  const RedoneActs done = redone(drawing(), acts);
+  const RedoneActs done = redone(remembered(), acts);
   ASSERT_EQ(done.drawing.buildings.size(), 1U);
   EXPECT_EQ(std::get<Rectangle>(done.drawing.buildings[0].shape), right);
   EXPECT_TRUE(done.drawing.buildings[0].fixed);
@@ -35,7 +35,7 @@ TEST(RedoneActs, BuildingsAreHeldAndTakenOut) {
 
 TEST(RedoneActs, PosesComeInOrderTheLastOfAMomentCounts) {
   const std::vector<Act> acts = {poseAt(5.0, 1.0), poseAt(2.0, 2.0), poseAt(5.0, 3.0)};
-  const RedoneActs done = redone(drawing(), acts);
+  const RedoneActs done = redone(remembered(), acts);
   ASSERT_EQ(done.poses.size(), 2U);
   EXPECT_EQ(done.poses[0].time_s, 2.0);
   EXPECT_EQ(done.poses[1].pose.x, 3.0);
@@ -44,13 +44,13 @@ TEST(RedoneActs, PosesComeInOrderTheLastOfAMomentCounts) {
 TEST(RedoneActs, WhatWasForgottenStaysForgotten) {
   const std::vector<Act> acts = {
       poseAt(1.0, 1.0), {2.0, Act::Kind::ForgetPoses, {}, {}, {}}, poseAt(3.0, 2.0)};
-  EXPECT_EQ(redone(drawing(), acts).poses.size(), 1U);
+  EXPECT_EQ(redone(remembered(), acts).poses.size(), 1U);
 }
 
 TEST(RedoneActs, ABuildingThatTheDrawingDoesNotHaveIsTold) {
   const std::vector<Act> acts = {
       {1.0, Act::Kind::BuildingIsRight, {}, "Z", Rectangle{{0.0, 0.0}, 1.0, 1.0, 0.0}}};
-  EXPECT_EQ(redone(drawing(), acts).unmatched, std::vector<std::string>{"Z"});
+  EXPECT_EQ(redone(remembered(), acts).unmatched, std::vector<std::string>{"Z"});
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace handmap {
 namespace {
 
-Map street() {
+Map oneBuilding() {
   Map map;
   map.start = Pose2{};
   Building north;
@@ -16,7 +16,7 @@ Map street() {
 }
 
 Map corrected(int observations) {
-  Map map = street();
+  Map map = oneBuilding();
   map.buildings[0].estimate = Estimate{1.0, 1.0, 1.0, observations};
   return map;
 }
@@ -24,7 +24,7 @@ Map corrected(int observations) {
 std::vector<RunWarning> warningsOf(const RunCounts& counts, const Map& refined = corrected(0),
                                    double range_limit_m = 80.0, bool refine = true) {
   const std::vector<StampedPose> way{{0.0, {0.0, 0.0, 0.0}}, {1.0, {20.0, 0.0, 0.0}}};
-  return runWarnings({counts, range_limit_m, street(), refined, way, refine});
+  return runWarnings({counts, range_limit_m, oneBuilding(), refined, way, refine});
 }
 
 bool says(const std::vector<RunWarning>& warnings, const std::string& code,

@@ -7,7 +7,7 @@
 namespace handmap {
 namespace {
 
-Building box(const std::string& id, double x, double y, double width, double depth) {
+Building block(const std::string& id, double x, double y, double width, double depth) {
   Building building;
   building.id = id;
   building.shape = Rectangle{{x, y}, width, depth, 0.0};
@@ -54,9 +54,9 @@ TEST(Route, OfAStartAloneLeadsStraightAhead) {
   Map map;
   map.start = Pose2{};
   EXPECT_FALSE(routeOf(map));
-  map.buildings = {box("A", 50, 20, 40, 10), box("B", 80, -20, 40, 10)};
+  map.buildings = {block("A", 50, 20, 40, 10), block("B", 80, -20, 40, 10)};
   EXPECT_DOUBLE_EQ(routeOf(map)->length(), 100.0);
-  map.buildings.push_back(box("C", 60, 0, 10, 10));
+  map.buildings.push_back(block("C", 60, 0, 10, 10));
   EXPECT_DOUBLE_EQ(routeOf(map)->length(), 52.0);
 }
 
@@ -68,7 +68,7 @@ TEST(Route, NeedsSomewhereToGo) {
   EXPECT_DOUBLE_EQ(routeOf(map)->length(), 1.0);
   map.route.clear();
   map.start = Pose2{};
-  map.buildings = {box("Wall", 10, 0, 16, 30)};
+  map.buildings = {block("Wall", 10, 0, 16, 30)};
   EXPECT_FALSE(routeOf(map));
 }
 

@@ -14,7 +14,7 @@
 namespace handmap {
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+constexpr int kWorkerPatienceMs = 60'000;
 
 /// The first observations of another source; the second of them cannot be read if so wished.
 class Shortened : public ObservationSource {
@@ -93,10 +93,10 @@ class Heard {
   int reports() const { return reports_; }
   bool wait(const QString& event) {
     return QTest::qWaitFor([&] { return !events_.isEmpty() && events_.back() == event; },
-                           kPatienceMs);
+                           kWorkerPatienceMs);
   }
   bool waitForProgress() {
-    return QTest::qWaitFor([this] { return progressed_ > 0; }, kPatienceMs);
+    return QTest::qWaitFor([this] { return progressed_ > 0; }, kWorkerPatienceMs);
   }
 
  private:
@@ -137,7 +137,7 @@ TEST(RunWorker, StepsOneByOne) {
   ASSERT_TRUE(heard.wait("paused"));
   EXPECT_EQ(heard.events(), (QStringList{"started", "#1", "paused"}));
   heard.worker().step();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().size() == 6; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().size() == 6; }, kWorkerPatienceMs));
   EXPECT_EQ(heard.events().mid(3), (QStringList{"resumed", "#2", "paused"}));
   heard.worker().resume();
   ASSERT_TRUE(heard.wait("finished"));
@@ -153,10 +153,10 @@ TEST(RunWorker, AStepTellsItsPhasesWhereThatIsWanted) {
   EXPECT_GE(first->phases->size(), 5U);
   EXPECT_EQ(heard.worker().history()->at(1)->phases, first->phases);
   heard.worker().step();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().contains("#2"); }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().contains("#2"); }, kWorkerPatienceMs));
   EXPECT_FALSE(heard.worker().result()->last->phases);
   heard.worker().stepPhases();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().contains("#3"); }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return heard.events().contains("#3"); }, kWorkerPatienceMs));
   EXPECT_TRUE(heard.worker().result()->last->phases);
 }
 
@@ -281,7 +281,7 @@ TEST(RunWorker, RunsUntilAndPauses) {
       [&] {
         return heard.worker().result()->last->index == 4 && heard.events().back() == "paused";
       },
-      kPatienceMs));
+      kWorkerPatienceMs));
   heard.worker().resume();
   ASSERT_TRUE(heard.wait("finished"));
   const auto& history = heard.worker().history();

@@ -6,7 +6,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kReachPx = 8.0;
 constexpr double kStemPx = 26.0;
 
 Pose2 frameOf(const Rectangle& box) { return {box.centre.x(), box.centre.y(), box.heading}; }
@@ -22,14 +21,14 @@ Vec2 handlePosition(const Rectangle& box, Handle handle, double metres_per_pixel
 bool hasRoom(const Rectangle& box, Handle handle, double metres_per_pixel) {
   const bool is_corner = handle.along != 0 && handle.across != 0;
   const double side = handle.along == 0 ? box.width : box.depth;
-  return handle.turns() || is_corner || side >= 4.0 * kReachPx * metres_per_pixel;
+  return handle.turns() || is_corner || side >= 4.0 * kHandleReachPx * metres_per_pixel;
 }
 
 std::optional<Handle> handleAt(const Rectangle& box, const Vec2& position,
                                double metres_per_pixel) {
   for (const Handle& handle : kHandles) {
     const double distance = (handlePosition(box, handle, metres_per_pixel) - position).norm();
-    if (distance <= kReachPx * metres_per_pixel && hasRoom(box, handle, metres_per_pixel))
+    if (distance <= kHandleReachPx * metres_per_pixel && hasRoom(box, handle, metres_per_pixel))
       return handle;
   }
   return std::nullopt;

@@ -9,6 +9,8 @@
 
 namespace handmap {
 
+inline constexpr double kHandleReachPx = 8.0;  ///< around the middle of a handle
+
 /// Which sides of the box follow the pointer: -1, 0 or 1 along its width and its depth. (0, 0) is
 /// the handle that turns.
 struct Handle {

@@ -5,6 +5,7 @@
 
 #include "core/map/map_limits.h"
 #include "core/sketching/corners.h"
+#include "widgets/canvas/tools/building_handles.h"
 #include "widgets/canvas/tools/drags.h"
 #include "widgets/canvas/tools/tool_painting.h"
 
@@ -12,7 +13,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kReachPx = 8.0;
 constexpr double kRoomPx = 36.0;
 
 MapChange withOutline(const Building& building, Polygon outline) {
@@ -48,7 +48,7 @@ bool hasRoomBetween(const CornerLine& line, std::size_t edge, double metres_per_
 }
 
 std::optional<CornerHandle> cornerHandleAt(const CornerLine& line, const ToolEvent& event) {
-  const double reach = event.reach(kReachPx);
+  const double reach = event.reach(kHandleReachPx);
   if (const auto corner = cornerNear(line.corners, event.position, reach))
     return CornerHandle{*corner};
   for (std::size_t i = 0; i < line.edgeCount(); ++i) {

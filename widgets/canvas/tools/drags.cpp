@@ -7,7 +7,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kReachPx = 8.0;
 constexpr double kStartHandlePx = 38.0;
 constexpr double kFramePx = 14.0;  ///< between a polygon and the frame with its handles
 constexpr std::size_t kMostMovedCorners = 8;
@@ -18,7 +17,7 @@ double turnStep(Qt::KeyboardModifiers modifiers) {
 }
 
 bool isNear(const Vec2& handle, const ToolEvent& event) {
-  return (handle - event.position).norm() <= event.reach(kReachPx);
+  return (handle - event.position).norm() <= event.reach(kHandleReachPx);
 }
 
 std::optional<Drag> buildingDrag(const MapDocument& document, const ToolEvent& press) {

@@ -9,7 +9,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kReachPx = 4.0;
+constexpr double kEraserReachPx = 4.0;
 
 bool isLocked(const Map& map, const QString& key) {
   const Building* building = map.find(key.toStdString());
@@ -45,7 +45,7 @@ void EraserTool::move(const ToolEvent& event) {
 
 /// All that lies between where the pointer was and where it is.
 void EraserTool::touch(const ToolEvent& event) {
-  const double reach = event.reach(kReachPx);
+  const double reach = event.reach(kEraserReachPx);
   const double way = (event.position - last_).norm();
   const int steps = std::clamp(static_cast<int>(std::ceil(way / reach)), 1, 500);
   for (int i = 0; i <= steps; ++i) {
@@ -84,7 +84,7 @@ bool EraserTool::key(const ToolKey& key) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
       if (cursor_) {
-        const QString there = objectAt(document(), *cursor_, kReachPx * key.metres_per_pixel);
+        const QString there = objectAt(document(), *cursor_, kEraserReachPx * key.metres_per_pixel);
         if (!there.isEmpty() && !isLocked(document().map(), there)) document().remove({there});
       }
       return cursor_.has_value();

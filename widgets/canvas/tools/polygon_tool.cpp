@@ -9,7 +9,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kReachPx = 9.0;
+constexpr double kCloseReachPx = 9.0;
 
 /// Which side of the segment's line the point lies on: -1, 0 or 1.
 int sideOf(const Segment& segment, const Vec2& point) {
@@ -50,7 +50,7 @@ QString PolygonTool::hint() const {
 }
 
 bool PolygonTool::closesAt(const Vec2& point) const {
-  return placed().size() >= 3 && (placed().front() - point).norm() <= reach(kReachPx);
+  return placed().size() >= 3 && (placed().front() - point).norm() <= reach(kCloseReachPx);
 }
 
 bool PolygonTool::mayPlace(const Vec2& point) const {

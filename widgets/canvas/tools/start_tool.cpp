@@ -7,7 +7,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kDragPx = 8.0;
+constexpr double kStartDragPx = 8.0;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<Pose2> StartTool::placedPose() const {
   double heading = document().map().start.value_or(Pose2{}).heading;
   if (const auto typed_heading = typed().value(0)) {
     heading = normalizedAngle(toRadians(*typed_heading));
-  } else if (const Vec2 way = pointer() - at; way.norm() >= kDragPx * metresPerPixel()) {
+  } else if (const Vec2 way = pointer() - at; way.norm() >= kStartDragPx * metresPerPixel()) {
     const bool held = modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
     heading = roundedHeading(std::atan2(way.y(), way.x()), held ? 15.0 : 0.5);
   }

@@ -9,7 +9,7 @@
 namespace handmap {
 namespace {
 
-constexpr double kCell = 0.5;
+constexpr double kDetectionCell = 0.5;
 constexpr double kReach = 40.0;
 
 /// Scores of all runs that are walls, along every row and tilt: the plain way.
@@ -17,7 +17,7 @@ std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle
                                 const DetectionOptions& options) {
   std::vector<double> scores;
   for (const WallImage& image : evidence.images()) {
-    const auto at = [](double metres) { return static_cast<int>(metres / kCell); };
+    const auto at = [](double metres) { return static_cast<int>(metres / kDetectionCell); };
     const int low = at(image.along().dot(middle) - kReach);
     const int high = at(image.along().dot(middle) + kReach);
     const double across = image.across().dot(middle);
@@ -28,7 +28,8 @@ std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle
         int begin = 0;
         int peak_at = 0;
         const auto close = [&] {
-          if (peak >= options.least_score && (peak_at - begin) * kCell >= options.least_length_m) {
+          if (peak >= options.least_score &&
+              (peak_at - begin) * kDetectionCell >= options.least_length_m) {
             scores.push_back(peak);
           }
           sum = peak = 0.0;
@@ -56,7 +57,7 @@ std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle
 
 class WallDetectionTest : public testing::Test {
  protected:
-  WallDetectionTest() : evidence_(kCell, 200.0), sensor_(SensorOptions{}, kReach) {
+  WallDetectionTest() : evidence_(kDetectionCell, 200.0), sensor_(SensorOptions{}, kReach) {
     evidence_.include(0.05, {}, sensor_);
     evidence_.include(0.6, {}, sensor_);
   }

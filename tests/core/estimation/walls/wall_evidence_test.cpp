@@ -8,7 +8,7 @@
 namespace handmap {
 namespace {
 
-constexpr double kCell = 0.25;
+constexpr double kEvidenceCell = 0.25;
 constexpr double kWindow = 160.0;
 
 /// The sum over the rays that cross the wall from below, the plain way.
@@ -22,7 +22,7 @@ double plainEvidence(const Frame& frame, double from_x, double to_x, double y,
     const double x = frame.pose.x + distance * direction.x();
     if (distance < 0.0 || x < from_x || x >= to_x) continue;
     sum += static_cast<double>(sensor(ray.sight, static_cast<float>(distance),
-                                      static_cast<float>(0.5 * kCell / direction.y())));
+                                      static_cast<float>(0.5 * kEvidenceCell / direction.y())));
   }
   return sum;
 }
@@ -35,15 +35,15 @@ TEST(WallImage, IsTheSumOverTheRaysThatCross) {
     const Pose2 pose{random.uniform(-8.0, 8.0), random.uniform(0.0, 6.0),
                      random.uniform(-3.0, 3.0)};
     const Frame frame = seenFrom(pose, {box}, 0.2, random);
-    WallImage image(0.0, kCell, kWindow);
+    WallImage image(0.0, kEvidenceCell, kWindow);
     image.apply(frame, pose, sensor, 1);
     for (int row = 40; row < 90; row += 7) {
       const int from = -30;
       const int to = 25;
       double sum = 0.0;
       for (int column = from; column < to; ++column) sum += image.at(column, row);
-      const double plain =
-          plainEvidence(frame, from * kCell, to * kCell, (row + 0.5) * kCell, sensor);
+      const double plain = plainEvidence(frame, from * kEvidenceCell, to * kEvidenceCell,
+                                         (row + 0.5) * kEvidenceCell, sensor);
       EXPECT_NEAR(sum, plain, 0.01 * std::abs(plain) + 1.0) << row;
     }
   }
@@ -53,7 +53,7 @@ TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
   RandomStream random(6);
   const SensorModel sensor(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
-  WallEvidence evidence(kCell, kWindow);
+  WallEvidence evidence(kEvidenceCell, kWindow);
   evidence.include(0.1, {}, sensor);
   std::vector<Frame> frames;
   for (double x = -4.0; x <= 4.0; x += 2.0) {
@@ -84,7 +84,7 @@ TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
   RandomStream random(4);
   const SensorModel sensor(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
-  WallEvidence evidence(kCell, kWindow);
+  WallEvidence evidence(kEvidenceCell, kWindow);
   evidence.include(0.1, {}, sensor);
   const Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
   evidence.add(frame, frame.pose, sensor);
@@ -101,10 +101,10 @@ TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
   const SensorModel sensor(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
-  WallEvidence first(kCell, kWindow);
+  WallEvidence first(kEvidenceCell, kWindow);
   first.include(0.2, {}, sensor);
   first.add(frame, frame.pose, sensor);
-  WallEvidence later(kCell, kWindow);
+  WallEvidence later(kEvidenceCell, kWindow);
   const ActiveFrame held{&frame, frame.pose};
   later.include(0.7, {}, sensor);
   later.include(0.2, {&held, 1}, sensor);
@@ -122,7 +122,7 @@ TEST(DetectWalls, NeighboursWithAGapAreTwoWalls) {
   const SensorModel sensor(SensorOptions{}, 40.0);
   const std::vector<Box> boxes{boxOf({{-15.0, 15.0}, 20.0, 8.0, toRadians(3.0)}),
                                boxOf({{15.0, 15.0}, 24.0, 8.0, 0.0})};
-  WallEvidence evidence(kCell, kWindow);
+  WallEvidence evidence(kEvidenceCell, kWindow);
   evidence.include(0.0, {}, sensor);
   for (double x = -20.0; x <= 20.0; x += 5.0) {
     const Frame frame = seenFrom({x, 0.0, 0.0}, boxes, 0.2, random);
