@@ -6,6 +6,10 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTimer>
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,7 +21,7 @@ namespace {
 
 using namespace handmap;
 
-constexpr std::uint32_t kInOneProcess = 50;
+constexpr std::uint32_t kInOneProcess = 20;
 constexpr int kPatienceMs = 120'000;  // for one sequence, under sanitizers on a slow machine
 
 QtMessageHandler default_handler = nullptr;
@@ -98,31 +102,57 @@ Steps shrunk(Steps steps) {
   return steps;
 }
 
-int search(std::uint32_t count, std::uint32_t first) {
-  int found = 0;
-  std::uint32_t played = 0;
-  for (std::uint32_t seed = first; seed < first + count;) {
-    const std::uint32_t batch = std::min(kInOneProcess, first + count - seed);
-    const Outcome outcome = outcomeOf({"--seeds", QString::number(seed), QString::number(batch)});
-    played += batch;
-    seed += batch;
-    if (outcome.well) continue;
-    ++found;
-    const qsizetype last = outcome.said.lastIndexOf("seed ");
-    const std::uint32_t its = outcome.said.mid(last + 5).section(u'\n', 0, 0).toUInt();
-    const Steps steps = stepsOf(its);
-    fmt::print("seed {} failed: {}\n{}\n", its,
-               outcome.said.mid(last).section(u'\n', 1).toStdString(),
-               outcome.error.right(4000).toStdString());
-    fmt::print("as a test: monkey --play \"{}\"\n",
-               inWords(fails(steps) ? shrunk(steps) : steps).toStdString());
-    std::fflush(stdout);
-    played -= seed - its - 1;
-    seed = its + 1;  // the rest of the batch
+/// Batches of seeds that several processes play beside each other; most of a sequence is waiting.
+class Search {
+ public:
+  Search(std::uint32_t count, std::uint32_t first) : next_(first), end_(first + count) {}
+
+  int run() {
+    std::vector<std::jthread> players(2 * std::max(1U, std::thread::hardware_concurrency()));
+    for (std::jthread& player : players) player = std::jthread([this] { playBatches(); });
+    players.clear();
+    fmt::print("{} sequences, {} failed\n", played_, found_);
+    return found_ == 0 ? 0 : 1;
   }
-  fmt::print("{} sequences, {} failed\n", played, found);
-  return found == 0 ? 0 : 1;
-}
+
+ private:
+  void playBatches() {
+    while (true) {
+      const std::uint32_t first = next_.fetch_add(kInOneProcess);
+      if (first >= end_) return;
+      play(first, std::min(first + kInOneProcess, end_));
+    }
+  }
+
+  void play(std::uint32_t seed, std::uint32_t end) {
+    while (seed < end) {
+      const Outcome outcome =
+          outcomeOf({"--seeds", QString::number(seed), QString::number(end - seed)});
+      const qsizetype last = outcome.said.lastIndexOf("seed ");
+      const std::uint32_t its = outcome.said.mid(last + 5).section(u'\n', 0, 0).toUInt();
+      const std::uint32_t next = outcome.well ? end : std::max(its, seed) + 1;
+      played_ += next - seed;
+      seed = next;
+      if (!outcome.well) tell(its, outcome.said.mid(last).section(u'\n', 1), outcome.error);
+    }
+  }
+
+  void tell(std::uint32_t seed, const QString& said, const QString& error) {
+    ++found_;
+    const Steps steps = stepsOf(seed);
+    const std::string shortest = inWords(fails(steps) ? shrunk(steps) : steps).toStdString();
+    const std::scoped_lock lock(telling_);
+    fmt::print("seed {} failed: {}\n{}\nas a test: monkey --play \"{}\"\n", seed,
+               said.toStdString(), error.right(4000).toStdString(), shortest);
+    std::fflush(stdout);
+  }
+
+  std::atomic<std::uint32_t> next_;
+  const std::uint32_t end_;
+  std::atomic<std::uint32_t> played_ = 0;
+  std::atomic<int> found_ = 0;
+  std::mutex telling_;
+};
 
 }  // namespace
 
@@ -136,5 +166,5 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: monkey SEQUENCES [FIRST_SEED] | --play STEPS\n");
     return 1;
   }
-  return search(count, arguments.value(2, "1").toUInt());
+  return Search(count, arguments.value(2, "1").toUInt()).run();
 }
