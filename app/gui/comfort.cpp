@@ -61,7 +61,7 @@ Comfort::Comfort(const Parts& parts, QObject* parent)
   parts_.actions.restoreKeys(parts_.settings);
   new Theme(parts_.actions, parts_.settings, this);
   new Language({parts_.actions, parts_.messages, parts_.settings,
-                [files = &parts_.files] { files->openWindow(); }},
+                [files = &parts_.files] { files->startAgain(); }},
                this);
   auto* keys = new KeysPanel(parts_.actions);
   parts_.docks.setKeys(keys);

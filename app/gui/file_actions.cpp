@@ -67,6 +67,12 @@ void FileActions::connectActions() {
   actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
 }
 
+void FileActions::startAgain() {
+  if (!parts_.window.close()) return;
+  parts_.settings.sync();  // the other one reads what this one has just left
+  openWindow(parts_.document.filePath());
+}
+
 bool FileActions::mayLeave() {
   if (!parts_.document.isModified()) return true;
   constexpr int kSave = 0;

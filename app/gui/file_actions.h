@@ -55,6 +55,8 @@ class FileActions : public QObject {
     open_window_ = std::move(open);
   }
   void openWindow(const QString& path = {}) const { open_window_(path); }
+  /// Closes this window, which may ask, and opens another one with the same drawing.
+  void startAgain();
   QMenu& recentMenu() { return *recent_; }
 
  Q_SIGNALS:

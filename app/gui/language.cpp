@@ -66,7 +66,7 @@ void Language::choose(const QString& name) {
   parts_.messages
       .show(MessageBar::Kind::Info, tr("The program speaks it from its next start on."), {},
             QStringLiteral("language"))
-      .addAction(tr("Open another window"), parts_.open_window);
+      .addAction(tr("Start again"), parts_.start_again);
 }
 
 }  // namespace handmap

@@ -15,7 +15,7 @@ class MessageBar;
 /// Installs the translators. Before the first window: what is on the screen keeps its language.
 void installLanguage(QCoreApplication& app, const QSettings& settings);
 
-/// The choice in the menu; takes effect at the next start.
+/// The choice in the menu; takes effect at the next start, which it offers.
 class Language : public QObject {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class Language : public QObject {
     const ActionSet& actions;
     MessageBar& messages;
     QSettings& settings;
-    std::function<void()> open_window;
+    std::function<void()> start_again;
   };
   Language(Parts parts, QObject* parent);
 

@@ -2271,8 +2271,8 @@ Observations: %4</source>
         <translation>次に起動したときからこの言語になります。</translation>
     </message>
     <message>
-        <source>Open another window</source>
-        <translation>別のウィンドウを開く</translation>
+        <source>Start again</source>
+        <translation>起動し直す</translation>
     </message>
 </context>
 <context>

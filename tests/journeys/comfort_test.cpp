@@ -123,12 +123,40 @@ TEST_F(Comfortable, LightAndDarkAreChosenAndKept) {
   EXPECT_EQ(QApplication::palette().resolveMask(), QPalette().resolveMask());
 }
 
-TEST_F(Comfortable, ALanguageIsTakenAtTheNextStart) {
+TEST_F(Comfortable, AnotherLanguageStartsAgainWithTheSameDrawing) {
+  QStringList opened;
+  window_->files().setWindowOpener([&](const QString& path) { opened << path; });
+  write("m.handmap", mapNamed("first"));
+  ASSERT_TRUE(window_->files().open(path("m.handmap")));
+  document_.setName("mine");
   trigger("view.language_ja");
   EXPECT_EQ(settings_.value("view/language").toString(), "ja");
-  EXPECT_TRUE(press("Open another window"));
+  EXPECT_TRUE(press("Start again"));
+  EXPECT_TRUE(window_->isVisible()) << "the question was cancelled";
+  EXPECT_TRUE(opened.isEmpty());
+  EXPECT_TRUE(document_.isModified());
+
   trigger("view.language_system");
   EXPECT_EQ(settings_.value("view/language").toString(), "system");
+  dialogs_->choices = {0};  // save
+  EXPECT_TRUE(press("Start again"));
+  EXPECT_FALSE(window_->isVisible());
+  EXPECT_EQ(opened, QStringList{path("m.handmap")});
+  EXPECT_EQ(readMap(path("m.handmap").toStdString()).name, "mine");
+}
+
+TEST_F(Comfortable, StartingAgainEndsARunAndForgetsWhatWasNeverSaved) {
+  QStringList opened;
+  window_->files().setWindowOpener([&](const QString& path) { opened << path; });
+  runSimulator(*window_);
+  EXPECT_TRUE(waitFor(*window_, RunState::Running));
+  document_.setName("never saved");
+  trigger("view.language_ja");
+  dialogs_->choices = {1};  // discard
+  EXPECT_TRUE(press("Start again"));
+  EXPECT_FALSE(window_->isVisible());
+  EXPECT_EQ(window_->run().state(), RunState::Idle);
+  EXPECT_EQ(opened, QStringList{QString()});
 }
 
 TEST_F(Comfortable, AnotherWindowIsOpenedByWhoeverKnowsHow) {
