@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -26,7 +27,7 @@ constexpr mode_t kAsUsual = 0666;  // less the umask
 
 [[noreturn]] void fail(const fs::path& path, int reason) {
   throw Error(ErrorCode::RunFailed,
-              fmt::format("{}: cannot be written: {}", path.string(), std::strerror(reason)));
+              phrase("{}: cannot be written: {}", path.string(), std::strerror(reason)));
 }
 
 /// Where the links of `path` lead, whether or not there is a file: the link itself stays.

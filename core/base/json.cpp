@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -28,8 +29,8 @@ class Guard {
       case json::parse_event_t::object_start:
       case json::parse_event_t::array_start:
         if (levels_.size() == kMaxDepth) {
-          throwBadInput(source_, path(), fmt::format("more than {} levels of nesting", kMaxDepth),
-                        "fewer");
+          throwBadInput(source_, path(), phrase("more than {} levels of nesting", kMaxDepth),
+                        phrase("fewer"));
         }
         levels_.push_back({event == json::parse_event_t::object_start, {}, {}, 0});
         break;
@@ -41,7 +42,8 @@ class Guard {
       case json::parse_event_t::key:
         levels_.back().key = parsed.get<std::string>();
         if (!levels_.back().keys.insert(levels_.back().key).second) {
-          throwBadInput(source_, path(), "this key twice in one object", "each key once");
+          throwBadInput(source_, path(), phrase("this key twice in one object"),
+                        phrase("each key once"));
         }
         break;
       case json::parse_event_t::value:
@@ -76,7 +78,7 @@ class Guard {
   void countValue() {
     if (!levels_.empty()) ++levels_.back().index;
     if (++values_ > kMaxValues) {
-      throwBadInput(source_, "", fmt::format("more than {} values", kMaxValues), "fewer");
+      throwBadInput(source_, "", phrase("more than {} values", kMaxValues), phrase("fewer"));
     }
   }
 
@@ -121,12 +123,13 @@ std::string describe(const json& value) {
   constexpr std::size_t kShown = 40;
   switch (value.type()) {
     case json::value_t::object:
-      return "an object";
+      return phrase("an object");
     case json::value_t::array:
-      return fmt::format("an array of {}", value.size());
+      return phrase("an array of {}", value.size());
     case json::value_t::string: {
       const auto& text = value.get_ref<const std::string&>();
-      return quotedJson(text.substr(0, kShown)) + (text.size() > kShown ? "…" : "") + " (string)";
+      return phrase("{}{} (string)", quotedJson(text.substr(0, kShown)),
+                    text.size() > kShown ? "…" : "");
     }
     default:
       return value.dump();
@@ -147,20 +150,20 @@ json parseJson(std::string_view text, const std::string& source) {
     const auto before = text.substr(0, std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const auto column = before.size() - (before.rfind('\n') + 1) + 1;
-    throw Error(ErrorCode::BadInput, fmt::format("{}: line {}, column {}: no valid JSON: {}",
-                                                 source, line, column, reasonOf(error)));
+    throw Error(ErrorCode::BadInput, phrase("{}: line {}, column {}: no valid JSON: {}", source,
+                                            line, column, reasonOf(error)));
   } catch (const json::out_of_range&) {
     const std::string where = guard.path();
     // The parser has looked at what follows the number.
     const auto line = 1 + std::count(text.data(), std::max(text.data(), read - 1), '\n');
-    throwBadInput(source, fmt::format("line {}{}{}", line, where.empty() ? "" : ": ", where),
-                  "a number too large to represent", "a finite number");
+    throwBadInput(source, phrase("line {}", line) + (where.empty() ? "" : ": " + where),
+                  phrase("a number too large to represent"), phrase("a finite number"));
   }
 }
 
 JsonValue JsonValue::at(const std::string& key) const {
   if (auto member = find(key)) return *std::move(member);
-  throwBadInput(source_, pathOf(key), "nothing", "this key");
+  throwBadInput(source_, pathOf(key), phrase("nothing"), phrase("this key"));
 }
 
 std::optional<JsonValue> JsonValue::find(const std::string& key) const {
@@ -170,8 +173,8 @@ std::optional<JsonValue> JsonValue::find(const std::string& key) const {
 }
 
 std::vector<JsonValue> JsonValue::items(std::size_t most) const {
-  if (!json_->is_array()) fail("an array");
-  if (json_->size() > most) fail(fmt::format("at most {}", most));
+  if (!json_->is_array()) fail(phrase("an array"));
+  if (json_->size() > most) fail(phrase("at most {}", most));
   std::vector<JsonValue> items;
   items.reserve(json_->size());
   for (const json& item : *json_) {
@@ -181,14 +184,14 @@ std::vector<JsonValue> JsonValue::items(std::size_t most) const {
 }
 
 const JsonValue& JsonValue::object() const {
-  if (!json_->is_object()) fail("an object");
+  if (!json_->is_object()) fail(phrase("an object"));
   return *this;
 }
 
 double JsonValue::number(double low, double high) const {
   const double value = json_->is_number() ? json_->get<double>() : low - 1.0;
   if (!(value >= low && value <= high)) {
-    fail(fmt::format("a number from {} to {}", formatNumber(low), formatNumber(high)));
+    fail(phrase("a number from {} to {}", formatNumber(low), formatNumber(high)));
   }
   return value + 0.0;  // -0 is 0: written as "-0" it would come back as the whole number 0
 }
@@ -196,7 +199,7 @@ double JsonValue::number(double low, double high) const {
 double JsonValue::positive(double high) const {
   const double value = json_->is_number() ? json_->get<double>() : 0.0;
   if (!(value > 0.0 && value <= high)) {
-    fail(fmt::format("a number > 0 and at most {}", formatNumber(high)));
+    fail(phrase("a number > 0 and at most {}", formatNumber(high)));
   }
   return value;
 }
@@ -207,16 +210,16 @@ std::int64_t JsonValue::integer(std::int64_t low, std::int64_t high) const {
                      json_->get<std::uint64_t>() <= static_cast<std::uint64_t>(INT64_MAX));
   const std::int64_t value = fits ? json_->get<std::int64_t>() : 0;
   if (!fits || value < low || value > high) {
-    fail(fmt::format("a whole number from {} to {}", low, high));
+    fail(phrase("a whole number from {} to {}", low, high));
   }
   return value;
 }
 
 std::string JsonValue::text(std::size_t max_bytes) const {
-  if (!json_->is_string()) fail("a string");
+  if (!json_->is_string()) fail(phrase("a string"));
   const auto& text = json_->get_ref<const std::string&>();
   if (text.size() > max_bytes) {
-    fail(fmt::format("a string of {} bytes", text.size()), fmt::format("at most {}", max_bytes));
+    fail(phrase("a string of {} bytes", text.size()), phrase("at most {}", max_bytes));
   }
   return text;
 }
@@ -228,7 +231,7 @@ std::string JsonValue::textOr(const std::string& key, std::size_t max_bytes,
 }
 
 bool JsonValue::flag() const {
-  if (!json_->is_boolean()) fail("true or false");
+  if (!json_->is_boolean()) fail(phrase("true or false"));
   return json_->get<bool>();
 }
 

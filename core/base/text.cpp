@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -72,19 +73,23 @@ std::vector<std::string_view> splitWords(std::string_view line) {
 std::string readFile(const fs::path& path, std::uintmax_t limit_bytes) {
   std::error_code error;
   const auto status = fs::status(path, error);
-  if (!fs::exists(status)) throwBadInput(path.string(), "", "no such file", "a readable file");
-  if (!fs::is_regular_file(status)) throwBadInput(path.string(), "", "no regular file", "a file");
+  if (!fs::exists(status)) {
+    throwBadInput(path.string(), "", phrase("no such file"), phrase("a readable file"));
+  }
+  if (!fs::is_regular_file(status)) {
+    throwBadInput(path.string(), "", phrase("no regular file"), phrase("a file"));
+  }
   const auto size = fs::file_size(path, error);
   if (!error && size > limit_bytes) {
-    throwBadInput(path.string(), "", fmt::format("{} bytes", size),
-                  fmt::format("at most {} bytes", limit_bytes));
+    throwBadInput(path.string(), "", phrase("{} bytes", size),
+                  phrase("at most {} bytes", limit_bytes));
   }
   std::ifstream stream(path, std::ios::binary);
   std::string content(error ? 0 : size, '\0');
   stream.read(content.data(), static_cast<std::streamsize>(content.size()));
   if (error || !stream) {
     throwBadInput(path.string(), "", fmt::format("\"{}\"", std::strerror(errno)),
-                  "a readable file");
+                  phrase("a readable file"));
   }
   return content;
 }

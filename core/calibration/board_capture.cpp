@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 #include "core/recording/rectifier.h"
 
@@ -17,8 +18,8 @@ constexpr double kSharp_px = 3.0;
 
 void requireSize(const cv::Mat& image, cv::Size expected) {
   if (image.size() == expected) return;
-  throwBadInput("cameras", "", fmt::format("an image of {} × {} pixels", image.cols, image.rows),
-                fmt::format("{} × {} as the images before", expected.width, expected.height));
+  throwBadInput(phrase("cameras"), "", phrase("an image of {} × {} pixels", image.cols, image.rows),
+                phrase("{} × {} as the images before", expected.width, expected.height));
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 
 #include <map>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
@@ -16,7 +15,7 @@ namespace {
 std::map<std::string, fs::path> imagesOf(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    throwBadInput(folder.string(), "", "no such folder", "a folder of images");
+    throwBadInput(folder.string(), "", phrase("no such folder"), phrase("a folder of images"));
   }
   std::map<std::string, fs::path> images;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -24,7 +23,9 @@ std::map<std::string, fs::path> imagesOf(const fs::path& folder) {
     if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") continue;
     images[entry.path().stem().string()] = entry.path();
   }
-  if (images.empty()) throwBadInput(folder.string(), "", "no images", "PNG or JPEG images");
+  if (images.empty()) {
+    throwBadInput(folder.string(), "", phrase("no images"), phrase("PNG or JPEG images"));
+  }
   return images;
 }
 
@@ -38,7 +39,8 @@ class Finder {
       const cv::Mat right_image = readImage(right);
       requireSize(left_image, left);
       requireSize(right_image, right);
-      found.views.push_back({name, cornersOf(left_image, "left"), cornersOf(right_image, "right")});
+      found.views.push_back(
+          {name, cornersOf(left_image, phrase("left")), cornersOf(right_image, phrase("right"))});
       alignOrder(found.views.back());
     } catch (const OtherSize& other) {
       throw Error(ErrorCode::BadInput, other.what());
@@ -57,17 +59,16 @@ class Finder {
   void requireSize(const cv::Mat& image, const fs::path& path) {
     if (found.size.empty()) found.size = image.size();
     if (image.size() == found.size) return;
-    throw OtherSize(fmt::format("{}: found {} × {} pixels, expected {} × {} as the images before",
-                                path.string(), image.cols, image.rows, found.size.width,
-                                found.size.height));
+    throw OtherSize(phrase("{}: found {} × {} pixels, expected {} × {} as the images before",
+                           path.string(), image.cols, image.rows, found.size.width,
+                           found.size.height));
   }
 
-  std::vector<cv::Point2f> cornersOf(const cv::Mat& image, const char* side) const {
+  std::vector<cv::Point2f> cornersOf(const cv::Mat& image, const std::string& side) const {
     std::vector<cv::Point2f> corners = findCorners(image, board_);
     if (!corners.empty()) return corners;
-    throw Error(ErrorCode::BadInput,
-                fmt::format("no whole board of {} × {} corners in the {} image",
-                            board_.corners.width, board_.corners.height, side));
+    throw Error(ErrorCode::BadInput, phrase("no whole board of {} × {} corners in the {} image",
+                                            board_.corners.width, board_.corners.height, side));
   }
 
   Board board_;
@@ -87,18 +88,19 @@ BoardImages findBoards(const fs::path& left, const fs::path& right, const Board&
     if (tell && !tell(done++, all)) break;
     const auto partner = right_images.extract(name);
     if (partner.empty()) {
-      finder.found.refused.push_back({name, "no image of that name in the right folder"});
+      finder.found.refused.push_back({name, phrase("no image of that name in the right folder")});
       continue;
     }
     ++pairs;
     finder.add(name, path, partner.mapped());
   }
   for (const auto& [name, path] : right_images) {
-    finder.found.refused.push_back({name, "no image of that name in the left folder"});
+    finder.found.refused.push_back({name, phrase("no image of that name in the left folder")});
   }
   if (pairs == 0) {
-    throwBadInput(left.string(), "", "no image of the same name as one in " + right.string(),
-                  "both images of a pair with one name");
+    throwBadInput(left.string(), "",
+                  phrase("no image of the same name as one in {}", right.string()),
+                  phrase("both images of a pair with one name"));
   }
   return std::move(finder.found);
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/geometry/pose2.h"
 
 namespace handmap {
@@ -48,15 +48,16 @@ Points pointsOf(const BoardImages& images, const Board& board) {
 
 void requirePairs(const BoardImages& images, const std::string& source) {
   if (images.views.size() >= kLeastPairs) return;
-  throw Error(ErrorCode::BadInput,
-              fmt::format("{}: found {} pairs that show the whole board, expected at least {}{}",
-                          source, images.views.size(), kLeastPairs,
-                          images.refused.empty() ? ""
-                                                 : fmt::format("; the first refused, {}: {}",
-                                                               images.refused.front().name,
-                                                               images.refused.front().reason)),
-              "take 15 to 30 pairs, the board near and far, tilted and turned, in all corners; is "
-              "the number of inner corners right?");
+  throw Error(
+      ErrorCode::BadInput,
+      phrase("{}: found {} pairs that show the whole board, expected at least {}{}", source,
+             images.views.size(), kLeastPairs,
+             images.refused.empty()
+                 ? ""
+                 : phrase("; the first refused, {}: {}", images.refused.front().name,
+                          images.refused.front().reason)),
+      phrase("take 15 to 30 pairs, the board near and far, tilted and turned, in all corners; is "
+             "the number of inner corners right?"));
 }
 
 double rms(const cv::Mat& errors) {
@@ -94,22 +95,22 @@ SingleCamera calibrateSingle(const Points& points, const Corners& corners, cv::S
   return camera;
 }
 
-void requireVaried(const SingleCamera& camera, const char* side, const std::string& source) {
-  const char* const hint = "tilt the board to both sides and up and down, by 20 to 40 degrees";
+void requireVaried(const SingleCamera& camera, const std::string& side, const std::string& source) {
+  const std::string hint =
+      phrase("tilt the board to both sides and up and down, by 20 to 40 degrees");
   if (!(camera.turn >= kMinTurn)) {
     throw Error(ErrorCode::BadInput,
-                fmt::format("{}: {} camera: found boards turned by at most {:.0f}° to each other, "
-                            "expected {:.0f}° or more: the focal length cannot be told",
-                            source, side, toDegrees(camera.turn), toDegrees(kMinTurn)),
+                phrase("{}: {} camera: found boards turned by at most {:.0f}° to each other, "
+                       "expected {:.0f}° or more: the focal length cannot be told",
+                       source, side, toDegrees(camera.turn), toDegrees(kMinTurn)),
                 hint);
   }
   if (!(camera.focal_sigma <= kMaxFocalSigma)) {
-    throw Error(
-        ErrorCode::BadInput,
-        fmt::format("{}: {} camera: found a focal length known to ±{:.1f} %, expected ±{:g} "
-                    "% or better",
-                    source, side, 100 * camera.focal_sigma, 100 * kMaxFocalSigma),
-        hint);
+    throw Error(ErrorCode::BadInput,
+                phrase("{}: {} camera: found a focal length known to ±{:.1f} %, expected ±{:g} "
+                       "% or better",
+                       source, side, 100 * camera.focal_sigma, 100 * kMaxFocalSigma),
+                hint);
   }
 }
 
@@ -118,8 +119,8 @@ cv::Mat calibrateBoth(const Points& points, cv::Size size, const std::string& so
                       CalibrationResult& result) {
   SingleCamera left = calibrateSingle(points, points.left, size);
   SingleCamera right = calibrateSingle(points, points.right, size);
-  requireVaried(left, "left", source);
-  requireVaried(right, "right", source);
+  requireVaried(left, phrase("left"), source);
+  requireVaried(right, phrase("right"), source);
   cv::Mat rotation;
   cv::Mat translation;
   cv::Mat errors;
@@ -151,9 +152,9 @@ bool refuseOutliers(const cv::Mat& errors, BoardImages& images) {
     if (of_view[i] <= limit) {
       kept.push_back(std::move(images.views[i]));
     } else {
-      images.refused.push_back({images.views[i].name, fmt::format("off by {:.2f} px, the others by "
-                                                                  "{:.2f} px",
-                                                                  of_view[i], *middle)});
+      images.refused.push_back({images.views[i].name, phrase("off by {:.2f} px, the others by "
+                                                             "{:.2f} px",
+                                                             of_view[i], *middle)});
     }
   }
   images.views = std::move(kept);
@@ -185,14 +186,15 @@ double epipolarError(const Points& points, const StereoCalibration& calibration)
 
 void requireSmallErrors(const CalibrationResult& result, const std::string& source) {
   for (const auto& [error, what] :
-       {std::pair(result.left_error_px, "an error of the left camera"),
-        std::pair(result.right_error_px, "an error of the right camera"),
-        std::pair(result.epipolar_error_px, "an error between the rows of rectified images")}) {
+       {std::pair(result.left_error_px, phrase("an error of the left camera")),
+        std::pair(result.right_error_px, phrase("an error of the right camera")),
+        std::pair(result.epipolar_error_px,
+                  phrase("an error between the rows of rectified images"))}) {
     if (error <= kMaxError_px) continue;
     throw Error(ErrorCode::BadInput,
-                fmt::format("{}: found {} of {:.2f} px, expected at most {:g} px", source, what,
-                            error, kMaxError_px),
-                "sharp images, both of a pair taken at one time, of a board that is flat");
+                phrase("{}: found {} of {:.2f} px, expected at most {:g} px", source, what, error,
+                       kMaxError_px),
+                phrase("sharp images, both of a pair taken at one time, of a board that is flat"));
   }
 }
 
@@ -214,8 +216,8 @@ CalibrationResult calibrateStereo(BoardImages images, const Board& board,
     }
     result.epipolar_error_px = epipolarError(points, result.calibration);
   } catch (const cv::Exception& error) {
-    throwBadInput(source, "", "boards that fit no camera (" + error.err + ")",
-                  "a flat checkerboard seen from several sides");
+    throwBadInput(source, "", phrase("boards that fit no camera ({})", error.err),
+                  phrase("a flat checkerboard seen from several sides"));
   }
   checkStereoCalibration(result.calibration, source);
   requireSmallErrors(result, source);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -21,7 +22,7 @@ cv::Mat1f BuildingClassifier::probabilities(const cv::Mat& image, const cv::Mat1
   const SampleMatrix samples = windowFeatures(image, features_);
   const WindowGrid grid = WindowGrid::of(image.size());
   if (!wanted.empty() && wanted.size() != cv::Size(grid.columns, grid.rows)) {
-    throwBadInput("building classifier", "wanted windows",
+    throwBadInput(phrase("building classifier"), phrase("wanted windows"),
                   fmt::format("{} × {}", wanted.cols, wanted.rows),
                   fmt::format("{} × {}", grid.columns, grid.rows));
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/classification/variation.h"
 #include "core/recording/image_file.h"
@@ -26,8 +27,13 @@ std::vector<fs::path> imagesIn(const fs::path& folder) {
       images.push_back(entry.path());
     }
   }
-  if (error) throwBadInput(folder.string(), "", "no folder that can be read", "one with images");
-  if (images.empty()) throwBadInput(folder.string(), "", "no images", "PNG or JPEG images");
+  if (error) {
+    throwBadInput(folder.string(), "", phrase("no folder that can be read"),
+                  phrase("one with images"));
+  }
+  if (images.empty()) {
+    throwBadInput(folder.string(), "", phrase("no images"), phrase("PNG or JPEG images"));
+  }
   std::sort(images.begin(), images.end());
   return images;
 }
@@ -44,17 +50,18 @@ void forEachLabelled(
   for (std::size_t i = 0; i < images.size() && !stop.stop_requested(); ++i) {
     const fs::path labels = folder.labels / (images[i].stem().string() + ".png");
     if (!fileExists(labels)) {
-      throwBadInput(labels.string(), "", "no such file",
-                    "the labels of " + images[i].filename().string());
+      throwBadInput(labels.string(), "", phrase("no such file"),
+                    phrase("the labels of {}", images[i].filename().string()));
     }
     const cv::Mat image = readImage(images[i]);
     const cv::Mat classes = readImage(labels);
     if (classes.channels() != 1) {
-      throwBadInput(labels.string(), "", "a colour image", "a grey one: a class number a pixel");
+      throwBadInput(labels.string(), "", phrase("a colour image"),
+                    phrase("a grey one: a class number a pixel"));
     }
     if (classes.size() != image.size()) {
-      throwBadInput(labels.string(), "", sizeOf(classes) + " pixels",
-                    sizeOf(image) + " as its image");
+      throwBadInput(labels.string(), "", phrase("{} pixels", sizeOf(classes)),
+                    phrase("{} as its image", sizeOf(image)));
     }
     const std::vector<WindowLabel> known = windowLabels(classes, folder.building, folder.ignored);
     for (int k = 0; k <= folder.variations && !stop.stop_requested(); ++k) {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/classification/building_classifier.h"
 
@@ -28,7 +29,7 @@ std::string numbers(const Numbers& values) {
 void read(const JsonValue& array, Eigen::Index count, float* to) {
   const std::vector<JsonValue> items = array.items(kMaxVectors);
   if (static_cast<Eigen::Index>(items.size()) != count) {
-    array.fail(fmt::format("{} numbers", items.size()), fmt::format("{}", count));
+    array.fail(phrase("{} numbers", items.size()), fmt::format("{}", count));
   }
   for (const JsonValue& item : items) {
     *to++ = static_cast<float>(item.number(-kMaxMagnitude, kMaxMagnitude));
@@ -39,7 +40,9 @@ FeatureSet readFeatures(const JsonValue& json) {
   FeatureSet set;
   const JsonValue family = json.at("features");
   const std::string name = family.text(20);
-  if (name != "handmap" && name != "paper") family.fail("\"handmap\" or \"paper\"");
+  if (name != "handmap" && name != "paper") {
+    family.fail(phrase("{} or {}", "\"handmap\"", "\"paper\""));
+  }
   set.family = name == "paper" ? FeatureFamily::Paper : FeatureFamily::Handmap;
   set.colour = json.at("colour").flag();
   return set;
@@ -47,7 +50,7 @@ FeatureSet readFeatures(const JsonValue& json) {
 
 KernelSvm readSvm(const JsonValue& json, Eigen::Index features) {
   const std::vector<JsonValue> rows = json.at("vectors").items(kMaxVectors);
-  if (rows.empty()) json.at("vectors").fail("at least one vector");
+  if (rows.empty()) json.at("vectors").fail(phrase("at least one vector"));
   SampleMatrix vectors(static_cast<Eigen::Index>(rows.size()), features);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     read(rows[i], features, vectors.row(static_cast<Eigen::Index>(i)).data());
@@ -88,7 +91,7 @@ BuildingClassifier BuildingClassifier::parse(std::string_view text, const std::s
   const JsonValue json = JsonValue(parsed, source).object();
   if (json.at("format").text(100) != kFormat) json.at("format").fail(quotedJson(kFormat));
   if (json.at("version").integer(0, INT32_MAX) != kVersion) {
-    json.at("version").fail(fmt::format("{}; train the model again", kVersion));
+    json.at("version").fail(phrase("{}; train the model again", kVersion));
   }
   if (json.at("window").integer(0, INT32_MAX) != kWindow_px) {
     json.at("window").fail(fmt::format("{}", kWindow_px));

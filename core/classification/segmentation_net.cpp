@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/classification/windows.h"
 
@@ -21,7 +22,7 @@ constexpr int kMostSide_px = 8192;
 
 std::array<double, 3> readThree(const JsonValue& json, double low, double high) {
   const std::vector<JsonValue> items = json.items(3);
-  if (items.size() != 3) json.fail("3 numbers: red, green, blue");
+  if (items.size() != 3) json.fail(phrase("3 numbers: red, green, blue"));
   return {items[0].number(low, high), items[1].number(low, high), items[2].number(low, high)};
 }
 
@@ -37,7 +38,9 @@ bool readInput(const std::filesystem::path& path, SegmentationInput& input) {
   };
   const auto width = integer("width", 1, kMostSide_px);
   const auto height = integer("height", 1, kMostSide_px);
-  if (width.has_value() != height.has_value()) json.fail("\"width\" and \"height\", or neither");
+  if (width.has_value() != height.has_value()) {
+    json.fail(phrase("\"width\" and \"height\", or neither"));
+  }
   if (width) input.size = cv::Size(*width, *height);
   if (const auto mean = json.find("mean")) input.mean = readThree(*mean, -10.0, 10.0);
   if (const auto deviation = json.find("deviation")) {
@@ -78,7 +81,7 @@ std::string reasonOf(const cv::Exception& error) {
 std::shared_ptr<const SegmentationNet> SegmentationNet::load(const std::filesystem::path& path,
                                                              std::optional<int> building_class) {
   if (!std::filesystem::is_regular_file(path)) {
-    throwBadInput(path.string(), "", "no file", "a network in ONNX form");
+    throwBadInput(path.string(), "", phrase("no file"), phrase("a network in ONNX form"));
   }
   SegmentationInput input;
   const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".json");
@@ -86,17 +89,19 @@ std::shared_ptr<const SegmentationNet> SegmentationNet::load(const std::filesyst
   if (building_class) input.building_class = *building_class;
   if (!said && !building_class) {
     throw Error(ErrorCode::BadInput,
-                fmt::format("{}: found no number of its class for buildings", path.string()),
-                fmt::format("give it: --building-class N, or {{\"building_class\": N}} in {}",
-                            beside.filename().string()));
+                phrase("{}: found no number of its class for buildings", path.string()),
+                phrase("give it: --building-class N, or {{\"building_class\": N}} in {}",
+                       beside.filename().string()));
   }
   cv::dnn::Net net;
   try {
     net = cv::dnn::readNetFromONNX(path.string());
   } catch (const cv::Exception& error) {
-    throwBadInput(path.string(), "", reasonOf(error), "a network in ONNX form");
+    throwBadInput(path.string(), "", reasonOf(error), phrase("a network in ONNX form"));
   }
-  if (net.empty()) throwBadInput(path.string(), "", "nothing", "a network in ONNX form");
+  if (net.empty()) {
+    throwBadInput(path.string(), "", phrase("nothing"), phrase("a network in ONNX form"));
+  }
   auto made = std::make_shared<const SegmentationNet>(path.string(), net, input);
   const cv::Size size = input.size.value_or(cv::Size(kStride_px, kStride_px));
   made->probabilities(cv::Mat3b(size, cv::Vec3b()));  // says now what would be said in a run
@@ -128,10 +133,11 @@ cv::Mat SegmentationNet::forward(const cv::Mat& image) const {
     net_.setInput(blob);
     return net_.forward().clone();
   } catch (const cv::Exception& error) {
-    throw Error(ErrorCode::BadInput,
-                fmt::format("{}: cannot take an image of {}×{}: {}", name_, size.width, size.height,
-                            reasonOf(error)),
-                "a network that insists on a size needs \"width\" and \"height\" in its .json");
+    throw Error(
+        ErrorCode::BadInput,
+        phrase("{}: cannot take an image of {}×{}: {}", name_, size.width, size.height,
+               reasonOf(error)),
+        phrase("a network that insists on a size needs \"width\" and \"height\" in its .json"));
   }
 }
 
@@ -141,7 +147,7 @@ cv::Mat1f SegmentationNet::buildingShare(const cv::Mat& output) const {
     for (int i = 0; i < output.dims; ++i)
       shape += fmt::format("{}{}", i ? "×" : "", output.size[i]);
     throwBadInput(name_, "output", shape,
-                  fmt::format("1×classes×rows×columns with a class {}", input_.building_class));
+                  phrase("1×classes×rows×columns with a class {}", input_.building_class));
   };
   if (output.dims != 4 || output.size[0] != 1 || output.type() != CV_32F) fail();
   const int classes = output.size[1];
@@ -176,9 +182,9 @@ cv::Mat1f SegmentationNet::probabilities(const cv::Mat& image, const cv::Mat1b& 
   const WindowGrid grid = WindowGrid::of(image.size());
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3) ||
       grid.count() == 0) {
-    throwBadInput("image", "",
-                  fmt::format("{}×{} with {} channels", image.cols, image.rows, image.channels()),
-                  "8 bit, one or three channels, at least 16×16");
+    throwBadInput(phrase("image"), "",
+                  phrase("{}×{} with {} channels", image.cols, image.rows, image.channels()),
+                  phrase("8 bit, one or three channels, at least 16×16"));
   }
   const cv::Mat1f share = buildingShare(forward(image));
   cv::Mat1f pixels;
@@ -186,7 +192,9 @@ cv::Mat1f SegmentationNet::probabilities(const cv::Mat& image, const cv::Mat1b& 
   cv::Mat1f windows;
   cv::resize(pixels(cv::Rect(0, 0, grid.columns * kWindow_px, grid.rows * kWindow_px)), windows,
              cv::Size(grid.columns, grid.rows), 0.0, 0.0, cv::INTER_AREA);
-  if (!cv::checkRange(windows)) throwBadInput(name_, "output", "not a number", "scores");
+  if (!cv::checkRange(windows)) {
+    throwBadInput(name_, "output", phrase("not a number"), phrase("scores"));
+  }
   return windows;
 }
 

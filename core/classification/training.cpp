@@ -5,9 +5,8 @@
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -147,10 +146,11 @@ SvmOptions chooseOptions(const Folds& folds, SvmOptions options, const std::stop
 void checkClasses(const std::vector<bool>& buildings, int folds) {
   const auto positives = std::count(buildings.begin(), buildings.end(), true);
   const auto others = static_cast<std::ptrdiff_t>(buildings.size()) - positives;
-  for (const auto& [count, name] : {std::pair{positives, "of buildings"}, {others, "of others"}}) {
+  for (const auto& [count, name] :
+       {std::pair{positives, phrase("of buildings")}, {others, phrase("of others")}}) {
     if (count < folds) {
-      throwBadInput("training images", "", fmt::format("{} windows {}", count, name),
-                    fmt::format("at least {}", folds));
+      throwBadInput(phrase("training images"), "", phrase("{} windows {}", count, name),
+                    phrase("at least {}", folds));
     }
   }
 }
@@ -161,7 +161,8 @@ void TrainingSet::add(const cv::Mat& image, const std::vector<WindowLabel>& labe
   const SampleMatrix features = windowFeatures(image, features_);
   const WindowGrid grid = WindowGrid::of(image.size());
   if (buildings_.size() + labels.size() > kMostKept) {
-    throwBadInput("training images", "", fmt::format("more than {} windows", kMostKept), "fewer");
+    throwBadInput(phrase("training images"), "", phrase("more than {} windows", kMostKept),
+                  phrase("fewer"));
   }
   for (int column = 0; column < grid.columns; ++column) {
     for (int row = 0; row < grid.rows; ++row) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/classification/edge_statistics.h"
 #include "core/recording/image_file.h"
 
@@ -121,18 +121,19 @@ SampleMatrix withSurroundings(const cv::Mat& own) {
 }
 
 void checkImage(const cv::Mat& image, const FeatureSet& set) {
-  const std::string place = "building classifier";
+  const std::string place = phrase("building classifier");
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
-    throwBadInput(place, "image",
-                  fmt::format("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
-                  "1 or 3 channels of 8 bits");
+    throwBadInput(place, phrase("image"),
+                  phrase("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
+                  phrase("1 or 3 channels of 8 bits"));
   }
   if (set.colour && image.channels() != 3) {
-    throwBadInput(place, "image", "grey", "colour, or a model for grey images");
+    throwBadInput(place, phrase("image"), phrase("grey"),
+                  phrase("colour, or a model for grey images"));
   }
   if (WindowGrid::of(image.size()).count() == 0) {
-    throwBadInput(place, "image", fmt::format("{} × {} pixels", image.cols, image.rows),
-                  fmt::format("at least {0} × {0}", kWindow_px));
+    throwBadInput(place, phrase("image"), phrase("{} × {} pixels", image.cols, image.rows),
+                  phrase("at least {0} × {0}", kWindow_px));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/map/map_io.h"
 #include "core/map/tangent_plane.h"
 
@@ -55,8 +56,9 @@ ordered_json positions(const TangentPlane& plane, const std::vector<Vec2>& point
 
 std::string formatGeoJson(const Map& map) {
   if (!map.georeference) {
-    throw Error(ErrorCode::BadInput, "georeference: found nothing, expected where the map lies",
-                "give the map a georeference before exporting it as GeoJSON");
+    throw Error(ErrorCode::BadInput,
+                phrase("georeference: found nothing, expected where the map lies"),
+                phrase("give the map a georeference before exporting it as GeoJSON"));
   }
   const TangentPlane plane(*map.georeference);
   std::vector<std::string> features;

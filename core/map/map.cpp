@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -42,12 +43,12 @@ const Building* Map::find(const std::string& id) const {
 
 void requireReadyToRun(const Map& drawing) {
   if (drawing.buildings.empty()) {
-    throw Error(ErrorCode::BadInput, "the map has no building, expected at least one",
-                "draw the buildings that the robot will pass");
+    throw Error(ErrorCode::BadInput, phrase("the map has no building, expected at least one"),
+                phrase("draw the buildings that the robot will pass"));
   }
   if (!drawing.start) {
-    throw Error(ErrorCode::BadInput, "the map has no start pose, expected one",
-                "set where the robot starts and where it looks");
+    throw Error(ErrorCode::BadInput, phrase("the map has no start pose, expected one"),
+                phrase("set where the robot starts and where it looks"));
   }
 }
 

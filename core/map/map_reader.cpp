@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/map_limits.h"
@@ -33,7 +34,7 @@ Vec2 position(const JsonValue& object) {
 
 std::string requiredText(const JsonValue& value) {
   std::string text = value.text(kMaxTextBytes);
-  if (text.empty()) value.fail("a string that is not empty");
+  if (text.empty()) value.fail(phrase("a string that is not empty"));
   return text;
 }
 
@@ -78,13 +79,17 @@ Polygon readPolygon(const JsonValue& vertices) {
   polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
   while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   if (polygon.size() < 3 || polygon.size() > kMaxPolygonVertices) {
-    vertices.fail(fmt::format("{} different vertices", polygon.size()),
-                  fmt::format("3 to {}", kMaxPolygonVertices));
+    vertices.fail(phrase("{} different vertices", polygon.size()),
+                  phrase("3 to {}", kMaxPolygonVertices));
   }
   const double area = signedArea(polygon);
   if (area < 0.0) std::reverse(polygon.begin() + 1, polygon.end());
-  if (std::abs(area) < kMinPolygonArea) vertices.fail("a polygon without area", "some area");
-  if (!isSimple(polygon)) vertices.fail("a polygon that meets itself", "a simple polygon");
+  if (std::abs(area) < kMinPolygonArea) {
+    vertices.fail(phrase("a polygon without area"), phrase("some area"));
+  }
+  if (!isSimple(polygon)) {
+    vertices.fail(phrase("a polygon that meets itself"), phrase("a simple polygon"));
+  }
   return polygon;
 }
 
@@ -96,7 +101,7 @@ std::vector<std::string_view> readShape(const JsonValue& json, Building& buildin
                   json.at("depth").positive(kMaxSize), heading(json.at("heading_deg"))};
     return {"x", "y", "width", "depth", "heading_deg"};
   }
-  if (shape != "polygon") json.at("shape").fail("\"rectangle\" or \"polygon\"");
+  if (shape != "polygon") json.at("shape").fail(phrase("\"rectangle\" or \"polygon\""));
   building.shape = readPolygon(json.at("vertices"));
   return {"vertices"};
 }
@@ -157,9 +162,9 @@ void checkFormat(const JsonValue& json) {
   const auto version = json.at("version").integer(1, INT64_MAX);
   if (version > kMapVersion) {
     throw Error(ErrorCode::BadInput,
-                fmt::format("{}: version: found {}, this program reads up to {}", json.source(),
-                            version, kMapVersion),
-                "update the program to open this map");
+                phrase("{}: version: found {}, this program reads up to {}", json.source(), version,
+                       kMapVersion),
+                phrase("update the program to open this map"));
   }
 }
 
@@ -175,8 +180,8 @@ class Ids {
     const auto [first, is_new] = seen_.try_emplace(id, object.path());
     if (is_new) return;
     const JsonValue place = object.at("id");
-    place.fail(fmt::format("{}, the id of {}", quotedJson(id), first->second),
-               "an id that is unique in the file");
+    place.fail(phrase("{}, the id of {}", quotedJson(id), first->second),
+               phrase("an id that is unique in the file"));
   }
 
  private:
@@ -212,8 +217,8 @@ Map parseMap(std::string_view text, const std::string& source) {
     ids.add(map.buildings.back().id, item);
     vertices += verticesOf(map.buildings.back());
     if (vertices > kMaxVertices) {
-      item.fail(fmt::format("{} vertices up to here", vertices),
-                fmt::format("at most {} in all", kMaxVertices));
+      item.fail(phrase("{} vertices up to here", vertices),
+                phrase("at most {} in all", kMaxVertices));
     }
   }
   for (const JsonValue& item : itemsOf(json, "landmarks", kMaxLandmarks)) {

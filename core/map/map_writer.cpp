@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/map_limits.h"
@@ -17,7 +18,7 @@ namespace {
 /// Equal values give equal text: no negative zero.
 std::string number(double value) {
   if (!std::isfinite(value)) {
-    throw Error(ErrorCode::RunFailed, "the map holds a number that is not finite");
+    throw Error(ErrorCode::RunFailed, phrase("the map holds a number that is not finite"));
   }
   return formatNumber(value + 0.0);
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/map/map_limits.h"
 
 namespace handmap {
@@ -46,7 +47,7 @@ std::optional<Reference> modelReference(const Map& map, const fs::path& map_file
   const nlohmann::json members{{kModelKey, parseJson(member->second, map_file.string())}};
   const JsonValue value = JsonValue(members, map_file.string()).at(kModelKey);
   const std::string path = value.text(kMaxTextBytes);
-  if (path.empty()) value.fail("a path relative to the folder of the map");
+  if (path.empty()) value.fail(phrase("a path relative to the folder of the map"));
   return Reference{kModelKey, path};
 }
 
@@ -96,22 +97,22 @@ void checkReference(const Reference& reference, const fs::path& map_file, Outsid
   const auto refuse = [&](const std::string& what, const std::string& expected,
                           const std::string& hint) {
     throw Error(ErrorCode::BadInput,
-                fmt::format("{}: {}: found {}{}, expected {}", map_file.string(), reference.key,
-                            quotedJson(reference.path.string()), what, expected),
+                phrase("{}: {}: found {}{}, expected {}", map_file.string(), reference.key,
+                       quotedJson(reference.path.string()), what, expected),
                 hint);
   };
   if (reference.path.string().find('\0') != std::string::npos) {
-    refuse("", "the path of a file", "");
+    refuse("", phrase("the path of a file"), "");
   }
   if (outside == Outside::Refused && !staysInside(reference, map_file)) {
-    refuse(
-        ", outside of the folder of the map", "a file in that folder",
-        "put it beside the map, or allow what lies outside (--allow-outside) if you trust the map");
+    refuse(phrase(", outside of the folder of the map"), phrase("a file in that folder"),
+           phrase("put it beside the map, or allow what lies outside (--allow-outside) if you "
+                  "trust the map"));
   }
   std::error_code error;
   const fs::file_status status = fs::status(targetOf(reference, map_file), error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    refuse(", which is no regular file", "a file", "");
+    refuse(phrase(", which is no regular file"), phrase("a file"), "");
   }
 }
 

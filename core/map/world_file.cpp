@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -18,9 +19,9 @@ WorldFile parseWorldFile(std::string_view text, const std::string& source) {
     const auto number = line ? parseFinite(line->text) : std::nullopt;
     if (!number) {
       throwBadInput(
-          source, line ? fmt::format("line {}", line->number) : std::string(),
-          line ? fmt::format("\"{}\"", line->text.substr(0, 40)) : fmt::format("{} numbers", i),
-          "six numbers, one a line");
+          source, line ? phrase("line {}", line->number) : std::string(),
+          line ? fmt::format("\"{}\"", line->text.substr(0, 40)) : phrase("{} numbers", i),
+          phrase("six numbers, one a line"));
     }
     numbers[i] = *number;
   }
@@ -28,7 +29,8 @@ WorldFile parseWorldFile(std::string_view text, const std::string& source) {
   file.per_pixel << numbers[0], numbers[2], numbers[1], numbers[3];
   file.first = {numbers[4], numbers[5]};
   if (!(std::abs(cross(file.per_pixel.col(0), file.per_pixel.col(1))) > 0.0)) {
-    throwBadInput(source, {}, "pixels without size", "the size of a pixel right and down");
+    throwBadInput(source, {}, phrase("pixels without size"),
+                  phrase("the size of a pixel right and down"));
   }
   return file;
 }

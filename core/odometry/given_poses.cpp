@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -59,10 +58,10 @@ GivenPoses::GivenPoses(const Pose2& start, const Pose2& start_odometry,
     const auto here = recorded.at(pose.time_s);
     if (!here) {
       throw Error(ErrorCode::BadInput,
-                  fmt::format("a pose is given at {} s, but the odometry of the run does not reach "
-                              "there",
-                              pose.time_s),
-                  "give times of the recording");
+                  phrase("a pose is given at {} s, but the odometry of the run does not reach "
+                         "there",
+                         pose.time_s),
+                  phrase("give times of the recording"));
     }
     for (; next != odometry.end() && next->time_s < pose.time_s; ++next) {
       if (next->time_s > piece.back().time_s) piece.push_back({next->time_s, start_ * next->pose});

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -21,10 +20,11 @@ void check(const cv::Mat& left, const cv::Mat& right, cv::Size size) {
                       (image->channels() == 1 || image->channels() == 3) &&
                       (size.empty() || image->size() == size) && image->size() == left.size();
     if (good) continue;
-    throwBadInput("visual odometry", image == &left ? "left image" : "right image",
-                  fmt::format("{} × {} pixels, {} channels of {} bits", image->cols, image->rows,
-                              image->channels(), 8 * image->elemSize1()),
-                  "8 bits, one or three channels, always the same size");
+    throwBadInput(phrase("visual odometry"),
+                  image == &left ? phrase("left image") : phrase("right image"),
+                  phrase("{} × {} pixels, {} channels of {} bits", image->cols, image->rows,
+                         image->channels(), 8 * image->elemSize1()),
+                  phrase("8 bits, one or three channels, always the same size"));
   }
 }
 

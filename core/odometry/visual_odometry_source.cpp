@@ -4,9 +4,8 @@
 #include <chrono>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/odometry/stereo_odometry.h"
 
 namespace handmap {
@@ -61,15 +60,16 @@ class VisualOdometrySource : public ObservationSource {
       seen_frame_ = observation.frame;
     }
     if (believed || when_lost_ == WhenLost::StandStill) return;
-    throw Error(ErrorCode::RunFailed,
-                fmt::format("frame {}: found {} points in common with frame {}, {} of them moving "
-                            "as one: too few to tell how the robot moved in between",
-                            observation.frame, motion->matches, seen_frame_, motion->inliers),
-                "take more frames (a smaller --every), or give an odometry: --odometry FILE.tum");
+    throw Error(
+        ErrorCode::RunFailed,
+        phrase("frame {}: found {} points in common with frame {}, {} of them moving "
+               "as one: too few to tell how the robot moved in between",
+               observation.frame, motion->matches, seen_frame_, motion->inliers),
+        phrase("take more frames (a smaller --every), or give an odometry: --odometry FILE.tum"));
   }
 
   std::optional<VisualMotion> motionTo(const Observation& observation) {
-    if (observation.views.empty()) throw FrameError(observation.frame, "no view");
+    if (observation.views.empty()) throw FrameError(observation.frame, phrase("no view"));
     const View& view = viewAhead(observation);
     try {
       return odometry_(view.left, view.right, observation.time_s, view.pan);
@@ -93,7 +93,8 @@ std::unique_ptr<ObservationSource> withVisualOdometry(std::unique_ptr<Observatio
                                                       WhenLost when_lost) {
   const std::optional<StereoCamera> camera = source->info().camera;
   if (!camera) {
-    throwBadInput(source->info().name, "", "no stereo camera", "images for visual odometry");
+    throwBadInput(source->info().name, "", phrase("no stereo camera"),
+                  phrase("images for visual odometry"));
   }
   return std::make_unique<VisualOdometrySource>(std::move(source), *camera, when_lost);
 }

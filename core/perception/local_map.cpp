@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/perception/vote_grid.h"
 
@@ -27,9 +28,9 @@ constexpr double kShareWithinSigma = 0.6827;
 int sideOf(double cell_m, double range_m) {
   const double side = std::ceil(2.0 * range_m / cell_m);
   if (!(cell_m > 0.0 && side >= 1.0 && side <= kMaxSide)) {
-    throwBadInput("local map", "cell and range",
-                  formatNumber(cell_m) + " m and " + formatNumber(range_m) + " m",
-                  "a square of 1 to " + std::to_string(kMaxSide) + " cells a side");
+    throwBadInput(phrase("local map"), phrase("cell and range"),
+                  phrase("{} m and {} m", formatNumber(cell_m), formatNumber(range_m)),
+                  phrase("a square of 1 to {} cells a side", kMaxSide));
   }
   return static_cast<int>(side);
 }
@@ -105,8 +106,8 @@ LocalMapBuilder::LocalMapBuilder(double range_m, const LocalMapOptions& options)
     : range_(range_m), options_(options) {
   sideOf(options.cell_m, range_m);
   if (!(options.saturation_votes > 0.0)) {
-    throwBadInput("local map", "saturation_votes", formatNumber(options.saturation_votes),
-                  "a positive number");
+    throwBadInput(phrase("local map"), "saturation_votes", formatNumber(options.saturation_votes),
+                  phrase("a positive number"));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/perception/stereo_scan.h"
 #include "core/perception/stopwatch.h"
 
@@ -72,7 +73,10 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
     if (stop.stop_requested()) return std::nullopt;
     std::vector<WallPoint> found;
     if (!view.left.empty() || !view.right.empty()) {
-      if (!stereo_) throwBadInput("observation", "images", "no camera calibration", "one");
+      if (!stereo_) {
+        throwBadInput(phrase("observation"), phrase("images"), phrase("no camera calibration"),
+                      phrase("one"));
+      }
       seen = (*stereo_)(view.left, view.right, view.pan, range_limit_m_);
       Overlaps(observation.views, camera_yaw_).removeFrom(seen, i);
       image = view.left;
@@ -87,7 +91,8 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
       points.insert(points.end(), view.points->begin(), view.points->end());
       classify_ms += stopwatch.ms();
     } else {
-      throwBadInput("observation", "view", "neither images nor points", "one of them");
+      throwBadInput(phrase("observation"), phrase("view"), phrase("neither images nor points"),
+                    phrase("one of them"));
     }
     walls.insert(walls.end(), found.begin(), found.end());
   }

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/perception/stereo_scan.h"
 #include "core/perception/stopwatch.h"
@@ -28,51 +29,52 @@ constexpr double kSureExtent_m = 2.0;  ///< a column with this extent has the wh
 
 void require(bool good, const std::string& place, const std::string& found,
              const std::string& expected) {
-  if (!good) throwBadInput("stereo", place, found, expected);
+  if (!good) throwBadInput(phrase("stereo"), place, found, expected);
 }
 
 void check(const StereoCamera& camera) {
-  const auto positive = [](double value, const char* what) {
-    require(std::isfinite(value) && value > 0.0, what, formatNumber(value), "a positive number");
+  const auto positive = [](double value, const std::string& what) {
+    require(std::isfinite(value) && value > 0.0, what, formatNumber(value),
+            phrase("a positive number"));
   };
-  positive(camera.fx, "focal length fx");
-  positive(camera.fy, "focal length fy");
-  positive(camera.baseline, "baseline");
+  positive(camera.fx, phrase("focal length fx"));
+  positive(camera.fy, phrase("focal length fy"));
+  positive(camera.baseline, phrase("baseline"));
   for (const double value :
        {camera.cx, camera.cy, camera.mount.x, camera.mount.y, camera.mount.z, camera.mount.yaw}) {
-    require(std::isfinite(value), "camera", formatNumber(value), "finite numbers");
+    require(std::isfinite(value), phrase("camera"), formatNumber(value), phrase("finite numbers"));
   }
-  require(std::abs(camera.mount.pitch) < toRadians(60.0), "camera mount",
-          formatNumber(toDegrees(camera.mount.pitch)) + "° of pitch", "less than 60°");
+  require(std::abs(camera.mount.pitch) < toRadians(60.0), phrase("camera mount"),
+          phrase("{}° of pitch", formatNumber(toDegrees(camera.mount.pitch))),
+          phrase("less than 60°"));
 }
 
 void check(const StereoOptions& options) {
   require(options.scale >= 0.0 && options.scale <= 1.0, "scale", formatNumber(options.scale),
-          "a number from 0 to 1");
+          phrase("a number from 0 to 1"));
   require(options.num_disparities >= 0 && options.num_disparities <= 512 &&
               options.num_disparities % 16 == 0,
           "num_disparities", std::to_string(options.num_disparities),
-          "a multiple of 16, at most 512");
+          phrase("a multiple of 16, at most 512"));
   require(options.block_size >= 1 && options.block_size <= 31 && options.block_size % 2 == 1,
-          "block_size", std::to_string(options.block_size), "an odd number, at most 31");
+          "block_size", std::to_string(options.block_size), phrase("an odd number, at most 31"));
 }
 
 std::string describe(const cv::Mat& image) {
-  if (image.empty()) return "no image";
-  return std::to_string(image.cols) + "×" + std::to_string(image.rows) + ", " +
-         std::to_string(image.channels()) + " channels, " + std::to_string(8 * image.elemSize1()) +
-         " bits";
+  if (image.empty()) return phrase("no image");
+  return phrase("{}×{}, {} channels, {} bits", image.cols, image.rows, image.channels(),
+                8 * image.elemSize1());
 }
 
 void check(const cv::Mat& left, const cv::Mat& right) {
   for (const cv::Mat* image : {&left, &right}) {
     require(!image->empty() && image->depth() == CV_8U &&
                 (image->channels() == 1 || image->channels() == 3),
-            image == &left ? "left image" : "right image", describe(*image),
-            "8 bits, one or three channels");
+            image == &left ? phrase("left image") : phrase("right image"), describe(*image),
+            phrase("8 bits, one or three channels"));
   }
-  require(left.size() == right.size(), "right image", describe(right),
-          "the size of the left image: " + describe(left));
+  require(left.size() == right.size(), phrase("right image"), describe(right),
+          phrase("the size of the left image: {}", describe(left)));
 }
 
 /// Mean step between neighbours in a row, grey levels. Where there is none, nothing can be matched
@@ -218,8 +220,8 @@ StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, 
   const StereoOptions& options = matcher_->options;
   const cv::Size size(static_cast<int>(std::lround(left.cols * options.scale)),
                       static_cast<int>(std::lround(left.rows * options.scale)));
-  require(std::min(size.width, size.height) >= kMinSide_px, "left image", describe(left),
-          "at least " + std::to_string(kMinSide_px) + " pixels a side at the reduced size");
+  require(std::min(size.width, size.height) >= kMinSide_px, phrase("left image"), describe(left),
+          phrase("at least {} pixels a side at the reduced size", kMinSide_px));
   const StereoCamera reduced =
       reducedCamera(matcher_->camera, static_cast<double>(left.cols) / size.width,
                     static_cast<double>(left.rows) / size.height);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -25,12 +26,13 @@ Projection parseProjection(std::string_view numbers, const std::string& file,
   const auto words = splitWords(numbers);
   Projection p{};
   if (words.size() != p.size()) {
-    throwBadInput(file, place, fmt::format("{} numbers", words.size()), "12");
+    throwBadInput(file, place, phrase("{} numbers", words.size()), "12");
   }
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto value = parseFinite(words[i]);
     if (!value) {
-      throwBadInput(file, place, fmt::format("\"{}\"", words[i].substr(0, 40)), "a finite number");
+      throwBadInput(file, place, fmt::format("\"{}\"", words[i].substr(0, 40)),
+                    phrase("a finite number"));
     }
     p[i] = *value;
   }
@@ -39,7 +41,7 @@ Projection parseProjection(std::string_view numbers, const std::string& file,
                           std::abs(p[6]) < kMaxIntrinsic_px && p[1] == 0.0 && p[4] == 0.0 &&
                           p[8] == 0.0 && p[9] == 0.0 && p[10] == 1.0;
   if (!is_pinhole) {
-    throwBadInput(file, place, "no projection matrix of a rectified camera",
+    throwBadInput(file, place, phrase("no projection matrix of a rectified camera"),
                   "fx 0 cx tx  0 fy cy ty  0 0 1 tz");
   }
   return p;
@@ -52,18 +54,20 @@ Projection findProjection(std::string_view content, const std::string& name,
   while (const auto line = lines.next()) {
     const auto colon = line->text.find(':');
     if (colon == std::string_view::npos || trimmed(line->text.substr(0, colon)) != name) continue;
-    const std::string place = fmt::format("line {}: {}", line->number, name);
-    if (found) throwBadInput(file, place, "this matrix twice", "it once");
+    const std::string place = phrase("line {}", line->number) + ": " + name;
+    if (found) throwBadInput(file, place, phrase("this matrix twice"), phrase("it once"));
     found = parseProjection(line->text.substr(colon + 1), file, place);
   }
-  if (!found) throwBadInput(file, "", "no line " + name + ":", "the 12 numbers of the camera");
+  if (!found) {
+    throwBadInput(file, "", phrase("no line {}:", name), phrase("the 12 numbers of the camera"));
+  }
   return *found;
 }
 
 void requireSame(double left, double right, const char* what, const std::string& file) {
   if (std::abs(left - right) <= kTolerance * std::max(1.0, std::abs(left))) return;
-  throwBadInput(file, what, fmt::format("{} left and {} right", left, right),
-                "the same for both cameras of a rectified pair");
+  throwBadInput(file, what, phrase("{} left and {} right", left, right),
+                phrase("the same for both cameras of a rectified pair"));
 }
 
 /// How far right of the camera that the matrices count from.
@@ -84,11 +88,11 @@ StereoCamera readCalibration(const std::filesystem::path& path, const std::strin
 
   StereoCamera camera{l[0], l[5], l[2], l[6], offsetOf(r) - offsetOf(l), mount};
   if (!(camera.baseline > 0.0 && camera.baseline <= kMaxBaseline)) {
-    throwBadInput(file, fmt::format("{} and {}", left, right),
-                  fmt::format("a baseline of {:.4g} m", camera.baseline),
-                  fmt::format("one > 0 and at most {:g} m: the right camera to the right of the "
-                              "left one",
-                              kMaxBaseline));
+    throwBadInput(file, phrase("{} and {}", left, right),
+                  phrase("a baseline of {:.4g} m", camera.baseline),
+                  phrase("one > 0 and at most {:g} m: the right camera to the right of the "
+                         "left one",
+                         kMaxBaseline));
   }
   camera.mount.x += offsetOf(l) * std::sin(mount.yaw);
   camera.mount.y -= offsetOf(l) * std::cos(mount.yaw);

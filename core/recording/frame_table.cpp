@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
 #include "core/recording/time_limits.h"
@@ -36,14 +37,13 @@ class TableReader {
     for (std::size_t i = 0; i < names.size(); ++i) {
       for (std::size_t c = 0; c < kColumns.size(); ++c) {
         if (names[i] != kColumns[c]) continue;
-        if (index_[c] != width_) fail(names[i], "this column twice", "it once");
+        if (index_[c] != width_) fail(names[i], phrase("this column twice"), phrase("it once"));
         index_[c] = i;
       }
     }
     for (const Column needed : {Column::Frame, Column::Time}) {
       if (index_[needed] == width_) {
-        fail("", "no column " + std::string(kColumns[needed]),
-             fmt::format("a header with {}", kHeader));
+        fail("", phrase("no column {}", kColumns[needed]), phrase("a header with {}", kHeader));
       }
     }
   }
@@ -52,7 +52,7 @@ class TableReader {
     line_ = line.number;
     fields_ = splitFields(line.text, ',');
     if (fields_.size() != width_) {
-      fail("", fmt::format("{} fields", fields_.size()), fmt::format("{}", width_));
+      fail("", phrase("{} fields", fields_.size()), fmt::format("{}", width_));
     }
     FrameRow row;
     row.frame = integer(Column::Frame);
@@ -63,8 +63,12 @@ class TableReader {
     row.right = file(Column::Right);
     row.points = file(Column::Points);
     if (!field(Column::RightTime).empty()) row.right_time_s = number(Column::RightTime, kMaxTime_s);
-    if (row.left.empty() != row.right.empty()) fail("", "one image of a pair", "both or none");
-    if (row.left.empty() && row.points.empty()) fail("", "neither images nor points", "some");
+    if (row.left.empty() != row.right.empty()) {
+      fail("", phrase("one image of a pair"), phrase("both or none"));
+    }
+    if (row.left.empty() && row.points.empty()) {
+      fail("", phrase("neither images nor points"), phrase("some"));
+    }
     checkOrder(row);
     previous_ = row;
     return row;
@@ -73,8 +77,9 @@ class TableReader {
  private:
   [[noreturn]] void fail(std::string_view column, const std::string& found,
                          const std::string& expected) const {
-    throwBadInput(file_, fmt::format("line {}{}{}", line_, column.empty() ? "" : ": ", column),
-                  found, expected);
+    const std::string line = phrase("line {}", line_);
+    throwBadInput(file_, column.empty() ? line : fmt::format("{}: {}", line, column), found,
+                  expected);
   }
 
   std::string_view field(Column column) const {
@@ -88,7 +93,7 @@ class TableReader {
   int integer(Column column) const {
     const auto value = parseInteger(field(column));
     if (!value || *value < 0 || *value > kMaxNumber) {
-      fail(kColumns[column], found(column), fmt::format("a whole number from 0 to {}", kMaxNumber));
+      fail(kColumns[column], found(column), phrase("a whole number from 0 to {}", kMaxNumber));
     }
     return static_cast<int>(*value);
   }
@@ -97,7 +102,7 @@ class TableReader {
     const auto value = parseFinite(field(column));
     if (!value || std::abs(*value) > limit) {
       fail(kColumns[column], found(column),
-           fmt::format("a finite number, at most {}", formatNumber(limit)));
+           phrase("a finite number, at most {}", formatNumber(limit)));
     }
     return *value;
   }
@@ -105,7 +110,7 @@ class TableReader {
   std::string file(Column column) const {
     const std::string_view path = field(column);
     if (path.size() > kMaxPathBytes || !staysInside(path)) {
-      fail(kColumns[column], found(column), "a path inside the folder");
+      fail(kColumns[column], found(column), phrase("a path inside the folder"));
     }
     return std::string(path);
   }
@@ -114,24 +119,24 @@ class TableReader {
     const bool same_stop = previous_ && row.stop && row.stop == previous_->stop;
     rows_of_stop_ = same_stop ? rows_of_stop_ + 1 : 1;
     if (rows_of_stop_ > kMaxRowsOfStop) {
-      fail(kColumns[Column::Stop], fmt::format("stop {} in one more row", *row.stop),
-           fmt::format("at most {}", kMaxRowsOfStop));
+      fail(kColumns[Column::Stop], phrase("stop {} in one more row", *row.stop),
+           phrase("at most {}", kMaxRowsOfStop));
     }
     if (row.stop && !same_stop && !stops_.insert(*row.stop).second) {
-      fail(kColumns[Column::Stop], fmt::format("stop {} a second time", *row.stop),
-           "the rows of one stop together");
+      fail(kColumns[Column::Stop], phrase("stop {} a second time", *row.stop),
+           phrase("the rows of one stop together"));
     }
     if (!previous_) return;
     const bool later = same_stop ? row.time_s >= previous_->time_s : row.time_s > previous_->time_s;
     if (!later) {
       fail(kColumns[Column::Time],
-           fmt::format("{} after {}", formatNumber(row.time_s), formatNumber(previous_->time_s)),
-           "times that increase");
+           phrase("{} after {}", formatNumber(row.time_s), formatNumber(previous_->time_s)),
+           phrase("times that increase"));
     }
     const bool next = same_stop ? row.frame >= previous_->frame : row.frame > previous_->frame;
     if (!next) {
-      fail(kColumns[Column::Frame], fmt::format("{} after {}", row.frame, previous_->frame),
-           "frame numbers that increase");
+      fail(kColumns[Column::Frame], phrase("{} after {}", row.frame, previous_->frame),
+           phrase("frame numbers that increase"));
     }
   }
 
@@ -154,7 +159,7 @@ std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
   ContentLines lines(content);
   const auto header = lines.next();
   auto line = header ? lines.next() : std::nullopt;
-  if (!line) throwBadInput(file, "", "no rows", "a header line and rows");
+  if (!line) throwBadInput(file, "", phrase("no rows"), phrase("a header line and rows"));
   TableReader reader(file, *header);
   std::vector<FrameRow> rows;
   for (; line; line = lines.next()) {
@@ -166,8 +171,8 @@ std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
       break;
     }
     if (rows.size() > kMaxRows) {
-      throwBadInput(file, fmt::format("line {}", line->number), "one more row",
-                    fmt::format("at most {}", kMaxRows));
+      throwBadInput(file, phrase("line {}", line->number), phrase("one more row"),
+                    phrase("at most {}", kMaxRows));
     }
   }
   return rows;

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
@@ -93,18 +93,18 @@ void checkPicture(const cv::Mat& image, const std::string& file) {
       edges += std::abs(row[(x + 2) * channels] - value) > kEdge;
     }
   }
-  if (samples == 0) throwBadInput(file, "", "hardly a pixel", "a picture");
+  if (samples == 0) throwBadInput(file, "", phrase("hardly a pixel"), phrase("a picture"));
   const auto share = [samples](int count) { return static_cast<double>(count) / samples; };
   if (share(saturated) > kMaxSaturated) {
-    throwBadInput(file, "", fmt::format("{:.0f} % of the pixels saturated", 100 * share(saturated)),
-                  fmt::format("at most {:.0f} %: overexposed", 100 * kMaxSaturated));
+    throwBadInput(file, "", phrase("{:.0f} % of the pixels saturated", 100 * share(saturated)),
+                  phrase("at most {:.0f} %: overexposed", 100 * kMaxSaturated));
   }
   if (share(black) > kMaxBlack) {
-    throwBadInput(file, "", fmt::format("{:.0f} % of the pixels black", 100 * share(black)),
-                  fmt::format("at most {:.0f} %: dark, or the camera is covered", 100 * kMaxBlack));
+    throwBadInput(file, "", phrase("{:.0f} % of the pixels black", 100 * share(black)),
+                  phrase("at most {:.0f} %: dark, or the camera is covered", 100 * kMaxBlack));
   }
   if (share(edges) < kMinEdges) {
-    throwBadInput(file, "", "no contrast", "a picture: the camera looks covered");
+    throwBadInput(file, "", phrase("no contrast"), phrase("a picture: the camera looks covered"));
   }
 }
 
@@ -129,8 +129,8 @@ void SwapCheck::operator()(const cv::Mat& left, const cv::Mat& right, const std:
   if (votes >= kMinVotes && wrong_way > kMajority * votes) {
     throwBadInput(
         file, "",
-        fmt::format("{} of {:.0f} matches farther right than in the left image", wrong_way, votes),
-        "them farther left: left and right look swapped");
+        phrase("{} of {:.0f} matches farther right than in the left image", wrong_way, votes),
+        phrase("them farther left: left and right look swapped"));
   }
   pairs_left_ -= votes >= kMinVotes && right_way > kMajority * votes ? 4 : 1;
 }

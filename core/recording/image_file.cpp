@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -68,10 +68,12 @@ std::optional<Header> jpegHeader(std::string_view bytes) {
 
 Header readHeader(std::string_view bytes, const std::string& file) {
   std::optional<Header> header;
-  if (bytes.empty()) throwBadInput(file, "", "an empty file", "a PNG or JPEG image");
+  if (bytes.empty()) {
+    throwBadInput(file, "", phrase("an empty file"), phrase("a PNG or JPEG image"));
+  }
   if (bytes.starts_with(kPngMagic)) header = pngHeader(bytes);
   if (bytes.starts_with(kJpegMagic)) header = jpegHeader(bytes);
-  if (!header) throwBadInput(file, "", "no image", "a PNG or JPEG image");
+  if (!header) throwBadInput(file, "", phrase("no image"), phrase("a PNG or JPEG image"));
   return *header;
 }
 
@@ -87,26 +89,31 @@ cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
   const bool fits = header.width <= kMaxImagePixels && header.height <= kMaxImagePixels &&
                     header.width * header.height <= kMaxImagePixels;
   if (!fits) {
-    throwBadInput(file, "", fmt::format("{} × {} pixels", header.width, header.height),
-                  fmt::format("at most {} megapixels", kMaxImagePixels / 1'000'000));
+    throwBadInput(file, "", phrase("{} × {} pixels", header.width, header.height),
+                  phrase("at most {} megapixels", kMaxImagePixels / 1'000'000));
   }
-  if (!header.complete) throwBadInput(file, "", "an image that is cut off", "a whole one");
+  if (!header.complete) {
+    throwBadInput(file, "", phrase("an image that is cut off"), phrase("a whole one"));
+  }
 
   cv::Mat image;
   try {
-    if (bytes.size() > kMaxImageBytes)
-      throwBadInput(file, "", "more than 256 MiB", "a smaller image");
+    if (bytes.size() > kMaxImageBytes) {
+      throwBadInput(file, "", phrase("more than 256 MiB"), phrase("a smaller image"));
+    }
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
                          const_cast<char*>(bytes.data()));
     image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
-    throwBadInput(file, "", error.err, "an image that can be decoded");
+    throwBadInput(file, "", error.err, phrase("an image that can be decoded"));
   }
-  if (image.empty()) throwBadInput(file, "", "a damaged image", "one that can be decoded");
+  if (image.empty()) {
+    throwBadInput(file, "", phrase("a damaged image"), phrase("one that can be decoded"));
+  }
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
     throwBadInput(file, "",
-                  fmt::format("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
-                  "1 or 3 channels of 8 bits");
+                  phrase("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
+                  phrase("1 or 3 channels of 8 bits"));
   }
   return image;
 }
@@ -126,7 +133,9 @@ void writePng(const cv::Mat& image, const std::filesystem::path& path) {
   } catch (const cv::Exception&) {
     done = false;
   }
-  if (!done) throw Error(ErrorCode::RunFailed, path.string() + ": cannot be encoded as PNG");
+  if (!done) {
+    throw Error(ErrorCode::RunFailed, phrase("{}: cannot be encoded as PNG", path.string()));
+  }
   writeFileAtomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/calibration.h"
 #include "core/recording/frame_table.h"
@@ -23,16 +24,17 @@ constexpr double kMaxCoordinate = 1e8;
 constexpr double kRotationTolerance = 0.01;
 
 Pose2 parsePose(const TextLine& line, const std::string& file) {
-  const std::string place = fmt::format("line {}", line.number);
+  const std::string place = phrase("line {}", line.number);
   const auto words = splitWords(line.text);
   if (words.size() != 12) {
-    throwBadInput(file, place, fmt::format("{} numbers", words.size()), "12");
+    throwBadInput(file, place, phrase("{} numbers", words.size()), "12");
   }
   Eigen::Matrix<double, 3, 4, Eigen::RowMajor> pose;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const auto value = parseFinite(words[i]);
     if (!value || std::abs(*value) > kMaxCoordinate) {
-      throwBadInput(file, place, fmt::format("\"{}\"", words[i].substr(0, 40)), "a finite number");
+      throwBadInput(file, place, fmt::format("\"{}\"", words[i].substr(0, 40)),
+                    phrase("a finite number"));
     }
     pose.data()[i] = *value;
   }
@@ -40,7 +42,9 @@ Pose2 parsePose(const TextLine& line, const std::string& file) {
   const bool is_rotation =
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < kRotationTolerance &&
       rotation.determinant() > 0.0;
-  if (!is_rotation) throwBadInput(file, place, "no rotation matrix", "an orthonormal one");
+  if (!is_rotation) {
+    throwBadInput(file, place, phrase("no rotation matrix"), phrase("an orthonormal one"));
+  }
   return {pose(2, 3), -pose(0, 3), std::atan2(-rotation(0, 2), rotation(2, 2))};
 }
 
@@ -67,7 +71,8 @@ ImageNames imageNames(const fs::path& folder, const std::string& camera) {
     names.ending = ending;
     return names;
   }
-  throwBadInput((folder / camera).string(), "", "no images", "000000.png or .jpg and so on");
+  throwBadInput((folder / camera).string(), "", phrase("no images"),
+                phrase("000000.png or .jpg and so on"));
 }
 
 std::optional<fs::path> firstExisting(const fs::path& folder,
@@ -98,23 +103,22 @@ std::vector<double> readKittiTimes(const fs::path& path) {
   std::vector<double> times;
   ContentLines lines(content);
   while (const auto line = lines.next()) {
-    const std::string place = fmt::format("line {}", line->number);
+    const std::string place = phrase("line {}", line->number);
     const auto time = parseFinite(line->text);
     if (!time || std::abs(*time) > kMaxTime_s) {
       throwBadInput(file, place, fmt::format("\"{}\"", line->text.substr(0, 40)),
-                    "a time in seconds");
+                    phrase("a time in seconds"));
     }
     if (!times.empty() && *time <= times.back()) {
-      throwBadInput(
-          file, place,
-          fmt::format("time {} after {}", formatNumber(*time), formatNumber(times.back())),
-          "times that increase");
+      throwBadInput(file, place,
+                    phrase("time {} after {}", formatNumber(*time), formatNumber(times.back())),
+                    phrase("times that increase"));
     }
     if (times.size() == kMaxRows)
-      throwBadInput(file, place, "one more time", fmt::format("at most {}", kMaxRows));
+      throwBadInput(file, place, phrase("one more time"), phrase("at most {}", kMaxRows));
     times.push_back(*time);
   }
-  if (times.empty()) throwBadInput(file, "", "no time", "one a line");
+  if (times.empty()) throwBadInput(file, "", phrase("no time"), phrase("one a line"));
   return times;
 }
 
@@ -129,8 +133,8 @@ Trajectory readKittiPoses(const fs::path& path, const std::vector<double>& times
     ++found;
   }
   if (found != times_s.size()) {
-    throwBadInput(file, "", fmt::format("{} poses", found),
-                  fmt::format("{}, one for each line of times.txt", times_s.size()));
+    throwBadInput(file, "", phrase("{} poses", found),
+                  phrase("{}, one for each line of times.txt", times_s.size()));
   }
   const Pose2 first = poses.empty() ? Pose2{} : poses.front().pose;
   for (StampedPose& stamped : poses) stamped.pose = between(first, stamped.pose);

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -61,16 +62,16 @@ Values xmlValues(std::string_view content) {
 }  // namespace
 
 OpenCvFile::OpenCvFile(std::string_view content, const std::string& source) {
-  const char* const expected = "a YAML or XML file of OpenCV with M1 D1 M2 D2 R T";
+  const std::string expected = phrase("a YAML or XML file of OpenCV with M1 D1 M2 D2 R T");
   const std::string_view text = trimmed(content);
-  if (text.empty()) throwBadInput(source, "", "an empty file", expected);
-  if (nodesOf(text) > kMaxNodes) throwBadInput(source, "", "too many values", expected);
+  if (text.empty()) throwBadInput(source, "", phrase("an empty file"), expected);
+  if (nodesOf(text) > kMaxNodes) throwBadInput(source, "", phrase("too many values"), expected);
   try {
     values_ = text.starts_with('<') ? xmlValues(text) : yamlValues(text);
   } catch (const YAML::Exception&) {
     values_.clear();
   }
-  if (values_.empty()) throwBadInput(source, "", "no calibration of OpenCV", expected);
+  if (values_.empty()) throwBadInput(source, "", phrase("no calibration of OpenCV"), expected);
 }
 
 const Words* OpenCvFile::find(std::initializer_list<const char*> keys) const {

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <cstring>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/recording.h"
 
@@ -22,8 +21,8 @@ std::vector<RangePoint> readPoints(const std::filesystem::path& path) {
   const std::string file = path.string();
   const std::string content = readFile(path, kMaxPointsBytes);
   if (content.empty() || content.size() % sizeof(RangePoint) != 0) {
-    throwBadInput(file, "", fmt::format("{} bytes", content.size()),
-                  "16 bytes a point, at least one point");
+    throwBadInput(file, "", phrase("{} bytes", content.size()),
+                  phrase("16 bytes a point, at least one point"));
   }
   std::vector<RangePoint> points(content.size() / sizeof(RangePoint));
   std::memcpy(points.data(), content.data(), content.size());
@@ -35,12 +34,12 @@ std::vector<RangePoint> readPoints(const std::filesystem::path& path) {
     if (!(p.w >= 0.0f && p.w <= 1.0f)) ++bad_weight;
   }
   if (not_finite > 0) {
-    throwBadInput(file, "", fmt::format("{} points that are not finite", not_finite),
-                  "finite coordinates");
+    throwBadInput(file, "", phrase("{} points that are not finite", not_finite),
+                  phrase("finite coordinates"));
   }
   if (bad_weight > 0) {
-    throwBadInput(file, "", fmt::format("{} points with w outside 0 … 1", bad_weight),
-                  "w from 0 to 1");
+    throwBadInput(file, "", phrase("{} points with w outside 0 … 1", bad_weight),
+                  phrase("w from 0 to 1"));
   }
   return points;
 }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/calibration.h"
 #include "core/recording/frame_table.h"
@@ -34,9 +33,9 @@ void checkFormat(const JsonValue& json) {
   const auto version = json.at("version").integer(1, INT64_MAX);
   if (version > kVersion) {
     throw Error(ErrorCode::BadInput,
-                fmt::format("{}: version: found {}, this program reads up to {}", json.source(),
-                            version, kVersion),
-                "update the program to open this recording");
+                phrase("{}: version: found {}, this program reads up to {}", json.source(), version,
+                       kVersion),
+                phrase("update the program to open this recording"));
   }
 }
 
@@ -60,8 +59,9 @@ bool isUnrectified(const JsonValue& camera, const fs::path& calibration) {
   if (!rectified) return by_opencv;
   if (rectified->flag() == by_opencv) {
     camera.at("calibration")
-        .fail(by_opencv ? "that of rectified images, as KITTI writes it (\"rectified\" is true)"
-                        : "a .yml, .yaml or .xml of OpenCV (\"rectified\" is false)");
+        .fail(by_opencv
+                  ? phrase("that of rectified images, as KITTI writes it (\"rectified\" is true)")
+                  : phrase("a .yml, .yaml or .xml of OpenCV (\"rectified\" is false)"));
   }
   return by_opencv;
 }
@@ -69,7 +69,7 @@ bool isUnrectified(const JsonValue& camera, const fs::path& calibration) {
 /// Fills in camera and rectifier.
 void readCamera(const JsonValue& json, Recording& recording) {
   const fs::path calibration = json.textOr("calibration", kMaxTextBytes, "calib.txt");
-  if (!staysInside(calibration)) json.at("calibration").fail("a path inside the folder");
+  if (!staysInside(calibration)) json.at("calibration").fail(phrase("a path inside the folder"));
   CameraMount mount;
   mount.z = kDefaultCameraHeight;
   if (const auto given = json.find("mount")) mount = readMount(*given);
@@ -116,12 +116,13 @@ Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop)
 Recording openRecording(const fs::path& folder, const std::stop_token& stop) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    throwBadInput(folder.string(), "", "no such folder", "the folder of a recording");
+    throwBadInput(folder.string(), "", phrase("no such folder"),
+                  phrase("the folder of a recording"));
   }
   const bool is_handmap = fileExists(folder / "recording.json");
   if (!is_handmap && !isKittiFolder(folder)) {
-    throwBadInput(folder.string(), "", "neither recording.json nor a KITTI sequence",
-                  "recording.json, or times.txt and image_0 or image_2");
+    throwBadInput(folder.string(), "", phrase("neither recording.json nor a KITTI sequence"),
+                  phrase("recording.json, or times.txt and image_0 or image_2"));
   }
   Recording recording =
       is_handmap ? openHandmapFolder(folder, stop) : openKittiFolder(folder, stop);

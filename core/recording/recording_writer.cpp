@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
 #include "core/recording/calibration.h"
@@ -55,14 +56,14 @@ std::string formatRecordingJson(const SourceInfo& info) {
 void createEmpty(const fs::path& folder) {
   std::error_code error;
   if (fileExists(folder) && !fs::is_empty(folder, error)) {
-    throw Error(ErrorCode::RunFailed, folder.string() +
-                                          ": found a folder that is not empty, "
-                                          "expected a new one");
+    throw Error(ErrorCode::RunFailed, phrase("{}: found a folder that is not empty, "
+                                             "expected a new one",
+                                             folder.string()));
   }
   fs::create_directories(folder, error);
   if (error) {
     throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+                phrase("{}: cannot be created: {}", folder.string(), error.message()));
   }
 }
 
@@ -107,7 +108,7 @@ class GrowingFile {
       [[maybe_unused]] const int ignored = ftruncate(descriptor_, written_);
     }
     throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
+                phrase("{}: cannot be written: {}", path_.string(), std::strerror(reason)));
   }
 
   fs::path path_;
@@ -207,10 +208,10 @@ void RecordingWriter::add(const Observation& observation, const std::optional<Po
   Files& files = *files_;
   if (observation.frame <= files.last_frame || observation.time_s <= files.last_time_s) {
     throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: found frame {} at {} s after frame {} at {} s, expected both to "
-                            "increase",
-                            files.folder.string(), observation.frame, observation.time_s,
-                            files.last_frame, files.last_time_s));
+                phrase("{}: found frame {} at {} s after frame {} at {} s, expected both to "
+                       "increase",
+                       files.folder.string(), observation.frame, observation.time_s,
+                       files.last_frame, files.last_time_s));
   }
   files.last_frame = observation.frame;
   files.last_time_s = observation.time_s;

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -31,9 +31,10 @@ Rectifier::Rectifier(const StereoCalibration& calibration, const std::string& fi
                     cv::CALIB_ZERO_DISPARITY, 0.0);
   const double zoom = p1(0, 0) / left.matrix(0, 0);
   if (!(zoom > 1.0 / kMaxZoom && zoom < kMaxZoom)) {
-    throwBadInput(file, "", fmt::format("rectified images scaled by {:.3g}", zoom),
-                  "a calibration that leaves both images about as they are: is it that of these "
-                  "cameras?");
+    throwBadInput(
+        file, "", phrase("rectified images scaled by {:.3g}", zoom),
+        phrase("a calibration that leaves both images about as they are: is it that of these "
+               "cameras?"));
   }
   camera_ = {p1(0, 0), p1(1, 1), p1(0, 2), p1(1, 2), -p2(0, 3) / p2(0, 0), {}};
   const auto fill = [&](const LensCalibration& lens, const cv::Matx33d& r, const cv::Matx34d& p,

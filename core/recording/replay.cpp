@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/recording.h"
 #include "core/recording/view_reader.h"
@@ -43,14 +42,6 @@ std::vector<RowGroup> select(const Recording& recording, const ReplayOptions& op
   return selected;
 }
 
-[[noreturn]] void failUncovered(const std::string& source, const FrameRow& row, const char* verb,
-                                double end_s, const std::string& hint) {
-  throw Error(ErrorCode::BadInput,
-              fmt::format("{}: frame {} is at {} s, but the odometry {} at {} s", source, row.frame,
-                          formatNumber(row.time_s), verb, formatNumber(end_s)),
-              hint);
-}
-
 /// The first frame that may be used, with what is looked for in it or without.
 const FrameRow& startRow(const Recording& recording, const ReplayOptions& options) {
   return *std::find_if(recording.rows.begin(), recording.rows.end(),
@@ -69,15 +60,18 @@ void checkCovered(const FrameRow& start, const std::vector<RowGroup>& groups,
   const StampedPose& first_pose = odometry.poses().front();
   const StampedPose& last_pose = odometry.poses().back();
   if (!odometry.at(start.time_s) && start.time_s < first_pose.time_s) {
-    failUncovered(source, start, "starts late,", first_pose.time_s,
-                  first == groups.end()
-                      ? "the odometry belongs to another time"
-                      : fmt::format("begin later: --from {}", first->front().frame));
+    throw Error(ErrorCode::BadInput,
+                phrase("{}: frame {} is at {} s, but the odometry starts late, at {} s", source,
+                       start.frame, formatNumber(start.time_s), formatNumber(first_pose.time_s)),
+                first == groups.end() ? phrase("the odometry belongs to another time")
+                                      : phrase("begin later: --from {}", first->front().frame));
   }
   if (!covered(groups.back())) {
-    failUncovered(source, end, "ends", last_pose.time_s,
-                  last == groups.rend() ? "the odometry belongs to another time"
-                                        : fmt::format("end earlier: --to {}", last->front().frame));
+    throw Error(ErrorCode::BadInput,
+                phrase("{}: frame {} is at {} s, but the odometry ends at {} s", source, end.frame,
+                       formatNumber(end.time_s), formatNumber(last_pose.time_s)),
+                last == groups.rend() ? phrase("the odometry belongs to another time")
+                                      : phrase("end earlier: --to {}", last->front().frame));
   }
 }
 
@@ -153,34 +147,35 @@ class ReplaySource : public ObservationSource {
 std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptions& options) {
   const std::string source = recording.folder.string();
   if (options.every < 1) {
-    throw Error(ErrorCode::Usage,
-                fmt::format("--every: found {}, expected 1 or more", options.every));
+    throw Error(ErrorCode::Usage, phrase("--every: found {}, expected 1 or more", options.every));
   }
   const SourceKind kind = chosenKind(recording, options.kind);
   std::vector<RowGroup> groups = select(recording, options, kind);
-  const char* const what = kind == SourceKind::Images ? "images" : "points";
+  const std::string what = kind == SourceKind::Images ? phrase("images") : phrase("points");
   if (groups.empty()) {
     throwBadInput(source, "",
-                  fmt::format("no frame with {} from {} to {}", what, options.from,
-                              options.to ? std::to_string(*options.to) : "the end"),
-                  "at least one");
+                  phrase("no frame with {} from {} to {}", what, options.from,
+                         options.to ? std::to_string(*options.to) : phrase("the end")),
+                  phrase("at least one"));
   }
   if (kind == SourceKind::Images && !recording.camera) {
-    throwBadInput(source, "", "images but no camera", "the calibration of the camera");
+    throwBadInput(source, "", phrase("images but no camera"),
+                  phrase("the calibration of the camera"));
   }
   const FrameRow& start = startRow(recording, options);
   const double start_s = start.time_s;
   if (options.visual_odometry) {
     if (kind != SourceKind::Images) {
-      throwBadInput(source, "", "points chosen to see with", "images for visual odometry");
+      throwBadInput(source, "", phrase("points chosen to see with"),
+                    phrase("images for visual odometry"));
     }
     recording.odometry = {};
     return std::make_unique<ReplaySource>(std::move(recording), std::move(groups), kind, start_s);
   }
   if (!options.odometry.empty()) recording.odometry = readTum(options.odometry);
   if (recording.odometry.empty()) {
-    throw Error(ErrorCode::BadInput, source + ": found no odometry, expected odometry.tum",
-                "give one: --odometry FILE.tum");
+    throw Error(ErrorCode::BadInput, phrase("{}: found no odometry, expected odometry.tum", source),
+                phrase("give one: --odometry FILE.tum"));
   }
   checkCovered(start, groups, recording.odometry,
                options.odometry.empty() ? source : options.odometry.string());

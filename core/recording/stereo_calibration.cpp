@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
 #include "core/recording/image_file.h"
@@ -39,9 +40,9 @@ class Reader {
             ? cv::Size{side((*both)[0], "image_size"), side((*both)[1], "image_size")}
             : cv::Size{side({"image_width", "width"}), side({"image_height", "height"})};
     if (std::int64_t{size.width} * size.height > kMaxImagePixels) {
-      throwBadInput(file_, "image_width and image_height",
-                    fmt::format("{} × {} pixels", size.width, size.height),
-                    fmt::format("at most {} megapixels", kMaxImagePixels / 1'000'000));
+      throwBadInput(file_, phrase("{} and {}", "image_width", "image_height"),
+                    phrase("{} × {} pixels", size.width, size.height),
+                    phrase("at most {} megapixels", kMaxImagePixels / 1'000'000));
     }
     return size;
   }
@@ -55,15 +56,17 @@ class Reader {
   std::vector<double> numbers(Keys keys, const std::vector<std::size_t>& counts) const {
     const std::string key = *keys.begin();
     const Words* const words = values_.find(keys);
-    if (words == nullptr) throwBadInput(file_, key, "nothing", "a matrix");
+    if (words == nullptr) throwBadInput(file_, key, phrase("nothing"), phrase("a matrix"));
     if (std::find(counts.begin(), counts.end(), words->size()) == counts.end()) {
-      throwBadInput(file_, key, fmt::format("{} numbers", words->size()),
-                    fmt::format("{}", fmt::join(counts, " or ")));
+      throwBadInput(file_, key, phrase("{} numbers", words->size()),
+                    fmt::format("{}", fmt::join(counts, phrase(" or "))));
     }
     std::vector<double> values;
     for (const std::string& word : *words) {
       const auto value = parseFinite(word);
-      if (!value) throwBadInput(file_, key, "a value that is no number", "finite numbers");
+      if (!value) {
+        throwBadInput(file_, key, phrase("a value that is no number"), phrase("finite numbers"));
+      }
       values.push_back(*value);
     }
     return values;
@@ -81,7 +84,7 @@ class Reader {
     const double value = parseFinite(word).value_or(0.0);
     if (!(value >= 1.0 && value <= kMaxSide && value == std::floor(value))) {
       throwBadInput(file_, key, word.substr(0, 40),
-                    fmt::format("the size of the images, 1 to {} pixels", kMaxSide));
+                    phrase("the size of the images, 1 to {} pixels", kMaxSide));
     }
     return static_cast<int>(value);
   }
@@ -95,46 +98,46 @@ void checkLens(const LensCalibration& lens, cv::Size size, const std::string& fi
   const cv::Matx33d& m = lens.matrix;
   for (const double focal : {m(0, 0), m(1, 1)}) {
     if (focal >= kMinFocal * size.width && focal <= kMaxFocal * size.width) continue;
-    throwBadInput(file, key, fmt::format("a focal length of {:g} px", focal),
-                  fmt::format("one from {:g} to {:g} px for images {} px wide",
-                              kMinFocal * size.width, kMaxFocal * size.width, size.width));
+    throwBadInput(file, key, phrase("a focal length of {:g} px", focal),
+                  phrase("one from {:g} to {:g} px for images {} px wide", kMinFocal * size.width,
+                         kMaxFocal * size.width, size.width));
   }
   const bool centred =
       m(0, 2) > 0.0 && m(0, 2) < size.width && m(1, 2) > 0.0 && m(1, 2) < size.height;
   if (!centred) {
-    throwBadInput(file, key, fmt::format("a principal point at {:g}, {:g}", m(0, 2), m(1, 2)),
-                  fmt::format("one inside the images of {} × {} pixels", size.width, size.height));
+    throwBadInput(file, key, phrase("a principal point at {:g}, {:g}", m(0, 2), m(1, 2)),
+                  phrase("one inside the images of {} × {} pixels", size.width, size.height));
   }
   const bool pinhole =
       m(1, 0) == 0.0 && m(2, 0) == 0.0 && m(2, 1) == 0.0 && std::abs(m(2, 2) - 1.0) < 1e-9;
-  if (!pinhole) throwBadInput(file, key, "no camera matrix", "fx 0 cx  0 fy cy  0 0 1");
+  if (!pinhole) throwBadInput(file, key, phrase("no camera matrix"), "fx 0 cx  0 fy cy  0 0 1");
 }
 
 void checkPose(const StereoCalibration& calibration, const std::string& file) {
   const cv::Matx33d& r = calibration.rotation;
   if (cv::norm(r * r.t() - cv::Matx33d::eye()) > kRotationTolerance || cv::determinant(r) < 0.0) {
-    throwBadInput(file, "R", "no rotation matrix", "an orthonormal one");
+    throwBadInput(file, "R", phrase("no rotation matrix"), phrase("an orthonormal one"));
   }
   const double turn = std::acos(std::clamp((cv::trace(r) - 1.0) / 2.0, -1.0, 1.0));
   if (turn > kMaxTurn) {
-    throwBadInput(file, "R", fmt::format("cameras turned by {:.0f}°", toDegrees(turn)),
-                  fmt::format("at most {:.0f}°: both look the same way", toDegrees(kMaxTurn)));
+    throwBadInput(file, "R", phrase("cameras turned by {:.0f}°", toDegrees(turn)),
+                  phrase("at most {:.0f}°: both look the same way", toDegrees(kMaxTurn)));
   }
   const cv::Vec3d& t = calibration.translation;
   const double length = cv::norm(t);
   if (!(length >= kMinBaseline_m && length <= kMaxBaseline_m)) {
-    throwBadInput(file, "T", fmt::format("cameras {:.4g} apart", length),
-                  fmt::format("{:g} to {:g} metres (T in metres: was the square of the board "
-                              "given in metres?)",
-                              kMinBaseline_m, kMaxBaseline_m));
+    throwBadInput(file, "T", phrase("cameras {:.4g} apart", length),
+                  phrase("{:g} to {:g} metres (T in metres: was the square of the board "
+                         "given in metres?)",
+                         kMinBaseline_m, kMaxBaseline_m));
   }
   if (std::abs(t[0]) < std::hypot(t[1], t[2])) {
     throwBadInput(file, "T", fmt::format("{:.3g} {:.3g} {:.3g}", t[0], t[1], t[2]),
-                  "cameras side by side");
+                  phrase("cameras side by side"));
   }
   if (t[0] > 0.0) {
-    throwBadInput(file, "T", fmt::format("the right camera {:.4g} m left of the left one", t[0]),
-                  "it on the right: left and right look swapped");
+    throwBadInput(file, "T", phrase("the right camera {:.4g} m left of the left one", t[0]),
+                  phrase("it on the right: left and right look swapped"));
   }
 }
 

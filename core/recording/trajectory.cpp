@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
 #include "core/recording/time_limits.h"
@@ -24,28 +25,28 @@ double yawOf(double qx, double qy, double qz, double qw) {
   return std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
 }
 
-std::string placeOf(const TextLine& line) { return fmt::format("line {}", line.number); }
+std::string placeOf(const TextLine& line) { return phrase("line {}", line.number); }
 
 StampedPose parseTumLine(const TextLine& line, const std::string& file) {
   const auto words = splitWords(line.text);
   std::array<double, 8> v{};
   if (words.size() != v.size()) {
-    throwBadInput(file, placeOf(line), fmt::format("{} fields", words.size()),
-                  "8: time x y z qx qy qz qw");
+    throwBadInput(file, placeOf(line), phrase("{} fields", words.size()),
+                  phrase("8: time x y z qx qy qz qw"));
   }
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto value = parseFinite(words[i]);
     const double limit = i == 0 ? kMaxTime_s : kMaxCoordinate;
     if (!value || std::abs(*value) > limit) {
       throwBadInput(file, placeOf(line), fmt::format("\"{}\"", words[i].substr(0, 40)),
-                    fmt::format("a finite number, at most {}", formatNumber(limit)));
+                    phrase("a finite number, at most {}", formatNumber(limit)));
     }
     v[i] = *value;
   }
   const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
   if (std::abs(norm - 1.0) > kNormTolerance) {
-    throwBadInput(file, placeOf(line), fmt::format("a quaternion of length {:.3g}", norm),
-                  "length 1");
+    throwBadInput(file, placeOf(line), phrase("a quaternion of length {:.3g}", norm),
+                  phrase("length 1"));
   }
   return {v[0], {v[1], v[2], yawOf(v[4], v[5], v[6], v[7])}};
 }
@@ -55,8 +56,8 @@ template <typename Place>
 void checkOrder(double previous, double time, const std::string& source, const Place& place) {
   if (time > previous) return;
   throwBadInput(source, place(),
-                fmt::format("time {} after {}", formatNumber(time), formatNumber(previous)),
-                "times that increase");
+                phrase("time {} after {}", formatNumber(time), formatNumber(previous)),
+                phrase("times that increase"));
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ Trajectory::Trajectory(std::vector<StampedPose> poses, const std::string& source
     : poses_(std::move(poses)) {
   for (std::size_t i = 1; i < poses_.size(); ++i) {
     checkOrder(poses_[i - 1].time_s, poses_[i].time_s, source,
-               [i] { return fmt::format("pose {}", i); });
+               [i] { return phrase("pose {}", i); });
   }
 }
 
@@ -102,11 +103,13 @@ Trajectory readTum(const std::filesystem::path& path, const std::stop_token& sto
       checkOrder(poses.back().time_s, stamped.time_s, file, [&] { return placeOf(*line); });
     }
     if (poses.size() == kMaxPoses) {
-      throwBadInput(file, placeOf(*line), "one more pose", fmt::format("at most {}", kMaxPoses));
+      throwBadInput(file, placeOf(*line), phrase("one more pose"), phrase("at most {}", kMaxPoses));
     }
     poses.push_back(stamped);
   }
-  if (poses.empty()) throwBadInput(file, "", "no pose", "lines of time x y z qx qy qz qw");
+  if (poses.empty()) {
+    throwBadInput(file, "", phrase("no pose"), phrase("lines of time x y z qx qy qz qw"));
+  }
   return {std::move(poses), file};
 }
 

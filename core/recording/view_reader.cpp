@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/image_file.h"
 
@@ -19,9 +18,9 @@ constexpr double kMaxOffCentre = 0.3;  // of the width
 void checkDelay(const FrameRow& row, const std::string& file) {
   if (!row.right_time_s || std::abs(*row.right_time_s - row.time_s) <= kMaxDelay_s) return;
   throwBadInput(file, "",
-                fmt::format("the right image taken at {} s, the left one at {} s",
-                            formatNumber(*row.right_time_s), formatNumber(row.time_s)),
-                fmt::format("both within {:g} s", kMaxDelay_s));
+                phrase("the right image taken at {} s, the left one at {} s",
+                       formatNumber(*row.right_time_s), formatNumber(row.time_s)),
+                phrase("both within {:g} s", kMaxDelay_s));
 }
 
 /// Images that were scaled after the calibration.
@@ -29,9 +28,9 @@ void checkCentre(const StereoCamera& camera, cv::Size size, const std::string& f
   const double middle = 0.5 * (size.width - 1);
   if (std::abs(camera.cx - middle) <= kMaxOffCentre * size.width) return;
   throwBadInput(
-      file, "", fmt::format("{} × {} pixels", size.width, size.height),
-      fmt::format("images that the calibration belongs to: its principal point is at x = {:g} px",
-                  camera.cx));
+      file, "", phrase("{} × {} pixels", size.width, size.height),
+      phrase("images that the calibration belongs to: its principal point is at x = {:g} px",
+             camera.cx));
 }
 
 }  // namespace
@@ -67,10 +66,10 @@ cv::Mat ViewReader::readSized(const std::string& name) {
     size_ = image.size();
   }
   if (image.size() != size_) {
-    throwBadInput(
-        file, "", fmt::format("{} × {} pixels", image.cols, image.rows),
-        fmt::format("{} × {} as {}", size_.width, size_.height,
-                    rectifier_ ? "the calibration says" : "the images before: one camera"));
+    throwBadInput(file, "", phrase("{} × {} pixels", image.cols, image.rows),
+                  phrase("{} × {} as {}", size_.width, size_.height,
+                         rectifier_ ? phrase("the calibration says")
+                                    : phrase("the images before: one camera")));
   }
   return image;
 }

@@ -3,9 +3,8 @@
 #include <chrono>
 #include <cstdlib>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
 #include "core/recording/recording.h"
@@ -28,7 +27,7 @@ class Unfinished {
     removeAbandoned();
     std::string name = prefix() + "XXXXXX";
     if (mkdtemp(name.data()) == nullptr) {
-      throw Error(ErrorCode::RunFailed, name + ": the folder cannot be made");
+      throw Error(ErrorCode::RunFailed, phrase("{}: the folder cannot be made", name));
     }
     path_ = name;
   }
@@ -45,7 +44,7 @@ class Unfinished {
     fs::rename(path_, folder_, error);
     if (error && !fileExists(folder_)) {  // somebody else may have been faster
       throw Error(ErrorCode::RunFailed,
-                  fmt::format("{}: cannot be written: {}", folder_.string(), error.message()));
+                  phrase("{}: cannot be written: {}", folder_.string(), error.message()));
     }
   }
 

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/map/map_limits.h"
 #include "core/recording/time_limits.h"
@@ -43,7 +43,8 @@ Act::Kind kindOf(const JsonValue& value) {
   for (const Name& name : kNames) {
     if (text == name.text) return name.kind;
   }
-  value.fail("robot_is_here, building_is_right, building_is_not_there or forget_poses");
+  value.fail(phrase("{}, {}, {} or {}", "robot_is_here", "building_is_right",
+                    "building_is_not_there", "forget_poses"));
 }
 
 std::variant<Rectangle, Polygon> shapeOf(const JsonValue& json) {
@@ -60,8 +61,8 @@ std::variant<Rectangle, Polygon> shapeOf(const JsonValue& json) {
     if (numbers.size() != 2) corner.fail("[x, y]");
     polygon.emplace_back(coordinate(numbers[0]), coordinate(numbers[1]));
   }
-  if (polygon.size() < 3) vertices->fail("at least 3 vertices");
-  if (!isSimple(polygon)) vertices->fail("an outline that does not meet itself");
+  if (polygon.size() < 3) vertices->fail(phrase("at least 3 vertices"));
+  if (!isSimple(polygon)) vertices->fail(phrase("an outline that does not meet itself"));
   if (signedArea(polygon) < 0.0) std::reverse(polygon.begin(), polygon.end());
   return polygon;
 }
@@ -134,7 +135,7 @@ std::vector<Act> readActs(const std::filesystem::path& folder) {
   std::vector<Act> acts;
   ContentLines lines(content);
   while (const auto line = lines.next()) {
-    const std::string source = fmt::format("{}: line {}", path.string(), line->number);
+    const std::string source = path.string() + ": " + phrase("line {}", line->number);
     const auto parsed = parseJson(line->text, source);
     acts.push_back(actOf(JsonValue(parsed, source)));
   }
@@ -152,7 +153,7 @@ void appendAct(const std::filesystem::path& folder, const Act& act) {
   if (file >= 0) ::close(file);
   if (!written) {
     throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: cannot be written: {}", path.string(), std::strerror(reason)));
+                phrase("{}: cannot be written: {}", path.string(), std::strerror(reason)));
   }
 }
 

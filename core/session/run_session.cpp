@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <mutex>
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/phrase.h"
 #include "core/odometry/given_poses.h"
 #include "core/session/estimation_method.h"
 #include "core/session/run_report.h"
@@ -148,11 +148,12 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   if (!taken) {
     if (!state.frames.empty()) return state.lastSnapshot(stop, progress);
     const int count = source().observations;
-    throw Error(ErrorCode::RunFailed,
-                fmt::format("none of {} could be used{}{}",
-                            count > 0 ? fmt::format("{} observations", count) : "what came",
-                            state.skipped.empty() ? "" : "; the first: ",
-                            state.skipped.empty() ? "" : state.skipped.front().reason));
+    throw Error(
+        ErrorCode::RunFailed,
+        phrase(
+            "none of {} could be used{}",
+            count > 0 ? phrase("{} observations", count) : phrase("what came"),
+            state.skipped.empty() ? "" : phrase("; the first: {}", state.skipped.front().reason)));
   }
   const Observation& observation = taken->entry.perceived->observation;
   const Percept* percept = &taken->entry.perceived->percept;

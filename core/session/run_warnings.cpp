@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -14,8 +14,9 @@ constexpr double kMostlyBlind = 0.5;       // share of the observations without 
 constexpr float kLikelyWall = 0.2F;        // a return less sure of being a wall is not counted
 constexpr std::size_t kPlacesOfWay = 100;  // enough to tell how near a way comes to a building
 
-constexpr auto kCheckStart =
-    "Is the start where the recording begins, and does it look the right way?";
+std::string checkStart() {
+  return phrase("Is the start where the recording begins, and does it look the right way?");
+}
 
 double nearestBuilding_m(const Map& drawing, const std::vector<StampedPose>& way) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -37,39 +38,42 @@ struct Finding {
 Finding noWalls(const RunOutcome& outcome) {
   const RunCounts& counts = outcome.counts;
   if (counts.images) {
-    return {"Nothing in the images was taken for the wall of a building.",
-            "Look at the crosses on the camera images; teach your own buildings where they are "
-            "missing, or take every wall for one (--model none)."};
+    return {
+        phrase("Nothing in the images was taken for the wall of a building."),
+        phrase("Look at the crosses on the camera images; teach your own buildings where they are "
+               "missing, or take every wall for one (--model none).")};
   }
   if (counts.points == 0) {
-    return {fmt::format("Nothing came back from within {:.0f} m.", outcome.range_limit_m),
-            "Are the points in metres, x forward and y left, and range_limit_m that of the "
-            "sensor?"};
+    return {phrase("Nothing came back from within {:.0f} m.", outcome.range_limit_m),
+            phrase("Are the points in metres, x forward and y left, and range_limit_m that of the "
+                   "sensor?")};
   }
-  return {fmt::format("None of {} returns was taken for a wall: points of several heights count "
-                      "where some stand above one another, and these are too sparse for that.",
-                      counts.points),
-          "Give denser clouds, or one height for all points (z = 0): then each counts as it is."};
+  return {
+      phrase("None of {} returns was taken for a wall: points of several heights count "
+             "where some stand above one another, and these are too sparse for that.",
+             counts.points),
+      phrase(
+          "Give denser clouds, or one height for all points (z = 0): then each counts as it is.")};
 }
 
 Finding nothingRecognised(const RunOutcome& outcome) {
   const RunCounts& counts = outcome.counts;
   if (counts.walls == 0) return noWalls(outcome);
-  const std::string walls = fmt::format("Walls were seen in {} directions, up to {:.0f} m away",
-                                        counts.walls, counts.farthest_m);
+  const std::string walls = phrase("Walls were seen in {} directions, up to {:.0f} m away",
+                                   counts.walls, counts.farthest_m);
   const double nearest = nearestBuilding_m(outcome.drawing, outcome.way);
   if (nearest > outcome.range_limit_m) {
-    return {
-        fmt::format("{}, but the way comes no nearer than {:.0f} m to a drawn building, and the "
-                    "sensor sees {:.0f} m.",
-                    walls, nearest, outcome.range_limit_m),
-        "Is the start where the recording begins, and does it look the right way?"};
+    return {phrase("{}, but the way comes no nearer than {:.0f} m to a drawn building, and the "
+                   "sensor sees {:.0f} m.",
+                   walls, nearest, outcome.range_limit_m),
+            checkStart()};
   }
-  return {walls +
-              ", but none is long and straight enough, or near enough to where a building is "
-              "drawn.",
-          "Check where the start is and which way it looks; leave the scale and the turn of the "
-          "drawing free; draw what stands along the way."};
+  return {
+      phrase("{}, but none is long and straight enough, or near enough to where a building is "
+             "drawn.",
+             walls),
+      phrase("Check where the start is and which way it looks; leave the scale and the turn of the "
+             "drawing free; draw what stands along the way.")};
 }
 
 RunWarning nothingCorrected(const RunOutcome& outcome) {
@@ -77,17 +81,16 @@ RunWarning nothingCorrected(const RunOutcome& outcome) {
   const double nearest = nearestBuilding_m(outcome.drawing, outcome.way);
   RunWarning warning{
       "nothing_corrected",
-      fmt::format(
-          "Nothing was corrected: buildings were in sight in {} of {} observations, but none "
-          "of them was taken for a drawn one.",
-          outcome.counts.with_building, outcome.counts.observations),
-      kCheckStart};
+      phrase("Nothing was corrected: buildings were in sight in {} of {} observations, but none "
+             "of them was taken for a drawn one.",
+             outcome.counts.with_building, outcome.counts.observations),
+      checkStart()};
   if (std::all_of(buildings.begin(), buildings.end(), [](const Building& b) { return b.fixed; })) {
-    warning.hint = "All buildings of the drawing are fixed.";
+    warning.hint = phrase("All buildings of the drawing are fixed.");
   } else if (nearest > outcome.range_limit_m) {
-    warning.message += fmt::format(" The way comes no nearer than {:.0f} m to one.", nearest);
+    warning.message += phrase(" The way comes no nearer than {:.0f} m to one.", nearest);
   } else {
-    warning.hint += " Leave the scale and the turn of the drawing free.";
+    warning.hint += phrase(" Leave the scale and the turn of the drawing free.");
   }
   return warning;
 }
@@ -115,9 +118,9 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
   if (counts.with_building == 0) {
     const Finding finding = nothingRecognised(outcome);
     return {{"nothing_recognised",
-             fmt::format("No building was recognised in {} observations: the drawing is as it was, "
-                         "and the way is the odometry's. {}",
-                         counts.observations, finding.seen),
+             phrase("No building was recognised in {} observations: the drawing is as it was, "
+                    "and the way is the odometry's. {}",
+                    counts.observations, finding.seen),
              finding.hint}};
   }
   if (outcome.refine && std::none_of(buildings.begin(), buildings.end(), isCorrected)) {
@@ -126,10 +129,10 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
   const int blind = counts.observations - counts.with_building;
   if (blind > kMostlyBlind * counts.observations) {
     return {{"way_from_odometry",
-             fmt::format("No building was in sight in {} of {} observations: there the way is the "
-                         "odometry's.",
-                         blind, counts.observations),
-             "Draw more of what stands along the way."}};
+             phrase("No building was in sight in {} of {} observations: there the way is the "
+                    "odometry's.",
+                    blind, counts.observations),
+             phrase("Draw more of what stands along the way.")}};
   }
   return {};
 }

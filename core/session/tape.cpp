@@ -1,6 +1,7 @@
 #include "core/session/tape.h"
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -37,8 +38,8 @@ std::optional<Tape::Taken> Tape::take(std::size_t n, const std::stop_token& stop
     const std::scoped_lock lock(mutex_);
     if (n >= first_ + entries_.size()) return std::nullopt;
     if (n < first_) {
-      throw Error(ErrorCode::RunFailed, "the beginning of the run is no longer in memory",
-                  "run its recording with the changed drawing");
+      throw Error(ErrorCode::RunFailed, phrase("the beginning of the run is no longer in memory"),
+                  phrase("run its recording with the changed drawing"));
     }
     return Taken{entries_[n - first_], {}, false};
   };

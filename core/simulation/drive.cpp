@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/random.h"
 #include "core/simulation/route.h"
 
@@ -19,10 +20,12 @@ constexpr double kMaxSteps = 1e6;
 
 Drive driveThrough(const Map& map, const SimulationOptions& options, std::uint64_t seed) {
   const std::optional<Route> route = routeOf(map);
-  if (!route) throwBadInput("route", "", "no way to drive", "a route or a start");
+  if (!route) {
+    throwBadInput(phrase("route"), "", phrase("no way to drive"), phrase("a route or a start"));
+  }
   if (!(options.step_m > 0.0 && route->length() / options.step_m < kMaxSteps)) {
-    throwBadInput("simulation", "step", fmt::format("{} m", options.step_m),
-                  fmt::format("a positive one, less than {:g} on the route", kMaxSteps));
+    throwBadInput(phrase("simulation"), phrase("step"), fmt::format("{} m", options.step_m),
+                  phrase("a positive one, less than {:g} on the route", kMaxSteps));
   }
   RandomStream random(seed, 0, 0, kOdometry);
   const int steps = static_cast<int>(route->length() / options.step_m + 1e-9);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/random.h"
 #include "core/simulation/route.h"
 #include "core/simulation/world.h"
@@ -113,8 +114,8 @@ class Perturbation {
 
 Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping) {
   if (truth.buildings.size() > kMaxBuildings) {
-    throwBadInput("buildings", "", std::to_string(truth.buildings.size()),
-                  "at most " + std::to_string(kMaxBuildings));
+    throwBadInput(phrase("buildings"), "", std::to_string(truth.buildings.size()),
+                  phrase("at most {}", kMaxBuildings));
   }
   Map drawn = truth;
   drawn.buildings = Perturbation(truth, sigma_m, seed, keeping).draw();

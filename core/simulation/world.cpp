@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/simulation/trees.h"
 
 namespace handmap {
@@ -86,8 +87,9 @@ void checkClear(const Route& route, const Building& building) {
   if (route.distanceTo(footprint) > kRobotRadius + Route::kCut) return;
   for (double s = 0.0; s <= route.length(); s += kRobotRadius) {
     if (distanceTo(footprint, route.poseAt(s).position()) > kRobotRadius) continue;
-    throwBadInput("route", "", fmt::format("building {} in the way after {:.0f} m", building.id, s),
-                  "a way around the buildings");
+    throwBadInput(phrase("route"), "",
+                  phrase("building {} in the way after {:.0f} m", building.id, s),
+                  phrase("a way around the buildings"));
   }
 }
 
@@ -199,12 +201,13 @@ World loopWorld(std::uint64_t seed) {
 World worldFromMap(const Map& map, std::uint64_t seed) {
   const std::optional<Route> route = routeOf(map);
   if (!route) {
-    throw Error(ErrorCode::BadInput, "route: found no way to drive, expected a route or a start",
-                "draw a route, or a start that looks along a free way");
+    throw Error(ErrorCode::BadInput,
+                phrase("route: found no way to drive, expected a route or a start"),
+                phrase("draw a route, or a start that looks along a free way"));
   }
   if (route->length() > kMaxLength) {
-    throwBadInput("route", "", fmt::format("{:.0f} m", route->length()),
-                  fmt::format("at most {:.0f} m", kMaxLength));
+    throwBadInput(phrase("route"), "", fmt::format("{:.0f} m", route->length()),
+                  phrase("at most {:.0f} m", kMaxLength));
   }
   for (const Building& building : map.buildings) checkClear(*route, building);
   Map own = map;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/odometry/visual_odometry_source.h"
 #include "core/trajectory/scan_odometry_source.h"
 #include "core/trajectory/scan_trajectory.h"
@@ -138,8 +139,8 @@ Verdict automatic(const Recording& recording, const ReplayOptions& options) {
 
 std::unique_ptr<ObservationSource> withScans(const Recording& recording, ReplayOptions options) {
   if (replaysImages(recording, options)) {
-    throwBadInput(recording.folder.string(), "", "images chosen to see with",
-                  "range points for odometry from scans: --source points");
+    throwBadInput(recording.folder.string(), "", phrase("images chosen to see with"),
+                  phrase("range points for odometry from scans: --source points"));
   }
   options.kind = SourceKind::Points;
   return withScanOdometry(replay(recording, options));

@@ -2,9 +2,8 @@
 
 #include <chrono>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
 
@@ -46,8 +45,8 @@ std::vector<RangePoint> allPoints(const Observation& observation) {
   std::vector<RangePoint> points;
   for (const View& view : observation.views) {
     if (!view.points) {
-      throwBadInput(fmt::format("frame {}", observation.frame), "", "images",
-                    "range points for odometry from scans");
+      throwBadInput(phrase("frame {}", observation.frame), "", phrase("images"),
+                    phrase("range points for odometry from scans"));
     }
     points.insert(points.end(), view.points->begin(), view.points->end());
   }
