@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -33,7 +33,7 @@ std::optional<Observation> PunctualSource::next() {
   const double late = std::chrono::duration<double>(Pace::Clock::now() - start_->at).count() - due;
   if (late <= budget) return observation;
   throw FrameError(observation->frame,
-                   fmt::format("passed over: {:.2f} s late, the budget is {:.2f} s", late, budget));
+                   phrase("passed over: {:.2f} s late, the budget is {:.2f} s", late, budget));
 }
 
 }  // namespace handmap

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "core/base/phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -41,16 +43,16 @@ bool isSame(const cv::Mat& a, const cv::Mat& b) {
 
 }  // namespace
 
-const char* nameOf(FrameFault fault) {
+std::string nameOf(FrameFault fault) {
   switch (fault) {
     case FrameFault::None:
       return "";
     case FrameFault::WrongSize:
-      return "image of another size";
+      return phrase("image of another size");
     case FrameFault::Half:
-      return "half image";
+      return phrase("half image");
     case FrameFault::Repeated:
-      return "repeated image";
+      return phrase("repeated image");
   }
   return "";
 }

@@ -11,7 +11,7 @@ enum class FrameFault {
   Half,       ///< the lower part never came
   Repeated    ///< to the byte the one before: no sensor is so still
 };
-const char* nameOf(FrameFault fault);
+std::string nameOf(FrameFault fault);
 
 class FrameCheck {
  public:

@@ -1,6 +1,7 @@
 #include "drivers/camera/frame_grabber.h"
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "drivers/device/reconnect.h"
 
 namespace handmap {
@@ -21,7 +22,7 @@ void FrameGrabber::work(const std::stop_token& stop) {
     const Outcome outcome = grabAll(stop);
     if (stop.stop_requested()) return;
     if (outcome == Outcome::AtEnd) {
-      return on_state_(State::AtEnd, name_ + ": the video is at its end");
+      return on_state_(State::AtEnd, phrase("{}: the video is at its end", name_));
     }
     if (outcome == Outcome::Delivered) reconnect.succeeded();
     waitFor(std::chrono::duration<double>(reconnect.nextDelay()).count(), stop);
@@ -41,7 +42,7 @@ FrameGrabber::Outcome FrameGrabber::grabAll(const std::stop_token& stop) {
     }
     if (stop.stop_requested()) return outcome;
     if (outcome == Outcome::Delivered && device->hasEnd()) return Outcome::AtEnd;
-    on_state_(State::Lost, name_ + ": no more images come");
+    on_state_(State::Lost, phrase("{}: no more images come", name_));
   } catch (const Error& error) {
     on_state_(State::Lost, error.what());
   } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "drivers/camera/raw_images.h"
 
 namespace handmap {
@@ -19,7 +20,7 @@ constexpr auto kFirst = "first";
 std::uint64_t identityOf(const std::string& source, const std::vector<std::uint64_t>& there) {
   if (there.empty()) {
     throw Error(ErrorCode::RunFailed,
-                "no FireWire camera answers: is it connected, and may you use /dev/fw*?");
+                phrase("no FireWire camera answers: is it connected, and may you use /dev/fw*?"));
   }
   if (source == kFirst) return there.front();
   std::uint64_t identity = 0;
@@ -27,16 +28,15 @@ std::uint64_t identityOf(const std::string& source, const std::vector<std::uint6
       std::from_chars(source.data(), source.data() + source.size(), identity, 16);
   if (error != std::errc() || end != source.data() + source.size()) {
     throw Error(ErrorCode::RunFailed,
-                fmt::format("FireWire camera: found \"{}\", expected its number (hexadecimal) or "
-                            "\"first\"",
-                            source));
+                phrase("FireWire camera: found \"{}\", expected its number (hexadecimal) or "
+                       "\"first\"",
+                       source));
   }
   for (const std::uint64_t one : there) {
     if (one == identity) return identity;
   }
-  throw Error(
-      ErrorCode::RunFailed,
-      fmt::format("the FireWire camera {} does not answer; {:016x} does", source, there.front()));
+  throw Error(ErrorCode::RunFailed, phrase("the FireWire camera {} does not answer; {:016x} does",
+                                           source, there.front()));
 }
 
 class IidcDevice : public ImageDevice {
@@ -69,9 +69,9 @@ class IidcDevice : public ImageDevice {
   cv::Mat both(const IidcFrame& frame) const {
     if (frame.images != 2 && frame.images != 3) {
       throw Error(ErrorCode::RunFailed,
-                  fmt::format("FireWire camera: found {} bytes a pixel, expected the 2 or 3 of a "
-                              "stereo head",
-                              frame.images));
+                  phrase("FireWire camera: found {} bytes a pixel, expected the 2 or 3 of a "
+                         "stereo head",
+                         frame.images));
     }
     const auto images = deinterlaced(frame.bytes, {frame.width, frame.height}, frame.images);
     cv::Mat pair;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "drivers/camera/aravis_device.h"
 #include "drivers/camera/iidc_device.h"
 #include "drivers/camera/opencv_device.h"
@@ -17,7 +16,7 @@ namespace {
 [[maybe_unused]] OpenImageDevice without(const char* library) {
   return [library]() -> std::unique_ptr<ImageDevice> {
     throw Error(ErrorCode::RunFailed,
-                fmt::format("this program was built without {}, which such cameras need", library));
+                phrase("this program was built without {}, which such cameras need", library));
   };
 }
 

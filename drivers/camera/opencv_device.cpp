@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/format.h>
 #include <opencv2/videoio.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -31,8 +31,9 @@ class OpencvDevice : public ImageDevice {
   OpencvDevice(const CaptureOptions& options, RigClock clock)
       : options_(options), clock_(std::move(clock)), file_(isVideoFile(options.source)) {
     if (!open()) {
-      throw Error(ErrorCode::RunFailed,
-                  options_.source + ": cannot be opened: is it there, and in use by nobody else?");
+      throw Error(
+          ErrorCode::RunFailed,
+          phrase("{}: cannot be opened: is it there, and in use by nobody else?", options_.source));
     }
     const double told_hz = capture_.get(cv::CAP_PROP_FPS);
     rate_hz_ = told_hz > 0.0 && told_hz < kMostRate_hz ? told_hz : kDefaultRate_hz;
@@ -50,8 +51,8 @@ class OpencvDevice : public ImageDevice {
     if (!capture_.retrieve(image) || image.empty()) return std::nullopt;
     if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
       throw Error(ErrorCode::RunFailed,
-                  fmt::format("{}: found images of {} channels and {} bits, expected 1 or 3 of 8",
-                              options_.source, image.channels(), 8 * image.elemSize1()));
+                  phrase("{}: found images of {} channels and {} bits, expected 1 or 3 of 8",
+                         options_.source, image.channels(), 8 * image.elemSize1()));
     }
     return TimedImage{time_s, std::move(image)};
   }

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include "core/base/phrase.h"
 #include "drivers/camera/image_devices.h"
 
 namespace handmap {
@@ -85,20 +84,22 @@ void VideoCamera::use(Side side, TimedImage frame) {
   refused_(nameOf(fault));
   if (fault == FrameFault::WrongSize) {
     setState(DeviceState::Degraded,
-             fmt::format("found images of {} × {} pixels, expected {} × {}", frame.image.cols,
-                         frame.image.rows, check.expected().width, check.expected().height));
+             phrase("found images of {} × {} pixels, expected {} × {}", frame.image.cols,
+                    frame.image.rows, check.expected().width, check.expected().height));
   }
-  if (check.repeatedInARow() >= kFrozen) setState(DeviceState::Degraded, "the image is frozen");
+  if (check.repeatedInARow() >= kFrozen) {
+    setState(DeviceState::Degraded, phrase("the image is frozen"));
+  }
 }
 
 void VideoCamera::giveHalves(const TimedImage& frame) {
   const cv::Mat& image = frame.image;
   if (image.cols % 2 != 0) {
-    refused_("image of an odd width");
+    refused_(phrase("image of an odd width"));
     return setState(DeviceState::Degraded,
-                    fmt::format("found images {} pixels wide, expected an even width: two images "
-                                "side by side",
-                                image.cols));
+                    phrase("found images {} pixels wide, expected an even width: two images "
+                           "side by side",
+                           image.cols));
   }
   const int width = image.cols / 2;
   cv::Mat left = image.colRange(0, width);
@@ -110,19 +111,20 @@ void VideoCamera::giveHalves(const TimedImage& frame) {
 
 void VideoCamera::giveMatched(Side side, TimedImage frame) {
   const auto pair = matcher_.add(side, std::move(frame));
-  for (; unmatched_ < matcher_.unmatched(); ++unmatched_) refused_("image without its pair");
+  for (; unmatched_ < matcher_.unmatched(); ++unmatched_) {
+    refused_(phrase("image without its pair"));
+  }
   if (!pair) {
     if (++without_pair_ < kManyWithoutPair) return;
-    return setState(
-        DeviceState::Degraded,
-        fmt::format("left and right images never come together; right_delay_ms = {:.0f} "
-                    "would fit, if it is always the same",
-                    (matcher_.offset_s() + rig_.right_delay_s) * 1000.0));
+    return setState(DeviceState::Degraded,
+                    phrase("left and right images never come together; right_delay_ms = {:.0f} "
+                           "would fit, if it is always the same",
+                           (matcher_.offset_s() + rig_.right_delay_s) * 1000.0));
   }
   without_pair_ = 0;
   if (pair->left.size() != pair->right.size()) {
-    refused_("pair of images of two sizes");
-    return setState(DeviceState::Degraded, "left and right images are of two sizes");
+    refused_(phrase("pair of images of two sizes"));
+    return setState(DeviceState::Degraded, phrase("left and right images are of two sizes"));
   }
   setState(DeviceState::Ready, {});
   Q_EMIT pairTaken(pair->time_s, pair->left, pair->right);

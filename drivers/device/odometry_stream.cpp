@@ -1,5 +1,7 @@
 #include "drivers/device/odometry_stream.h"
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -17,15 +19,15 @@ std::optional<OdometryStream::Moved> OdometryStream::take(double stamp_s, const 
   if (!time_s) return std::nullopt;
   const std::optional<Pose2> passed = gate_.pass(*time_s, pose);
   if (offset_.jumps() != jumps) {
-    why_ = QStringLiteral("the clock of the base was set anew");
+    why_ = qPhrase("the clock of the base was set anew");
     remark_until_s_ = arrival_s + kRemark_s;
   }
   if (gate_.restarts() != restarts) {
-    why_ = QStringLiteral("the base began its odometry anew; what it did in between is not known");
+    why_ = qPhrase("the base began its odometry anew; what it did in between is not known");
     remark_until_s_ = arrival_s + kRemark_s;
   }
   if (!passed) {
-    refuse(QStringLiteral("the base tells leaps that no robot can do"));
+    refuse(qPhrase("the base tells leaps that no robot can do"));
     return std::nullopt;
   }
   health_.good();

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -60,10 +61,10 @@ FoxgloveServer::~FoxgloveServer() { close(); }
 void FoxgloveServer::listen(quint16 port, const QHostAddress& address) {
   if (server_.isListening()) return;
   if (server_.listen(address, port)) return;
-  throw Error(ErrorCode::RunFailed,
-              fmt::format("Foxglove: port {} cannot be opened: {}", port,
-                          server_.errorString().toStdString()),
-              "another program may have it: choose another port");
+  throw Error(
+      ErrorCode::RunFailed,
+      phrase("Foxglove: port {} cannot be opened: {}", port, server_.errorString().toStdString()),
+      phrase("another program may have it: choose another port"));
 }
 
 void FoxgloveServer::close() {
@@ -128,19 +129,20 @@ void FoxgloveServer::obey(QWebSocket& socket, const QString& text) {
       clients_[&socket].channels.erase(id(each));
     }
   } else {
-    value.at("op").fail("subscribe or unsubscribe");
+    value.at("op").fail(phrase("subscribe or unsubscribe"));
   }
 }
 
 void FoxgloveServer::subscribe(QWebSocket& socket, std::uint32_t subscription,
                                std::uint32_t channel) {
   if (channel != pose_.id && channel != scene_.id) {
-    throwBadInput("request", "channelId", fmt::format("{}", channel), "one that was advertised");
+    throwBadInput("request", "channelId", fmt::format("{}", channel),
+                  phrase("one that was advertised"));
   }
   auto& channels = clients_[&socket].channels;
   if (channels.size() >= kMostSubscriptions) {
-    throwBadInput("request", "", "too many subscriptions",
-                  fmt::format("at most {}", kMostSubscriptions));
+    throwBadInput("request", "", phrase("too many subscriptions"),
+                  phrase("at most {}", kMostSubscriptions));
   }
   channels[subscription] = channel;
   if (channel != scene_.id || !map_) return;

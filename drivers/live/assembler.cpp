@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -43,17 +43,17 @@ Assembler::Assembler(const Rig& rig, Sinks sinks) : rig_(rig), sinks_(std::move(
   if (rig.head) stops_.emplace(rig.stops.value_or(sixPans()));
 }
 
-bool Assembler::isTimely(double time_s, double& newest_s, double now_s, const char* what) {
-  const char* wrong = nullptr;
+bool Assembler::isTimely(double time_s, double& newest_s, double now_s, const std::string& what) {
+  std::string wrong;
   if (!std::isfinite(time_s) || time_s > now_s + kFuture_s) {
-    wrong = "stamped in the future";
+    wrong = phrase("{} stamped in the future", what);
   } else if (time_s < now_s - kLatest_s) {
-    wrong = "late";
+    wrong = phrase("{} late", what);
   } else if (time_s <= newest_s) {
-    wrong = "repeated or out of order";
+    wrong = phrase("{} repeated or out of order", what);
   }
-  if (wrong != nullptr) {
-    sinks_.refused(fmt::format("{} {}", what, wrong));
+  if (!wrong.empty()) {
+    sinks_.refused(wrong);
     return false;
   }
   newest_s = time_s;
@@ -61,8 +61,8 @@ bool Assembler::isTimely(double time_s, double& newest_s, double now_s, const ch
 }
 
 void Assembler::moved(double time_s, const Pose2& pose, double now_s) {
-  if (!isFinite(pose)) return sinks_.refused("odometry that is not finite");
-  if (!isTimely(time_s, newest_odometry_s_, now_s, "odometry")) return;
+  if (!isFinite(pose)) return sinks_.refused(phrase("odometry that is not finite"));
+  if (!isTimely(time_s, newest_odometry_s_, now_s, phrase("odometry"))) return;
   odometry_.add(time_s, pose);
   settle(now_s);
   if (stops_) act(stops_->moved(time_s, pose, odometry_.standingFor()));
@@ -70,18 +70,18 @@ void Assembler::moved(double time_s, const Pose2& pose, double now_s) {
 
 void Assembler::scanned(double time_s, const std::vector<RangePoint>& points, double now_s) {
   if (!rig_.scanner) return;
-  if (points.size() > kMostPoints) return sinks_.refused("scan with too many points");
-  if (!isTimely(time_s, newest_view_s_, now_s, "scan")) return;
+  if (points.size() > kMostPoints) return sinks_.refused(phrase("scan with too many points"));
+  if (!isTimely(time_s, newest_view_s_, now_s, phrase("scan"))) return;
   View view;
   view.points = inRobotFrame(points, rig_.scanner->mount);
-  if (view.points->empty()) return sinks_.refused("scan without a single return");
+  if (view.points->empty()) return sinks_.refused(phrase("scan without a single return"));
   addMoving(time_s, std::move(view));
   settle(now_s);
 }
 
 void Assembler::pairTaken(double time_s, const cv::Mat& left, const cv::Mat& right, double now_s) {
   if (!rig_.camera) return;
-  if (!isTimely(time_s, newest_view_s_, now_s, "pair of images")) return;
+  if (!isTimely(time_s, newest_view_s_, now_s, phrase("pair of images"))) return;
   if (!stops_) {
     addMoving(time_s, {0.0, left, right, std::nullopt});
     return settle(now_s);
@@ -114,7 +114,7 @@ void Assembler::addMoving(double time_s, View view) {
   waiting_.push_back({time_s, std::move(view)});
   if (waiting_.size() <= kMostWaiting) return;
   waiting_.pop_front();
-  sinks_.refused("no odometry at the time of an observation");
+  sinks_.refused(phrase("no odometry at the time of an observation"));
 }
 
 /// Gives out what has its odometry by now, in order, and gives up on what waited too long.
@@ -126,7 +126,7 @@ void Assembler::settle(double now_s) {
     Waiting ready = std::move(waiting_.front());
     waiting_.pop_front();
     if (!pose) {
-      sinks_.refused("no odometry at the time of an observation");
+      sinks_.refused(phrase("no odometry at the time of an observation"));
       continue;
     }
     std::vector<View> views;
@@ -136,7 +136,7 @@ void Assembler::settle(double now_s) {
 }
 
 void Assembler::deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views) {
-  if (time_s <= delivered_s_) return sinks_.refused("observation out of order");
+  if (time_s <= delivered_s_) return sinks_.refused(phrase("observation out of order"));
   delivered_s_ = time_s;
   Observation observation;
   observation.frame = frame_++;
@@ -160,7 +160,7 @@ void Assembler::act(std::optional<StopScan::Action> action) {
       return sinks_.look(0.0);
     case Kind::Drop:
       stop_views_.clear();
-      sinks_.refused(fmt::format("look around: {}", action->reason));
+      sinks_.refused(phrase("look around: {}", action->reason));
       return sinks_.look(action->pan);
   }
 }

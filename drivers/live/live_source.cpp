@@ -2,9 +2,8 @@
 
 #include <chrono>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/odometry/visual_odometry_source.h"
 #include "core/recording/calibration.h"
 #include "core/recording/image_check.h"
@@ -76,7 +75,7 @@ class LiveSource : public ObservationSource {
     try {
       for (View& view : observation->views) prepare(view, observation->frame);
     } catch (const Error& error) {
-      monitor_->refused("image that nothing can be seen with", error.what());
+      monitor_->refused(phrase("image that nothing can be seen with"), error.what());
       throw FrameError(observation->frame, error.what());
     }
     const std::chrono::duration<double, std::milli> spent =
@@ -88,15 +87,14 @@ class LiveSource : public ObservationSource {
 
   void prepare(View& view, int frame) {
     if (view.left.empty()) return;
-    const std::string name = fmt::format("live frame {}", frame);
+    const std::string name = phrase("live frame {}", frame);
     if (optics_->rectifier && view.left.size() != optics_->rectifier->size()) {
       const cv::Size expected = optics_->rectifier->size();
-      throwBadInput(
-          name, "", fmt::format("{} × {} pixels", view.left.cols, view.left.rows),
-          fmt::format("{} × {} as the calibration says", expected.width, expected.height));
+      throwBadInput(name, "", phrase("{} × {} pixels", view.left.cols, view.left.rows),
+                    phrase("{} × {} as the calibration says", expected.width, expected.height));
     }
-    checkPicture(view.left, name + ", left");
-    checkPicture(view.right, name + ", right");
+    checkPicture(view.left, phrase("{}, left", name));
+    checkPicture(view.right, phrase("{}, right", name));
     if (optics_->rectifier) {
       view.left = optics_->rectifier->left(view.left);
       view.right = optics_->rectifier->right(view.right);

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "drivers/live/assembler.h"
 
 namespace handmap {
@@ -57,7 +58,7 @@ class RigHost::Hosting {
     try {
       work();
     } catch (const std::exception& error) {
-      monitor_.refused("unexpected error", error.what());
+      monitor_.refused(phrase("unexpected error"), error.what());
     }
   }
 
@@ -199,7 +200,7 @@ void RigHost::turn(QEventLoop& loop) {
       loop.exec();
       again = false;
     } catch (const std::exception& error) {
-      monitor_->refused("unexpected error", error.what());
+      monitor_->refused(phrase("unexpected error"), error.what());
     }
   }
 }

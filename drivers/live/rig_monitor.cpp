@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -68,7 +68,7 @@ RigStatus RigMonitor::status() const {
     if (silent) device.rate_hz = 0.0;
     if (silent && device.state == DeviceState::Ready) {
       device.state = DeviceState::Degraded;
-      device.detail = fmt::format("silent for {:.1f} s", *device.age_s);
+      device.detail = phrase("silent for {:.1f} s", *device.age_s);
     }
     status.devices.push_back(std::move(device));
   }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -30,7 +30,7 @@ StopScan::Action StopScan::look(double now_s) {
   return {Action::Kind::Look, pan()};
 }
 
-StopScan::Action StopScan::drop(const char* reason) {
+StopScan::Action StopScan::drop(const std::string& reason) {
   state_ = State::Waiting;
   next_ = 0;
   return {Action::Kind::Drop, 0.0, {}, reason};
@@ -43,7 +43,7 @@ std::optional<StopScan::Action> StopScan::moved(double time_s, const Pose2& pose
     const bool left = (pose.position() - pose_.position()).norm() > kLeft_m ||
                       std::abs(normalizedAngle(pose.heading - pose_.heading)) > kLeft_rad;
     if (!left) return std::nullopt;
-    return drop("the robot drove on while it looked around");
+    return drop(phrase("the robot drove on while it looked around"));
   }
   if (standing_for_s < options_.standing_s) return std::nullopt;
   const bool elsewhere =
@@ -69,7 +69,7 @@ std::optional<StopScan::Action> StopScan::pairTaken(double time_s) {
 
 std::optional<StopScan::Action> StopScan::headLost() {
   if (state_ == State::Waiting) return std::nullopt;
-  return drop("the head was lost while it looked around");
+  return drop(phrase("the head was lost while it looked around"));
 }
 
 std::optional<StopScan::Action> StopScan::tick(double now_s) {
@@ -84,17 +84,17 @@ std::optional<StopScan::Action> StopScan::tick(double now_s) {
     return Action{Action::Kind::Deliver, 0.0, pose_};
   }
   if (state_ == State::Turning && now_s - since_s_ > kTurnPatience_s) {
-    return drop("the head did not arrive");
+    return drop(phrase("the head did not arrive"));
   }
   if (state_ == State::Taking && now_s - since_s_ > kPairPatience_s) {
-    return drop("no pair of images came while the head stood");
+    return drop(phrase("no pair of images came while the head stood"));
   }
   return std::nullopt;
 }
 
 std::string StopScan::describe() const {
-  if (state_ == State::Waiting) return wanted_ ? "looks around when it stands" : "";
-  return fmt::format("looks around: {} of {}", next_ + 1, options_.pans.size());
+  if (state_ == State::Waiting) return wanted_ ? phrase("looks around when it stands") : "";
+  return phrase("looks around: {} of {}", next_ + 1, options_.pans.size());
 }
 
 }  // namespace handmap

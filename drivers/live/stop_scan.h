@@ -24,7 +24,7 @@ class StopScan {
     Kind kind;
     double pan = 0.0;  ///< radians, of Look, Take and Drop
     Pose2 pose = {};   ///< odometry frame, of Deliver
-    const char* reason = "";
+    std::string reason = {};
   };
 
   explicit StopScan(StopRig options) : options_(std::move(options)) {}
@@ -46,7 +46,7 @@ class StopScan {
  private:
   enum class State { Waiting, Turning, Taking, Taken };
   Action look(double now_s);
-  Action drop(const char* reason);
+  Action drop(const std::string& reason);
   double pan() const { return options_.pans[next_]; }
 
   StopRig options_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "drivers/device/q_phrase.h"
 #include "drivers/odometry_lines/odometry_line.h"
 
 namespace handmap {
@@ -17,7 +18,7 @@ constexpr double kGone_s = 5.0;  // a port may be open though nobody is there
 
 LineOdometry::LineOdometry(PortAddress address, RigClock clock, std::uint64_t seed, QObject* parent)
     : PortDevice(std::move(address), std::move(clock), seed, kWatch_ms,
-                 QStringLiteral("opening the port of the odometry"), parent),
+                 qPhrase("opening the port of the odometry"), parent),
       lines_(kLongestLine) {}
 
 LineOdometry::~LineOdometry() { close(); }
@@ -26,7 +27,7 @@ void LineOdometry::begin() {
   lines_.clear();
   stream_.reconnected();
   last_line_s_ = now_s();
-  tell(DeviceState::Connecting, QStringLiteral("waiting for the first odometry"));
+  tell(DeviceState::Connecting, qPhrase("waiting for the first odometry"));
 }
 
 void LineOdometry::take(const QByteArray& bytes) {
@@ -58,9 +59,9 @@ void LineOdometry::take(std::string_view line) {
 void LineOdometry::watch() {
   const double silent_s = now_s() - last_line_s_;
   if (silent_s > kGone_s) {
-    port().giveUp(QStringLiteral("nothing that is odometry has come for %1 s").arg(kGone_s));
+    port().giveUp(qPhrase("nothing that is odometry has come for {} s", kGone_s));
   } else if (silent_s > kSilence_s && stateTold() != DeviceState::Connecting) {
-    tell(DeviceState::Degraded, QStringLiteral("no odometry has come for %1 s").arg(kSilence_s));
+    tell(DeviceState::Degraded, qPhrase("no odometry has come for {} s", kSilence_s));
   }
 }
 

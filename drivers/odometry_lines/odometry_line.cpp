@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -17,7 +18,8 @@ namespace {
 constexpr double kFarthest_m = 1e7;
 constexpr double kMostTurned = 1e6;  // radians, of a yaw that is not wrapped
 constexpr double kLatest_s = 1e12;
-const char* const kSource = "odometry line";
+
+std::string source() { return phrase("odometry line"); }
 
 OdometryLine made(double t, double x, double y, double yaw) {
   return {t, {x, y, normalizedAngle(yaw)}};
@@ -26,8 +28,8 @@ OdometryLine made(double t, double x, double y, double yaw) {
 double field(std::string_view text, const char* name, double limit) {
   const std::optional<double> value = parseFinite(text);
   if (!value || std::abs(*value) > limit) {
-    throwBadInput(kSource, name, fmt::format("\"{}\"", text.substr(0, 40)),
-                  fmt::format("a number within ±{:g}", limit));
+    throwBadInput(source(), name, fmt::format("\"{}\"", text.substr(0, 40)),
+                  phrase("a number within ±{:g}", limit));
   }
   return *value;
 }
@@ -40,7 +42,7 @@ std::string_view withoutChecksum(std::string_view line) {
   const std::string expected = fmt::format("{:02X}", sum);
   std::string found(line.substr(star + 1, 3));
   for (char& c : found) c = static_cast<char>(c >= 'a' && c <= 'f' ? c - 'a' + 'A' : c);
-  if (found != expected) throwBadInput(kSource, "", "checksum " + found, expected);
+  if (found != expected) throwBadInput(source(), "", phrase("checksum {}", found), expected);
   return line.substr(0, star);
 }
 
@@ -54,8 +56,8 @@ bool asksToLook(std::string_view line) {
 OdometryLine parseOdometryLine(std::string_view line) {
   line = trimmed(line);
   if (line.starts_with('{')) {
-    const nlohmann::json json = parseJson(line, kSource);
-    const JsonValue value(json, kSource);
+    const nlohmann::json json = parseJson(line, source());
+    const JsonValue value(json, source());
     const auto number = [&](const char* key, double limit) {
       return value.at(key).number(-limit, limit);
     };
@@ -64,7 +66,8 @@ OdometryLine parseOdometryLine(std::string_view line) {
   }
   const auto fields = splitFields(withoutChecksum(line), ',');
   if (fields.size() != 5 || fields[0] != "odom") {
-    throwBadInput(kSource, "", fmt::format("\"{}\"", line.substr(0, 60)), "odom,t,x,y,yaw or JSON");
+    throwBadInput(source(), "", fmt::format("\"{}\"", line.substr(0, 60)),
+                  phrase("{} or JSON", "odom,t,x,y,yaw"));
   }
   return made(field(fields[1], "t", kLatest_s), field(fields[2], "x", kFarthest_m),
               field(fields[3], "y", kFarthest_m), field(fields[4], "yaw", kMostTurned));

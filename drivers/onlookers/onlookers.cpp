@@ -4,9 +4,8 @@
 #include <mutex>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "drivers/foxglove/foxglove_server.h"
 #include "drivers/rosbridge/ros_publisher.h"
 
@@ -95,11 +94,11 @@ class Onlookers::Telling : public QObject {
 
   void sayWhoLooksOn() {
     const int clients = foxglove_->clients();
-    const std::string who = clients == 0   ? "nobody looks"
-                            : clients == 1 ? "one looks"
-                                           : fmt::format("{} look", clients);
+    const std::string who = clients == 0   ? phrase("nobody looks")
+                            : clients == 1 ? phrase("one looks")
+                                           : phrase("{} look", clients);
     monitor_->setState(DeviceRole::ToFoxglove, DeviceState::Ready,
-                       fmt::format("{} on at port {}", who, foxglove_->port()));
+                       phrase("{} on at port {}", who, foxglove_->port()));
   }
 
   void tellPose() {

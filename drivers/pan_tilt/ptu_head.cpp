@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -13,7 +15,7 @@ constexpr int kTick_ms = 20;
 PtuHead::PtuHead(PortAddress address, RigClock clock, PtuOptions options, std::uint64_t seed,
                  QObject* parent)
     : PortDevice(std::move(address), std::move(clock), seed, kTick_ms,
-                 QStringLiteral("opening the port of the head"), parent),
+                 qPhrase("opening the port of the head"), parent),
       protocol_(options) {}
 
 PtuHead::~PtuHead() { close(); }
@@ -52,7 +54,7 @@ void PtuHead::advance() {
     case PtuProtocol::State::Closed:
       break;
     case PtuProtocol::State::Probing:
-      tell(DeviceState::Connecting, QStringLiteral("asking the head what it can do"));
+      tell(DeviceState::Connecting, qPhrase("asking the head what it can do"));
       break;
     case PtuProtocol::State::Ready:
     case PtuProtocol::State::Moving:
@@ -64,7 +66,7 @@ void PtuHead::advance() {
       break;
     case PtuProtocol::State::Resetting:
       tell(DeviceState::Degraded, QString::fromStdString(protocol_.detail()) +
-                                      QStringLiteral("; it finds its way back at its stops"));
+                                      qPhrase("; it finds its way back at its stops"));
       break;
     case PtuProtocol::State::Failed:
       port().giveUp(QString::fromStdString(protocol_.detail()));

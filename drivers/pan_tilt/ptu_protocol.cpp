@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -86,7 +88,7 @@ void PtuProtocol::settle() {
   if (wanted_ && limit_hits_ < 2) return move();
   if (wanted_) {
     state_ = State::LimitHit;
-    detail_ += ", twice on the same way; it stands until it is asked to look elsewhere";
+    detail_ += phrase(", twice on the same way; it stands until it is asked to look elsewhere");
     wanted_.reset();
     return;
   }
@@ -119,10 +121,10 @@ void PtuProtocol::confirmMove() {
   const double tilt_off = std::abs(tilt_position_ - tilt_.positionOf(wanted_->tilt));
   if (pan_off > kStandsThere || tilt_off > kStandsThere) {
     if (moves_ < kMostMoves) return move();
-    return fail(fmt::format("the head stands at {:.1f}°, {:.1f}° and was sent to {:.1f}°, {:.1f}°",
-                            toDegrees(pan_.angleOf(pan_position_)),
-                            toDegrees(tilt_.angleOf(tilt_position_)), toDegrees(wanted_->pan),
-                            toDegrees(wanted_->tilt)));
+    return fail(phrase("the head stands at {:.1f}°, {:.1f}° and was sent to {:.1f}°, {:.1f}°",
+                       toDegrees(pan_.angleOf(pan_position_)),
+                       toDegrees(tilt_.angleOf(tilt_position_)), toDegrees(wanted_->pan),
+                       toDegrees(wanted_->tilt)));
   }
   state_ = State::Ready;
   wanted_.reset();
@@ -180,11 +182,11 @@ void PtuProtocol::confirmHalt() {
         }});
 }
 
-void PtuProtocol::limitHit(const char* axis) {
+void PtuProtocol::limitHit(const std::string& axis) {
   if (state_ != State::Moving && state_ != State::Ready) return;
   state_ = State::LimitHit;
   recovering_ = true;
-  detail_ = fmt::format("the head ran against its {} limit", axis);
+  detail_ = phrase("the head ran against its {} limit", axis);
   ++limit_hits_;
   moves_ = 0;
   interrupt();
@@ -218,9 +220,9 @@ void PtuProtocol::feed(std::string_view bytes, double now_s) {
   if (state_ == State::Closed || state_ == State::Failed) return;
   for (const PtuReply& reply : replies_.feed(bytes)) {
     if (reply.kind == PtuReply::Kind::PanLimit) {
-      limitHit("pan");
+      limitHit(phrase("pan"));
     } else if (reply.kind == PtuReply::Kind::TiltLimit) {
-      limitHit("tilt");
+      limitHit(phrase("tilt"));
     } else if (sent_) {
       answered(reply, now_s);
     }
@@ -232,7 +234,7 @@ void PtuProtocol::answered(const PtuReply& reply, double now_s) {
   const Task& task = tasks_.front();
   const std::optional<double> number = reply.number();
   if (reply.kind == PtuReply::Kind::Refused) {
-    if (task.answer != Answer::Version) tryAgain("the head refuses: " + reply.text, false);
+    if (task.answer != Answer::Version) tryAgain(phrase("the head refuses: {}", reply.text), false);
     return;
   }
   const bool version = !reply.text.empty() && !number;
@@ -260,7 +262,7 @@ void PtuProtocol::done(double number, double now_s) {
   idle_since_s_ = now_s;
   if (task.twice && task.heard != number) {
     task.heard = number;
-    if (++task.hearings > kMostHearings) fail("the head never answers twice the same");
+    if (++task.hearings > kMostHearings) fail(phrase("the head never answers twice the same"));
     return;
   }
   const Task finished = std::move(task);
@@ -285,7 +287,7 @@ void PtuProtocol::tick(double now_s) {
         std::max(kPatience_s, 2.0 * slowest_answer_s_) * std::exp2(std::min(task.attempts, 2)) +
         task.patience_s;
     if (now_s - sent_s_ > patience_s) {
-      tryAgain(fmt::format("the head does not answer to {}", task.command), true);
+      tryAgain(phrase("the head does not answer to {}", task.command), true);
     }
   } else if (tasks_.empty() && now_s - idle_since_s_ > kAskEvery_s) {
     then({"PP", Answer::Number, [this](double number) { pan_position_ = number; }});

@@ -75,7 +75,7 @@ class PtuProtocol {
   void confirmMove();
   void confirmHalt();
   void interrupt();
-  void limitHit(const char* axis);
+  void limitHit(const std::string& axis);
   void reset();
   void fail(const std::string& why);
 

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
 #include "drivers/rig/rig_names.h"
@@ -36,14 +37,14 @@ Kind kindOf(const JsonValue& json, const std::array<std::pair<Kind, const char*>
     if (word == name) return kind;
     words += (words.empty() ? "" : ", ") + std::string(name);
   }
-  json.fail("one of " + words);
+  json.fail(phrase("one of {}", words));
 }
 
 void onlyKnown(const JsonValue& json, const std::vector<std::string_view>& known) {
   const auto others = json.others(known);
   if (others.empty()) return;
   const std::string key = others.begin()->first;
-  json.at(key).fail("an unknown key", fmt::format("one of {}", fmt::join(known, ", ")));
+  json.at(key).fail(phrase("an unknown key"), phrase("one of {}", fmt::join(known, ", ")));
 }
 
 void readNumber(const JsonValue& json, const char* key, double low, double high, double& value) {
@@ -58,13 +59,13 @@ void readAngle(const JsonValue& json, const char* key, double& radians) {
 
 std::string neededText(const JsonValue& json, const char* key) {
   const std::string text = json.at(key).text(kMaxTextBytes);
-  if (trimmed(text).empty()) json.at(key).fail("some text");
+  if (trimmed(text).empty()) json.at(key).fail(phrase("some text"));
   return text;
 }
 
 fs::path pathFrom(const JsonValue& json, const fs::path& folder) {
   const fs::path path = json.text(kMaxTextBytes);
-  if (path.empty()) json.fail("a path");
+  if (path.empty()) json.fail(phrase("a path"));
   return (folder / path).lexically_normal();
 }
 
@@ -79,21 +80,23 @@ CameraRig readCamera(const JsonValue& json, const fs::path& folder) {
     for (const char* key :
          {"kind", "device", "right_first", "width", "height", "rate_hz", "right_delay_ms"}) {
       if (json.find(key))
-        json.at(key).fail("it beside \"ros\"", "the topics \"left\" and \"right\"");
+        json.at(key).fail(phrase("it beside \"ros\""), phrase("the topics \"left\" and \"right\""));
     }
   }
   if (side_by_side && (json.find("left") || json.find("right"))) {
-    json.fail("\"device\" and \"left\" or \"right\"",
-              "\"device\" (both images in one) or \"left\" and \"right\"");
+    json.fail(phrase("\"device\" and \"left\" or \"right\""),
+              phrase("\"device\" (both images in one) or \"left\" and \"right\""));
   }
   camera.left = neededText(json, side_by_side ? "device" : "left");
   if (!side_by_side) camera.right = neededText(json, "right");
   if (const auto first = json.find("right_first")) {
-    if (!side_by_side) first->fail("it beside two cameras", "\"device\" (both images in one)");
+    if (!side_by_side) {
+      first->fail(phrase("it beside two cameras"), phrase("\"device\" (both images in one)"));
+    }
     camera.right_first = first->flag();
   }
   if (camera.kind == CameraKind::FireWire && !side_by_side) {
-    json.fail("no \"device\"", "one: a stereo head that sends both images in one");
+    json.fail(phrase("no \"device\""), phrase("one: a stereo head that sends both images in one"));
   }
   camera.calibration = pathFrom(json.at("calibration"), folder);
   const auto pixels = [&](const char* key, int& value) {
@@ -149,7 +152,7 @@ StopRig readStops(const JsonValue& json) {
     for (const JsonValue& pan : pans->items(kMaxPans)) {
       stops.pans.push_back(toRadians(pan.number(-kMaxPan_deg, kMaxPan_deg)));
     }
-    if (stops.pans.empty()) pans->fail("at least one pan");
+    if (stops.pans.empty()) pans->fail(phrase("at least one pan"));
   }
   readNumber(json, "standing_s", 0.1, kMaxStanding_s, stops.standing_s);
   readNumber(json, "every_m", 0.1, kMaxEvery_m, stops.every_m);
@@ -174,24 +177,32 @@ PublishRig readPublish(const JsonValue& json) {
 /// What each part for itself is right about may still not go together.
 void checkTogether(const Rig& rig, const std::string& source) {
   if (rig.camera.has_value() == rig.scanner.has_value()) {
-    throwBadInput(source, "", rig.camera ? "a camera and a scanner" : "neither camera nor scanner",
-                  "one of them: what the robot sees with");
+    throwBadInput(
+        source, "",
+        rig.camera ? phrase("a camera and a scanner") : phrase("neither camera nor scanner"),
+        phrase("one of them: what the robot sees with"));
   }
-  if (rig.head && !rig.camera) throwBadInput(source, "head", "no camera on it", "a camera");
-  if (rig.stops && !rig.head) throwBadInput(source, "stops", "no head", "a head to look around");
+  if (rig.head && !rig.camera) {
+    throwBadInput(source, "head", phrase("no camera on it"), phrase("a camera"));
+  }
+  if (rig.stops && !rig.head) {
+    throwBadInput(source, "stops", phrase("no head"), phrase("a head to look around"));
+  }
   if (rig.head && !rig.odometry.isMeasured()) {
-    throwBadInput(source, "odometry", "nothing that measures it",
-                  "lines or ros: a robot that stops to look around sees too little in common "
-                  "between two stops");
+    throwBadInput(
+        source, "odometry", phrase("nothing that measures it"),
+        phrase("lines or ros: a robot that stops to look around sees too little in common "
+               "between two stops"));
   }
   if (rig.stops && !rig.stops->topic.empty() && rig.odometry.kind != OdometryRigKind::Ros) {
-    throwBadInput(source, "stops.topic", "odometry that is not by ROS", "odometry \"ros\"");
+    throwBadInput(source, "stops.topic", phrase("odometry that is not by ROS"),
+                  phrase("odometry \"ros\""));
   }
   if (rig.odometry.kind == OdometryRigKind::Visual && !rig.camera) {
-    throwBadInput(source, "odometry.kind", "visual without a camera", "a camera");
+    throwBadInput(source, "odometry.kind", phrase("visual without a camera"), phrase("a camera"));
   }
   if (rig.odometry.kind == OdometryRigKind::Scan && !rig.scanner) {
-    throwBadInput(source, "odometry.kind", "scan without a scanner", "a scanner");
+    throwBadInput(source, "odometry.kind", phrase("scan without a scanner"), phrase("a scanner"));
   }
 }
 
@@ -213,10 +224,10 @@ Rig parseRig(const std::string& text, const std::string& source, const fs::path&
   }
   const auto version = json.at("version").integer(1, INT64_MAX);
   if (version > kRigVersion) {
-    throw Error(ErrorCode::BadInput,
-                fmt::format("{}: version: found {}, this program reads up to {}", source, version,
-                            kRigVersion),
-                "update the program to use this rig");
+    throw Error(
+        ErrorCode::BadInput,
+        phrase("{}: version: found {}, this program reads up to {}", source, version, kRigVersion),
+        phrase("update the program to use this rig"));
   }
   onlyKnown(json, {"format", "version", "name", "range_limit_m", "camera", "head", "scanner",
                    "odometry", "stops", "ros", "publish", "record"});

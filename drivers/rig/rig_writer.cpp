@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
 #include "drivers/rig/rig_names.h"
@@ -19,7 +20,7 @@ std::string nameOf(Kind kind, const std::array<std::pair<Kind, const char*>, cou
   for (const auto& [its, name] : known) {
     if (kind == its) return name;
   }
-  throw Error(ErrorCode::RunFailed, "a virtual rig has no file");
+  throw Error(ErrorCode::RunFailed, phrase("a virtual rig has no file"));
 }
 
 using Json = nlohmann::ordered_json;

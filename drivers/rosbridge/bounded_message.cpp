@@ -5,33 +5,32 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
 namespace {
 
-const char* const kSource = "message from the network";
+std::string source() { return phrase("message from the network"); }
 
 void checkSize(const QByteArray& message, const MessageLimits& limits) {
   if (message.size() > limits.bytes) {
-    throwBadInput(kSource, "", fmt::format("{} bytes", message.size()),
-                  fmt::format("at most {}", limits.bytes));
+    throwBadInput(source(), "", phrase("{} bytes", message.size()),
+                  phrase("at most {}", limits.bytes));
   }
 }
 
 void checkDepth(int depth, const MessageLimits& limits) {
   if (depth > limits.depth) {
-    throwBadInput(kSource, "", fmt::format("more than {} levels of nesting", limits.depth),
-                  "fewer");
+    throwBadInput(source(), "", phrase("more than {} levels of nesting", limits.depth),
+                  phrase("fewer"));
   }
 }
 
 void checkCount(int values, const MessageLimits& limits) {
   if (values > limits.values) {
-    throwBadInput(kSource, "", fmt::format("more than {} values", limits.values), "fewer");
+    throwBadInput(source(), "", phrase("more than {} values", limits.values), phrase("fewer"));
   }
 }
 
@@ -63,7 +62,7 @@ class CborCheck {
   void operator()() {
     pass(1);
     if (reader_.lastError() != QCborError::NoError) {
-      throwBadInput(kSource, fmt::format("byte {}", reader_.currentOffset()),
+      throwBadInput(source(), phrase("byte {}", reader_.currentOffset()),
                     reader_.lastError().toString().toStdString(), "CBOR");
     }
   }
@@ -97,9 +96,9 @@ QCborMap parseJsonMessage(const QByteArray& text, const MessageLimits& limits) {
   const QJsonDocument document = QJsonDocument::fromJson(text, &error);
   if (!document.isObject()) {
     const std::string found = error.error == QJsonParseError::NoError
-                                  ? "another value"
+                                  ? phrase("another value")
                                   : error.errorString().toStdString();
-    throwBadInput(kSource, fmt::format("byte {}", error.offset), found, "a JSON object");
+    throwBadInput(source(), phrase("byte {}", error.offset), found, phrase("a JSON object"));
   }
   return QCborMap::fromJsonObject(document.object());
 }
@@ -110,10 +109,10 @@ QCborMap parseCborMessage(const QByteArray& bytes, const MessageLimits& limits) 
   QCborParserError error;
   const QCborValue value = QCborValue::fromCbor(bytes, &error);
   if (error.error != QCborError::NoError || !value.isMap()) {
-    throwBadInput(
-        kSource, fmt::format("byte {}", error.offset),
-        error.error == QCborError::NoError ? "another value" : error.errorString().toStdString(),
-        "a CBOR map");
+    throwBadInput(source(), phrase("byte {}", error.offset),
+                  error.error == QCborError::NoError ? phrase("another value")
+                                                     : error.errorString().toStdString(),
+                  phrase("a CBOR map"));
   }
   return value.toMap();
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <fmt/format.h>
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -52,7 +52,7 @@ std::optional<QByteArray> Fragments::add(const RosValue& fragment) {
   if (kept > most_bytes_) {
     messages_.clear();
     ++abandoned_;
-    fragment.fail(fmt::format("{} bytes in pieces", kept), fmt::format("at most {}", most_bytes_));
+    fragment.fail(phrase("{} bytes in pieces", kept), phrase("at most {}", most_bytes_));
   }
   if (message.missing > 0) return std::nullopt;
   QByteArray whole;

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -106,7 +108,7 @@ QString RosCamera::take(Images& own, Images& other, const RosValue& message, dou
     if (own.size() <= kMostWaiting) return {};
     own.pop_front();
     ++unpaired_;
-    return QStringLiteral("the images of one camera find no partner of the same moment");
+    return qPhrase("the images of one camera find no partner of the same moment");
   }
   const RosImageMessage partner = std::move(other.front());
   other.pop_front();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
@@ -36,7 +37,9 @@ double yawOf(const RosValue& orientation) {
   const double z = part("z");
   const double w = part("w");
   const double norm = x * x + y * y + z * z + w * w;
-  if (norm < 0.5 || norm > 2.0) orientation.fail("no rotation", "a quaternion of length 1");
+  if (norm < 0.5 || norm > 2.0) {
+    orientation.fail(phrase("no rotation"), phrase("a quaternion of length 1"));
+  }
   return std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
 }
 
@@ -57,12 +60,13 @@ Field fieldOf(const RosValue& message, const std::string& name, std::int64_t poi
     if (field.at("name").text(200) != name) continue;
     const std::int64_t type = field.at("datatype").integer(0, 255);
     if (type != kFloat32 && type != kFloat64) {
-      field.at("datatype").fail(fmt::format("{}", type), "7 (float32) or 8 (float64)");
+      field.at("datatype")
+          .fail(fmt::format("{}", type), phrase("{} or {}", "7 (float32)", "8 (float64)"));
     }
     const std::int64_t size = type == kFloat32 ? 4 : 8;
     return {field.at("offset").integer(0, point_bytes - size), type == kFloat64};
   }
-  fields.fail("no field " + name, "x, y and z");
+  fields.fail(phrase("no field {}", name), phrase("x, y and z"));
 }
 
 }  // namespace
@@ -99,8 +103,8 @@ RosPointsMessage readPointCloud(const RosValue& message) {
   const std::int64_t width = message.at("width").integer(0, kMostPoints);
   const std::int64_t height = message.at("height").integer(0, kMostPoints);
   if (width * height > kMostPoints) {
-    message.at("width").fail(fmt::format("{} × {} points", width, height),
-                             fmt::format("at most {}", kMostPoints));
+    message.at("width").fail(phrase("{} × {} points", width, height),
+                             phrase("at most {}", kMostPoints));
   }
   const std::int64_t step = message.at("point_step").integer(1, kMostPointBytes);
   const std::int64_t row = message.at("row_step").integer(width * step, std::int64_t{kMostBytes});
@@ -111,7 +115,7 @@ RosPointsMessage readPointCloud(const RosValue& message) {
   const QByteArray data = message.at("data").bytes(kMostBytes);
   const std::int64_t needed = height == 0 ? 0 : row * (height - 1) + width * step;
   if (data.size() < needed) {
-    message.at("data").fail(fmt::format("{} bytes", data.size()), fmt::format("{}", needed));
+    message.at("data").fail(phrase("{} bytes", data.size()), fmt::format("{}", needed));
   }
   RosPointsMessage cloud;
   cloud.stamp_s = stampOf(message);
@@ -131,7 +135,7 @@ RosPointsMessage readPointCloud(const RosValue& message) {
 RosImageMessage readCompressedImage(const RosValue& message) {
   const QByteArray data = message.at("data").bytes(kMostBytes);
   const std::string_view bytes(data.constData(), static_cast<std::size_t>(data.size()));
-  return {stampOf(message), decodeImage(bytes, "image over rosbridge")};
+  return {stampOf(message), decodeImage(bytes, phrase("image over rosbridge"))};
 }
 
 }  // namespace handmap

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -18,7 +20,7 @@ RosTopic::RosTopic(std::shared_ptr<RosbridgeClient> client, QString topic, RosTy
       clock_(std::move(clock)),
       take_(std::move(take)) {
   connect(client_.get(), &RosbridgeClient::connected, this, [this] {
-    if (open_) tell(DeviceState::Connecting, QStringLiteral("waiting for %1").arg(topic_));
+    if (open_) tell(DeviceState::Connecting, qPhrase("waiting for {}", topic_.toStdString()));
   });
   connect(client_.get(), &RosbridgeClient::lost, this, [this](const QString& why) {
     if (open_) tell(DeviceState::Lost, why);
@@ -39,7 +41,7 @@ RosTopic::~RosTopic() {
 
 void RosTopic::open() {
   if (std::exchange(open_, true)) return;
-  tell(DeviceState::Connecting, QStringLiteral("connecting to the rosbridge"));
+  tell(DeviceState::Connecting, qPhrase("connecting to the rosbridge"));
   client_->subscribe(topic_, type_, [this](const RosValue& message) { come(message); });
   client_->open();
   timer_.start(kTopicWatch_ms);
@@ -68,7 +70,7 @@ void RosTopic::watch() {
       told_.state() == DeviceState::Ready || told_.state() == DeviceState::Degraded;
   if (delivered && client_->isConnected() && clock_() - last_s_ > kSilence_s) {
     tell(DeviceState::Degraded,
-         QStringLiteral("nothing has come of %1 for %2 s").arg(topic_).arg(kSilence_s));
+         qPhrase("nothing has come of {} for {} s", topic_.toStdString(), kSilence_s));
   }
 }
 

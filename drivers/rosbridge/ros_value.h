@@ -35,7 +35,7 @@ class RosValue {
  private:
   RosValue(QCborValue value, std::string topic, std::string path)
       : value_(std::move(value)), topic_(std::move(topic)), path_(std::move(path)) {}
-  [[noreturn]] void failKind(const char* expected) const;
+  [[noreturn]] void failKind(const std::string& expected) const;
   std::vector<double> typedArray(std::size_t most) const;
 
   QCborValue value_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "drivers/device/q_phrase.h"
 #include "drivers/rosbridge/bounded_message.h"
 
 namespace handmap {
@@ -82,7 +83,7 @@ void RosbridgeClient::greet() {
 void RosbridgeClient::watch() {
   if (!socket_) return watch_.stop();
   if (now_ms() - heard_ms_ > kPatience_ms) {
-    return giveUp(QStringLiteral("nobody answers at %1").arg(options_.url.toString()));
+    return giveUp(qPhrase("nobody answers at {}", options_.url.toString().toStdString()));
   }
   if (isConnected()) socket_->ping();
 }
@@ -175,7 +176,7 @@ void RosbridgeClient::take(const QCborMap& message) {
     if (const auto whole = fragments_.add(value)) {
       const QCborMap inner = parseJsonMessage(*whole);
       if (RosValue(inner, "rosbridge").at("op").text(40) == "fragment") {
-        value.fail("a fragment in fragments", "a message");
+        value.fail(phrase("a fragment in fragments"), phrase("a message"));
       }
       take(inner);
     }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -18,7 +20,7 @@ constexpr int kHokuyoAttempts = 4;
 HokuyoScanner::HokuyoScanner(PortAddress address, RigClock clock, std::uint64_t seed,
                              QObject* parent)
     : PortDevice(std::move(address), std::move(clock), seed, kHokuyoWatch_ms,
-                 QStringLiteral("opening the port of the scanner"), parent),
+                 qPhrase("opening the port of the scanner"), parent),
       lines_(kLongestLine, true) {}
 
 HokuyoScanner::~HokuyoScanner() { close(); }
@@ -52,7 +54,7 @@ void HokuyoScanner::go(Step step) {
     case Step::Closed:
       return;
     case Step::Stopping:
-      tell(DeviceState::Connecting, QStringLiteral("asking the scanner what it can do"));
+      tell(DeviceState::Connecting, qPhrase("asking the scanner what it can do"));
       return port().write("\nSCIP2.0\nQT\n");
     case Step::Asking:
       return port().write("PP\n");
@@ -78,14 +80,13 @@ void HokuyoScanner::take(const ScipAnswer& answer) {
   } else if (step_ == Step::LightingUp && command == "BM") {
     // 02: the laser is on already.
     if (well || answer.status == "02") return go(Step::Starting);
-    port().giveUp(QStringLiteral("the scanner cannot switch its laser on: it reports status %1")
-                      .arg(QString::fromStdString(answer.status)));
+    port().giveUp(
+        qPhrase("the scanner cannot switch its laser on: it reports status {}", answer.status));
   } else if (command == "MD" && answer.status == "99") {
     if (step_ == Step::Starting) go(Step::Scanning);
     if (step_ == Step::Scanning) takeScan(answer);
   } else if (step_ == Step::Scanning && command == "MD" && !well) {
-    port().giveUp(QStringLiteral("the scanner stopped: it reports status %1")
-                      .arg(QString::fromStdString(answer.status)));
+    port().giveUp(qPhrase("the scanner stopped: it reports status {}", answer.status));
   }
 }
 
@@ -103,12 +104,11 @@ void HokuyoScanner::takeScan(const ScipAnswer& answer) {
 void HokuyoScanner::watch() {
   if (step_ == Step::Scanning) {
     if (now_s() - last_scan_s_ > kSilence_s) {
-      port().giveUp(QStringLiteral("the scanner has sent no whole scan for a second"));
+      port().giveUp(qPhrase("the scanner has sent no whole scan for a second"));
     }
   } else if (now_s() - step_since_s_ > kHokuyoPatience_s) {
     if (++attempts_ >= kHokuyoAttempts) {
-      return port().giveUp(
-          QStringLiteral("what is at this port does not answer as a Hokuyo scanner"));
+      return port().giveUp(qPhrase("what is at this port does not answer as a Hokuyo scanner"));
     }
     go(step_ == Step::Starting ? Step::Stopping : step_);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -27,7 +29,7 @@ std::string littleEndian(unsigned value) {
 RplidarScanner::RplidarScanner(PortAddress address, RigClock clock, std::uint64_t seed,
                                QObject* parent)
     : PortDevice(std::move(address), std::move(clock), seed, kRplidarWatch_ms,
-                 QStringLiteral("opening the port of the scanner"), parent) {}
+                 qPhrase("opening the port of the scanner"), parent) {}
 
 RplidarScanner::~RplidarScanner() { close(); }
 
@@ -62,7 +64,7 @@ void RplidarScanner::go(Step step) {
     case Step::Closed:
       return;
     case Step::Stopping:
-      tell(DeviceState::Connecting, QStringLiteral("asking the scanner what it is"));
+      tell(DeviceState::Connecting, qPhrase("asking the scanner what it is"));
       return port().write(rplidar::request(Request::Stop));
     case Step::Identifying:
       reader_.clear();
@@ -70,7 +72,7 @@ void RplidarScanner::go(Step step) {
     case Step::Examining:
       return port().write(rplidar::request(Request::GetHealth));
     case Step::Resetting:
-      tell(DeviceState::Degraded, QStringLiteral("the scanner reports an error and is reset"));
+      tell(DeviceState::Degraded, qPhrase("the scanner reports an error and is reset"));
       return port().write(rplidar::request(Request::Reset));
     case Step::StartingExpress:
       motor(true);
@@ -121,18 +123,18 @@ void RplidarScanner::watch() {
     if (waited_s > kQuiet_s) go(Step::Identifying);
   } else if (step_ == Step::Resetting) {
     if (waited_s > kReset_s) go(++attempts_ < kRplidarAttempts ? Step::Stopping : Step::Closed);
-    if (step_ == Step::Closed) port().giveUp(QStringLiteral("the scanner reports an error"));
+    if (step_ == Step::Closed) port().giveUp(qPhrase("the scanner reports an error"));
   } else if (step_ == Step::Scanning) {
     const bool began = last_turn_s_ > 0.0;
     const double silent_s = began ? now_s() - last_turn_s_ : waited_s;
     if (silent_s > (began ? kSilence_s : kSpinUp_s)) {
-      port().giveUp(QStringLiteral("the scanner sends no whole turn: does its motor run?"));
+      port().giveUp(qPhrase("the scanner sends no whole turn: does its motor run?"));
     }
   } else if (step_ == Step::StartingExpress && waited_s > kRplidarPatience_s) {
     go(Step::StartingPlain);  // older firmwares know no other
   } else if (waited_s > kRplidarPatience_s) {
     if (++attempts_ < kRplidarAttempts) return go(Step::Stopping);
-    port().giveUp(QStringLiteral("what is at this port does not answer as an RPLIDAR"));
+    port().giveUp(qPhrase("what is at this port does not answer as an RPLIDAR"));
   }
 }
 

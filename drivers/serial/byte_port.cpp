@@ -4,6 +4,8 @@
 #include <QTcpSocket>
 #include <utility>
 
+#include "drivers/device/q_phrase.h"
+
 namespace handmap {
 
 namespace {
@@ -26,12 +28,11 @@ bool isFatal(QSerialPort::SerialPortError error) {
 QString whyNotOpened(const QSerialPort& serial) {
   switch (serial.error()) {
     case QSerialPort::DeviceNotFoundError:
-      return QStringLiteral("%1 is not there: is it plugged in?").arg(serial.portName());
+      return qPhrase("{} is not there: is it plugged in?", serial.portName().toStdString());
     case QSerialPort::PermissionError:
-      return QStringLiteral(
-                 "%1 may not be opened: another program has it, or you are not in the "
-                 "group dialout")
-          .arg(serial.portName());
+      return qPhrase(
+          "{} may not be opened: another program has it, or you are not in the group dialout",
+          serial.portName().toStdString());
     default:
       return QStringLiteral("%1: %2").arg(serial.portName(), serial.errorString());
   }
@@ -44,10 +45,8 @@ BytePort::BytePort(PortAddress address, std::uint64_t seed, QObject* parent)
   retry_.setSingleShot(true);
   patience_.setSingleShot(true);
   connect(&retry_, &QTimer::timeout, this, &BytePort::attempt);
-  connect(&patience_, &QTimer::timeout, this, [this] {
-    giveUp(QStringLiteral("nobody answers at %1")
-               .arg(QString::fromStdString(formatPortAddress(address_))));
-  });
+  connect(&patience_, &QTimer::timeout, this,
+          [this] { giveUp(qPhrase("nobody answers at {}", formatPortAddress(address_))); });
 }
 
 BytePort::~BytePort() { close(); }
@@ -78,13 +77,13 @@ void BytePort::openSerial(const SerialAddress& address) {
   serial->setBaudRate(address.baud);
   serial->setReadBufferSize(kMostUnread);
   if (!serial->open(QIODevice::ReadWrite)) return giveUp(whyNotOpened(*serial));
-  connect(
-      serial, &QSerialPort::errorOccurred, this,
-      [this, serial](QSerialPort::SerialPortError error) {
-        if (isFatal(error)) {
-          giveUp(QStringLiteral("%1 is gone: %2").arg(serial->portName(), serial->errorString()));
-        }
-      });
+  connect(serial, &QSerialPort::errorOccurred, this,
+          [this, serial](QSerialPort::SerialPortError error) {
+            if (isFatal(error)) {
+              giveUp(qPhrase("{} is gone: {}", serial->portName().toStdString(),
+                             serial->errorString().toStdString()));
+            }
+          });
   becomeOpen();
 }
 
@@ -115,8 +114,7 @@ void BytePort::read() {
 void BytePort::write(std::string_view bytes) {
   if (!isOpen()) return;
   if (device_->bytesToWrite() + static_cast<qint64>(bytes.size()) > kMostWaiting) {
-    return giveUp(QStringLiteral("%1 does not take what is sent")
-                      .arg(QString::fromStdString(formatPortAddress(address_))));
+    return giveUp(qPhrase("{} does not take what is sent", formatPortAddress(address_)));
   }
   device_->write(bytes.data(), static_cast<qint64>(bytes.size()));
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -18,8 +19,8 @@ constexpr std::int64_t kSlowest = 300;  // baud
 constexpr std::int64_t kFastest = 12'000'000;
 
 [[noreturn]] void refuse(std::string_view text) {
-  throwBadInput("port", "", fmt::format("\"{}\"", text.substr(0, kLongest)),
-                "a device as in /dev/ttyUSB0@9600, or tcp://host:port");
+  throwBadInput(phrase("port"), "", fmt::format("\"{}\"", text.substr(0, kLongest)),
+                phrase("a device as in /dev/ttyUSB0@9600, or tcp://host:port"));
 }
 
 std::int64_t integerIn(std::string_view text, std::int64_t low, std::int64_t high,

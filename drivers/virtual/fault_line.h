@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "drivers/device/q_phrase.h"
 #include "drivers/virtual/faults.h"
 
 namespace handmap {
@@ -69,7 +70,7 @@ class FaultLine {
     if (gone == gone_) return;
     gone_ = gone;
     if (gone) {
-      tell_(DeviceState::Lost, QStringLiteral("unplugged"));
+      tell_(DeviceState::Lost, qPhrase("unplugged"));
     } else {
       tell_(DeviceState::Ready, {});
     }

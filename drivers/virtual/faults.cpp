@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -41,8 +42,8 @@ std::string kindsOf(VirtualRigKind rig) {
 
 [[noreturn]] void refuse(std::string_view fault, VirtualRigKind rig) {
   throw Error(ErrorCode::Usage,
-              fmt::format("--faults: found \"{}\", expected DEVICE:KIND@BEGIN+SECONDS", fault),
-              kindsOf(rig) + "; e.g. odometry:unplug@10+5,odometry:late@20+3");
+              phrase("--faults: found \"{}\", expected DEVICE:KIND@BEGIN+SECONDS", fault),
+              phrase("{}; e.g. {}", kindsOf(rig), "odometry:unplug@10+5,odometry:late@20+3"));
 }
 
 Fault parseFault(std::string_view text, VirtualRigKind rig) {

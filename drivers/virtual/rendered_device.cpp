@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 
 namespace handmap {
 
@@ -25,7 +26,9 @@ class RenderedDevice : public ImageDevice {
         renderer_(camera.rendering, camera.seed),
         due_s_(clock_()),
         noise_(camera.seed) {
-    if (fault() == FaultKind::Unplug) throw Error(ErrorCode::RunFailed, "camera: unplugged");
+    if (fault() == FaultKind::Unplug) {
+      throw Error(ErrorCode::RunFailed, phrase("camera: unplugged"));
+    }
   }
 
   std::optional<TimedImage> next(const std::stop_token& stop) override {
@@ -34,7 +37,7 @@ class RenderedDevice : public ImageDevice {
     due_s_ = std::max(due_s_ + 1.0 / camera_.rate_hz, clock_());
     const CameraPlace::At at = place_->now();
     const auto wrong = fault();
-    if (wrong == FaultKind::Unplug) throw Error(ErrorCode::RunFailed, "camera: unplugged");
+    if (wrong == FaultKind::Unplug) throw Error(ErrorCode::RunFailed, phrase("camera: unplugged"));
     if (wrong == FaultKind::Drop && ++dropped_ % 2 == 0) return next(stop);
     if (wrong != FaultKind::Freeze || frozen_.empty()) frozen_ = picture(at, wrong);
     const double late_s = wrong == FaultKind::Late ? kLate_s : 0.0;

@@ -5,9 +5,9 @@
 #include <mutex>
 
 #include <arv.h>
-#include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/phrase.h"
 #include "drivers/camera/raw_images.h"
 
 namespace handmap {
@@ -36,10 +36,9 @@ class Complaint {
     g_clear_error(&error_);
     return &error_;
   }
-  void raise(const char* what) const {
+  void raise(const std::string& what) const {
     if (error_ == nullptr) return;
-    throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: cannot {}: {}", source_, what, error_->message));
+    throw Error(ErrorCode::RunFailed, phrase("{}: cannot {}: {}", source_, what, error_->message));
   }
 
  private:
@@ -61,9 +60,9 @@ BayerTile tileOf(ArvPixelFormat format, const std::string& source) {
       return BayerTile::Bggr;
     default:
       throw Error(ErrorCode::RunFailed,
-                  fmt::format("{}: found images of the pixel format {:#x}, expected Mono8 or a "
-                              "Bayer one of 8 bit",
-                              source, format));
+                  phrase("{}: found images of the pixel format {:#x}, expected Mono8 or a "
+                         "Bayer one of 8 bit",
+                         source, format));
   }
 }
 
@@ -83,18 +82,18 @@ class AravisDevice : public ImageDevice {
       arv_update_device_list();
       camera_.reset(arv_camera_new(source_.c_str(), complaint.out()));
     }
-    complaint.raise("open it");
-    if (!camera_) throw Error(ErrorCode::RunFailed, source_ + ": no such camera");
+    complaint.raise(phrase("open it"));
+    if (!camera_) throw Error(ErrorCode::RunFailed, phrase("{}: no such camera", source_));
     setUp(options, complaint);
     stream_.reset(arv_camera_create_stream(camera_.get(), nullptr, nullptr, complaint.out()));
-    complaint.raise("receive its images");
+    complaint.raise(phrase("receive its images"));
     const guint bytes = arv_camera_get_payload(camera_.get(), complaint.out());
-    complaint.raise("ask how large its images are");
+    complaint.raise(phrase("ask how large its images are"));
     for (int i = 0; i < kAravisBuffers; ++i) {
       arv_stream_push_buffer(stream_.get(), arv_buffer_new_allocate(bytes));
     }
     arv_camera_start_acquisition(camera_.get(), complaint.out());
-    complaint.raise("start it");
+    complaint.raise(phrase("start it"));
   }
 
   ~AravisDevice() override { arv_camera_stop_acquisition(camera_.get(), nullptr); }
@@ -119,14 +118,14 @@ class AravisDevice : public ImageDevice {
   void setUp(const AravisOptions& options, Complaint& complaint) {
     arv_camera_set_acquisition_mode(camera_.get(), ARV_ACQUISITION_MODE_CONTINUOUS,
                                     complaint.out());
-    complaint.raise("make it send on and on");
+    complaint.raise(phrase("make it send on and on"));
     if (options.width > 0 && options.height > 0) {
       arv_camera_set_region(camera_.get(), 0, 0, options.width, options.height, complaint.out());
-      complaint.raise("set the size of its images");
+      complaint.raise(phrase("set the size of its images"));
     }
     if (options.rate_hz > 0.0) {
       arv_camera_set_frame_rate(camera_.get(), options.rate_hz, complaint.out());
-      complaint.raise("set its rate");
+      complaint.raise(phrase("set its rate"));
     }
   }
 
@@ -137,8 +136,8 @@ class AravisDevice : public ImageDevice {
     const void* data = arv_buffer_get_data(&buffer, &bytes);
     const BayerTile tile = tileOf(arv_buffer_get_image_pixel_format(&buffer), source_);
     if (width <= 0 || height <= 0 || bytes < std::size_t(width) * std::size_t(height)) {
-      throw Error(ErrorCode::RunFailed, fmt::format("{}: found {} bytes, expected {} × {} pixels",
-                                                    source_, bytes, width, height));
+      throw Error(ErrorCode::RunFailed, phrase("{}: found {} bytes, expected {} × {} pixels",
+                                               source_, bytes, width, height));
     }
     const cv::Mat1b raw(height, width, static_cast<std::uint8_t*>(const_cast<void*>(data)));
     const auto now = std::chrono::system_clock::now().time_since_epoch();
