@@ -1,6 +1,7 @@
 #include "app/gui/exports.h"
 
 #include <QBuffer>
+#include <QObject>
 #include <QPainter>
 #include <QWidget>
 
@@ -20,13 +21,15 @@ QImage pictureOf(QWidget& widget) {
 
 void writePicture(const QImage& picture, const QString& path) {
   if (picture.isNull()) {
-    throw Error(ErrorCode::RunFailed, "there is not enough memory for the picture");
+    throw Error(ErrorCode::RunFailed,
+                QObject::tr("there is not enough memory for the picture").toStdString());
   }
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   if (!picture.save(&buffer, "PNG")) {
-    throw Error(ErrorCode::RunFailed, path.toStdString() + ": cannot be encoded as PNG");
+    throw Error(ErrorCode::RunFailed,
+                QObject::tr("%1: cannot be encoded as PNG").arg(path).toStdString());
   }
   writeFileAtomically(path.toStdString(), bytes.toStdString());
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/gui/message_bar.h"
+#include "core/base/phrase.h"
 #include "widgets/actions/action_set.h"
 
 namespace handmap {
@@ -41,6 +42,9 @@ void installLanguage(QCoreApplication& app, const QSettings& settings) {
     else
       delete translator;
   };
+  translatePhrases([](const char* english) {
+    return QCoreApplication::translate("core", english).toStdString();
+  });
   // Where neither language is that of the system, the English plurals.
   auto* plurals = new QTranslator(&app);
   if (plurals->load(QStringLiteral(":/translations/handmap_en.qm")))

@@ -12,7 +12,8 @@ namespace handmap {
 class ActionSet;
 class MessageBar;
 
-/// Installs the translators. Before the first window: what is on the screen keeps its language.
+/// Installs the translators, for core too. Before the first window and the first thread: what is on
+/// the screen keeps its language.
 void installLanguage(QCoreApplication& app, const QSettings& settings);
 
 /// The choice in the menu; takes effect at the next start, which it offers.

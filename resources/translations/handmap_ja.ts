@@ -1048,6 +1048,26 @@
         <source>Found with %1 pairs: the corners are off by %2 px in the left and %3 px in the right image, rows by %4 px. Baseline %5 m, focal length %6 px. What lies on a line on the left lies on it on the right.</source>
         <translation>%1 組から求めました。角のずれは左の画像で %2 px、右の画像で %3 px、行のずれは %4 px です。基線長 %5 m、焦点距離 %6 px。左で線の上にあるものは、右でも同じ線の上にあります。</translation>
     </message>
+    <message>
+        <source>there is not enough memory for the picture</source>
+        <translation>画像のためのメモリーが足りません</translation>
+    </message>
+    <message>
+        <source>%1: cannot be encoded as PNG</source>
+        <translation>%1: PNG として符号化できません</translation>
+    </message>
+    <message>
+        <source>the clipboard holds too much for a drawing</source>
+        <translation>クリップボードの内容は図面には多すぎます</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>クリップボード</translation>
+    </message>
+    <message>
+        <source>runs of windows such as %1</source>
+        <translation>%1 のような窓の並び</translation>
+    </message>
 </context>
 <context>
     <name>RunActions</name>
@@ -1073,6 +1093,2181 @@
         <translation>
             <numerusform>、残り約 %n 分</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>{}: cannot be written: {}</source>
+        <translation>{}: 書き込めません: {}</translation>
+    </message>
+    <message>
+        <source>{}: found {}, expected {}</source>
+        <translation>{}: {} (必要: {})</translation>
+    </message>
+    <message>
+        <source>{}: {}: found {}, expected {}</source>
+        <translation>{}: {}: {} (必要: {})</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>停止しました</translation>
+    </message>
+    <message>
+        <source>more than {} levels of nesting</source>
+        <translation>{} 段を超える入れ子</translation>
+    </message>
+    <message>
+        <source>fewer</source>
+        <translation>より少ない数</translation>
+    </message>
+    <message>
+        <source>this key twice in one object</source>
+        <translation>一つのオブジェクトに同じキーが二度</translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation>各キーは一度だけ</translation>
+    </message>
+    <message>
+        <source>more than {} values</source>
+        <translation>{} 個を超える値</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>an array of {}</source>
+        <translation>要素 {} 個の配列</translation>
+    </message>
+    <message>
+        <source>{}{} (string)</source>
+        <translation>{}{} (文字列)</translation>
+    </message>
+    <message>
+        <source>{}: line {}, column {}: no valid JSON: {}</source>
+        <translation>{}: {} 行 {} 列: 正しい JSON ではありません: {}</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>{} 行目</translation>
+    </message>
+    <message>
+        <source>a number too large to represent</source>
+        <translation>大きすぎて表せない数</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>有限の数</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>this key</source>
+        <translation>このキー</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>配列</translation>
+    </message>
+    <message>
+        <source>at most {}</source>
+        <translation>{} 以下</translation>
+    </message>
+    <message>
+        <source>a number from {} to {}</source>
+        <translation>{} から {} までの数</translation>
+    </message>
+    <message>
+        <source>a number &gt; 0 and at most {}</source>
+        <translation>0 より大きく {} 以下の数</translation>
+    </message>
+    <message>
+        <source>a whole number from {} to {}</source>
+        <translation>{} から {} までの整数</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>文字列</translation>
+    </message>
+    <message>
+        <source>a string of {} bytes</source>
+        <translation>{} バイトの文字列</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true または false</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>ファイルがありません</translation>
+    </message>
+    <message>
+        <source>a readable file</source>
+        <translation>読み取れるファイル</translation>
+    </message>
+    <message>
+        <source>no regular file</source>
+        <translation>通常のファイルではありません</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>{} bytes</source>
+        <translation>{} バイト</translation>
+    </message>
+    <message>
+        <source>at most {} bytes</source>
+        <translation>{} バイト以下</translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>an image of {} × {} pixels</source>
+        <translation>{} × {} 画素の画像</translation>
+    </message>
+    <message>
+        <source>{} × {} as the images before</source>
+        <translation>これまでの画像と同じ {} × {}</translation>
+    </message>
+    <message>
+        <source>no such folder</source>
+        <translation>フォルダーがありません</translation>
+    </message>
+    <message>
+        <source>a folder of images</source>
+        <translation>画像のフォルダー</translation>
+    </message>
+    <message>
+        <source>no images</source>
+        <translation>画像がありません</translation>
+    </message>
+    <message>
+        <source>PNG or JPEG images</source>
+        <translation>PNG または JPEG の画像</translation>
+    </message>
+    <message>
+        <source>{}: found {} × {} pixels, expected {} × {} as the images before</source>
+        <translation>{}: {} × {} 画素 (必要: これまでの画像と同じ {} × {})</translation>
+    </message>
+    <message>
+        <source>no whole board of {} × {} corners in the {} image</source>
+        <translation>{2}の画像に {0} × {1} の角を持つ板の全体が写っていません</translation>
+    </message>
+    <message>
+        <source>no image of that name in the right folder</source>
+        <translation>右のフォルダーに同じ名前の画像がありません</translation>
+    </message>
+    <message>
+        <source>no image of that name in the left folder</source>
+        <translation>左のフォルダーに同じ名前の画像がありません</translation>
+    </message>
+    <message>
+        <source>no image of the same name as one in {}</source>
+        <translation>{} の画像と同じ名前の画像がありません</translation>
+    </message>
+    <message>
+        <source>both images of a pair with one name</source>
+        <translation>組の二枚の画像に同じ名前</translation>
+    </message>
+    <message>
+        <source>{}: found {} pairs that show the whole board, expected at least {}{}</source>
+        <translation>{}: 板の全体が写った組は {} 組 (必要: {} 組以上){}</translation>
+    </message>
+    <message>
+        <source>; the first refused, {}: {}</source>
+        <translation>。最初に除いた {}: {}</translation>
+    </message>
+    <message>
+        <source>take 15 to 30 pairs, the board near and far, tilted and turned, in all corners; is the number of inner corners right?</source>
+        <translation>板を近くと遠く、傾けたり回したり、画面の隅々に置いて、15 から 30 組を撮影してください。内側の角の数は正しいですか?</translation>
+    </message>
+    <message>
+        <source>tilt the board to both sides and up and down, by 20 to 40 degrees</source>
+        <translation>板を左右と上下に 20 から 40 度傾けてください</translation>
+    </message>
+    <message>
+        <source>{}: {} camera: found boards turned by at most {:.0f}° to each other, expected {:.0f}° or more: the focal length cannot be told</source>
+        <translation>{}: {}カメラ: 板どうしの傾きの差は最大 {:.0f}° (必要: {:.0f}° 以上)。焦点距離を求められません</translation>
+    </message>
+    <message>
+        <source>{}: {} camera: found a focal length known to ±{:.1f} %, expected ±{:g} % or better</source>
+        <translation>{}: {}カメラ: 焦点距離の精度は ±{:.1f} % (必要: ±{:g} % 以内)</translation>
+    </message>
+    <message>
+        <source>off by {:.2f} px, the others by {:.2f} px</source>
+        <translation>ずれは {:.2f} px、ほかの組は {:.2f} px</translation>
+    </message>
+    <message>
+        <source>an error of the left camera</source>
+        <translation>左カメラの誤差</translation>
+    </message>
+    <message>
+        <source>an error of the right camera</source>
+        <translation>右カメラの誤差</translation>
+    </message>
+    <message>
+        <source>an error between the rows of rectified images</source>
+        <translation>平行化した画像の行の間の誤差</translation>
+    </message>
+    <message>
+        <source>{}: found {} of {:.2f} px, expected at most {:g} px</source>
+        <translation>{}: {} {:.2f} px (必要: {:g} px 以下)</translation>
+    </message>
+    <message>
+        <source>sharp images, both of a pair taken at one time, of a board that is flat</source>
+        <translation>平らな板を、鮮明に、組の二枚を同時に撮影してください</translation>
+    </message>
+    <message>
+        <source>boards that fit no camera ({})</source>
+        <translation>どのカメラにも合わない板 ({})</translation>
+    </message>
+    <message>
+        <source>a flat checkerboard seen from several sides</source>
+        <translation>さまざまな方向から見た平らな市松模様の板</translation>
+    </message>
+    <message>
+        <source>building classifier</source>
+        <translation>建物の識別器</translation>
+    </message>
+    <message>
+        <source>wanted windows</source>
+        <translation>求める窓</translation>
+    </message>
+    <message>
+        <source>{} numbers</source>
+        <translation>{} 個の数</translation>
+    </message>
+    <message>
+        <source>{} or {}</source>
+        <translation>{} または {}</translation>
+    </message>
+    <message>
+        <source>at least one vector</source>
+        <translation>一つ以上のベクトル</translation>
+    </message>
+    <message>
+        <source>{}; train the model again</source>
+        <translation>{}。モデルを学習し直してください</translation>
+    </message>
+    <message>
+        <source>3 numbers: red, green, blue</source>
+        <translation>三つの数: 赤、緑、青</translation>
+    </message>
+    <message>
+        <source>&quot;width&quot; and &quot;height&quot;, or neither</source>
+        <translation>&quot;width&quot; と &quot;height&quot; の両方、またはどちらもなし</translation>
+    </message>
+    <message>
+        <source>no file</source>
+        <translation>ファイルがありません</translation>
+    </message>
+    <message>
+        <source>a network in ONNX form</source>
+        <translation>ONNX 形式のネットワーク</translation>
+    </message>
+    <message>
+        <source>{}: found no number of its class for buildings</source>
+        <translation>{}: 建物のクラスの番号がありません</translation>
+    </message>
+    <message>
+        <source>give it: --building-class N, or {{&quot;building_class&quot;: N}} in {}</source>
+        <translation>指定してください: --building-class N、または {} の中に {{&quot;building_class&quot;: N}}</translation>
+    </message>
+    <message>
+        <source>{}: cannot take an image of {}×{}: {}</source>
+        <translation>{}: {}×{} の画像を受け付けません: {}</translation>
+    </message>
+    <message>
+        <source>a network that insists on a size needs &quot;width&quot; and &quot;height&quot; in its .json</source>
+        <translation>決まった大きさを求めるネットワークには、その .json に &quot;width&quot; と &quot;height&quot; が必要です</translation>
+    </message>
+    <message>
+        <source>1×classes×rows×columns with a class {}</source>
+        <translation>クラス {} を含む 1×クラス×行×列</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>{}×{} with {} channels</source>
+        <translation>{}×{}、{} チャンネル</translation>
+    </message>
+    <message>
+        <source>8 bit, one or three channels, at least 16×16</source>
+        <translation>8 ビット、1 または 3 チャンネル、16×16 以上</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>数ではありません</translation>
+    </message>
+    <message>
+        <source>scores</source>
+        <translation>スコア</translation>
+    </message>
+    <message>
+        <source>of buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>of others</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>training images</source>
+        <translation>学習用の画像</translation>
+    </message>
+    <message>
+        <source>{} windows {}</source>
+        <translation>{1}の窓が {0} 個</translation>
+    </message>
+    <message>
+        <source>at least {}</source>
+        <translation>{} 以上</translation>
+    </message>
+    <message>
+        <source>more than {} windows</source>
+        <translation>{} 個を超える窓</translation>
+    </message>
+    <message>
+        <source>{} channels of {} bits</source>
+        <translation>{1} ビットのチャンネルが {0} 個</translation>
+    </message>
+    <message>
+        <source>1 or 3 channels of 8 bits</source>
+        <translation>8 ビットのチャンネルが 1 個または 3 個</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>グレー</translation>
+    </message>
+    <message>
+        <source>colour, or a model for grey images</source>
+        <translation>カラー、またはグレー画像用のモデル</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels</source>
+        <translation>{} × {} 画素</translation>
+    </message>
+    <message>
+        <source>at least {0} × {0}</source>
+        <translation>{0} × {0} 以上</translation>
+    </message>
+    <message>
+        <source>georeference: found nothing, expected where the map lies</source>
+        <translation>位置情報: なし (必要: 地図のある場所)</translation>
+    </message>
+    <message>
+        <source>give the map a georeference before exporting it as GeoJSON</source>
+        <translation>GeoJSON に書き出す前に、地図に位置情報を与えてください</translation>
+    </message>
+    <message>
+        <source>the map has no building, expected at least one</source>
+        <translation>地図に建物がありません (必要: 一つ以上)</translation>
+    </message>
+    <message>
+        <source>draw the buildings that the robot will pass</source>
+        <translation>ロボットが通る道沿いの建物を描いてください</translation>
+    </message>
+    <message>
+        <source>the map has no start pose, expected one</source>
+        <translation>地図に出発位置がありません</translation>
+    </message>
+    <message>
+        <source>set where the robot starts and where it looks</source>
+        <translation>ロボットの出発位置と向きを決めてください</translation>
+    </message>
+    <message>
+        <source>a string that is not empty</source>
+        <translation>空でない文字列</translation>
+    </message>
+    <message>
+        <source>{} different vertices</source>
+        <translation>異なる頂点 {} 個</translation>
+    </message>
+    <message>
+        <source>3 to {}</source>
+        <translation>3 から {}</translation>
+    </message>
+    <message>
+        <source>a polygon without area</source>
+        <translation>面積のない多角形</translation>
+    </message>
+    <message>
+        <source>some area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
+        <source>a polygon that meets itself</source>
+        <translation>自分自身と接する多角形</translation>
+    </message>
+    <message>
+        <source>a simple polygon</source>
+        <translation>単純な多角形</translation>
+    </message>
+    <message>
+        <source>&quot;rectangle&quot; or &quot;polygon&quot;</source>
+        <translation>&quot;rectangle&quot; または &quot;polygon&quot;</translation>
+    </message>
+    <message>
+        <source>{}: version: found {}, this program reads up to {}</source>
+        <translation>{}: バージョン {} です。このプログラムが読めるのは {} までです</translation>
+    </message>
+    <message>
+        <source>update the program to open this map</source>
+        <translation>この地図を開くにはプログラムを更新してください</translation>
+    </message>
+    <message>
+        <source>{}, the id of {}</source>
+        <translation>{1} の ID である {0}</translation>
+    </message>
+    <message>
+        <source>an id that is unique in the file</source>
+        <translation>ファイルの中で一意の ID</translation>
+    </message>
+    <message>
+        <source>{} vertices up to here</source>
+        <translation>ここまでに頂点 {} 個</translation>
+    </message>
+    <message>
+        <source>at most {} in all</source>
+        <translation>合計 {} 以下</translation>
+    </message>
+    <message>
+        <source>the map holds a number that is not finite</source>
+        <translation>地図に有限でない数が含まれています</translation>
+    </message>
+    <message>
+        <source>a path relative to the folder of the map</source>
+        <translation>地図のフォルダーからの相対パス</translation>
+    </message>
+    <message>
+        <source>{}: {}: found {}{}, expected {}</source>
+        <translation>{}: {}: {}{} (必要: {})</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>ファイルのパス</translation>
+    </message>
+    <message>
+        <source>, outside of the folder of the map</source>
+        <translation>、地図のフォルダーの外</translation>
+    </message>
+    <message>
+        <source>a file in that folder</source>
+        <translation>そのフォルダーの中のファイル</translation>
+    </message>
+    <message>
+        <source>put it beside the map, or allow what lies outside (--allow-outside) if you trust the map</source>
+        <translation>地図と同じフォルダーに置くか、地図を信頼できる場合はフォルダーの外も許可してください (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>, which is no regular file</source>
+        <translation>、通常のファイルではありません</translation>
+    </message>
+    <message>
+        <source>six numbers, one a line</source>
+        <translation>六つの数、一行に一つ</translation>
+    </message>
+    <message>
+        <source>pixels without size</source>
+        <translation>大きさのない画素</translation>
+    </message>
+    <message>
+        <source>the size of a pixel right and down</source>
+        <translation>画素の右方向と下方向の大きさ</translation>
+    </message>
+    <message>
+        <source>a pose is given at {} s, but the odometry of the run does not reach there</source>
+        <translation>{} s の位置が与えられていますが、実行のオドメトリはその時刻に達していません</translation>
+    </message>
+    <message>
+        <source>give times of the recording</source>
+        <translation>記録の中の時刻を指定してください</translation>
+    </message>
+    <message>
+        <source>visual odometry</source>
+        <translation>ビジュアルオドメトリ</translation>
+    </message>
+    <message>
+        <source>left image</source>
+        <translation>左画像</translation>
+    </message>
+    <message>
+        <source>right image</source>
+        <translation>右画像</translation>
+    </message>
+    <message>
+        <source>{} × {} pixels, {} channels of {} bits</source>
+        <translation>{0} × {1} 画素、{3} ビットのチャンネルが {2} 個</translation>
+    </message>
+    <message>
+        <source>8 bits, one or three channels, always the same size</source>
+        <translation>8 ビット、1 または 3 チャンネル、常に同じ大きさ</translation>
+    </message>
+    <message>
+        <source>frame {}: found {} points in common with frame {}, {} of them moving as one: too few to tell how the robot moved in between</source>
+        <translation>フレーム {0}: フレーム {2} と共通の点は {1} 個、そのうち一緒に動くものは {3} 個です。その間のロボットの動きを求めるには少なすぎます</translation>
+    </message>
+    <message>
+        <source>take more frames (a smaller --every), or give an odometry: --odometry FILE.tum</source>
+        <translation>フレームを増やす (--every を小さくする) か、オドメトリを指定してください: --odometry FILE.tum</translation>
+    </message>
+    <message>
+        <source>no view</source>
+        <translation>画像も点もありません</translation>
+    </message>
+    <message>
+        <source>no stereo camera</source>
+        <translation>ステレオカメラがありません</translation>
+    </message>
+    <message>
+        <source>images for visual odometry</source>
+        <translation>ビジュアルオドメトリのための画像</translation>
+    </message>
+    <message>
+        <source>local map</source>
+        <translation>局所地図</translation>
+    </message>
+    <message>
+        <source>cell and range</source>
+        <translation>セルと範囲</translation>
+    </message>
+    <message>
+        <source>{} m and {} m</source>
+        <translation>{} m と {} m</translation>
+    </message>
+    <message>
+        <source>a square of 1 to {} cells a side</source>
+        <translation>一辺が 1 から {} セルの正方形</translation>
+    </message>
+    <message>
+        <source>a positive number</source>
+        <translation>正の数</translation>
+    </message>
+    <message>
+        <source>observation</source>
+        <translation>観測</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>no camera calibration</source>
+        <translation>カメラの校正がありません</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>一つ</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>見えたもの</translation>
+    </message>
+    <message>
+        <source>neither images nor points</source>
+        <translation>画像も点もありません</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>どちらか</translation>
+    </message>
+    <message>
+        <source>stereo</source>
+        <translation>ステレオ</translation>
+    </message>
+    <message>
+        <source>focal length fx</source>
+        <translation>焦点距離 fx</translation>
+    </message>
+    <message>
+        <source>focal length fy</source>
+        <translation>焦点距離 fy</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>基線長</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>finite numbers</source>
+        <translation>有限の数</translation>
+    </message>
+    <message>
+        <source>camera mount</source>
+        <translation>カメラの取り付け</translation>
+    </message>
+    <message>
+        <source>{}° of pitch</source>
+        <translation>ピッチ {}°</translation>
+    </message>
+    <message>
+        <source>less than 60°</source>
+        <translation>60° 未満</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1</source>
+        <translation>0 から 1 までの数</translation>
+    </message>
+    <message>
+        <source>a multiple of 16, at most 512</source>
+        <translation>512 以下の 16 の倍数</translation>
+    </message>
+    <message>
+        <source>an odd number, at most 31</source>
+        <translation>31 以下の奇数</translation>
+    </message>
+    <message>
+        <source>no image</source>
+        <translation>画像ではありません</translation>
+    </message>
+    <message>
+        <source>{}×{}, {} channels, {} bits</source>
+        <translation>{}×{}、{} チャンネル、{} ビット</translation>
+    </message>
+    <message>
+        <source>8 bits, one or three channels</source>
+        <translation>8 ビット、1 または 3 チャンネル</translation>
+    </message>
+    <message>
+        <source>the size of the left image: {}</source>
+        <translation>左画像と同じ大きさ: {}</translation>
+    </message>
+    <message>
+        <source>at least {} pixels a side at the reduced size</source>
+        <translation>縮小した大きさで一辺 {} 画素以上</translation>
+    </message>
+    <message>
+        <source>no projection matrix of a rectified camera</source>
+        <translation>平行化したカメラの射影行列ではありません</translation>
+    </message>
+    <message>
+        <source>this matrix twice</source>
+        <translation>この行列が二度</translation>
+    </message>
+    <message>
+        <source>it once</source>
+        <translation>一度だけ</translation>
+    </message>
+    <message>
+        <source>no line {}:</source>
+        <translation>{}: の行がありません</translation>
+    </message>
+    <message>
+        <source>the 12 numbers of the camera</source>
+        <translation>カメラの 12 個の数</translation>
+    </message>
+    <message>
+        <source>{} left and {} right</source>
+        <translation>左 {}、右 {}</translation>
+    </message>
+    <message>
+        <source>the same for both cameras of a rectified pair</source>
+        <translation>平行化した二つのカメラで同じ値</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} と {}</translation>
+    </message>
+    <message>
+        <source>a baseline of {:.4g} m</source>
+        <translation>基線長 {:.4g} m</translation>
+    </message>
+    <message>
+        <source>one &gt; 0 and at most {:g} m: the right camera to the right of the left one</source>
+        <translation>0 より大きく {:g} m 以下: 右カメラは左カメラの右側</translation>
+    </message>
+    <message>
+        <source>this column twice</source>
+        <translation>この列が二度</translation>
+    </message>
+    <message>
+        <source>no column {}</source>
+        <translation>列 {} がありません</translation>
+    </message>
+    <message>
+        <source>a header with {}</source>
+        <translation>{} を含む見出し行</translation>
+    </message>
+    <message>
+        <source>{} fields</source>
+        <translation>{} 個の項目</translation>
+    </message>
+    <message>
+        <source>one image of a pair</source>
+        <translation>組の片方の画像だけ</translation>
+    </message>
+    <message>
+        <source>both or none</source>
+        <translation>両方、またはどちらもなし</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>どちらか</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to {}</source>
+        <translation>0 から {} までの整数</translation>
+    </message>
+    <message>
+        <source>a finite number, at most {}</source>
+        <translation>{} 以下の有限の数</translation>
+    </message>
+    <message>
+        <source>a path inside the folder</source>
+        <translation>フォルダーの中のパス</translation>
+    </message>
+    <message>
+        <source>stop {} in one more row</source>
+        <translation>停止 {} の行がさらに一つ</translation>
+    </message>
+    <message>
+        <source>stop {} a second time</source>
+        <translation>停止 {} が二度目</translation>
+    </message>
+    <message>
+        <source>the rows of one stop together</source>
+        <translation>一つの停止の行は続けて</translation>
+    </message>
+    <message>
+        <source>{} after {}</source>
+        <translation>{1} の後に {0}</translation>
+    </message>
+    <message>
+        <source>times that increase</source>
+        <translation>増えていく時刻</translation>
+    </message>
+    <message>
+        <source>frame numbers that increase</source>
+        <translation>増えていくフレーム番号</translation>
+    </message>
+    <message>
+        <source>no rows</source>
+        <translation>行がありません</translation>
+    </message>
+    <message>
+        <source>a header line and rows</source>
+        <translation>見出し行とデータの行</translation>
+    </message>
+    <message>
+        <source>one more row</source>
+        <translation>さらに一行</translation>
+    </message>
+    <message>
+        <source>hardly a pixel</source>
+        <translation>画素がほとんどありません</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the pixels saturated</source>
+        <translation>画素の {:.0f} % が白飛び</translation>
+    </message>
+    <message>
+        <source>at most {:.0f} %: overexposed</source>
+        <translation>{:.0f} % 以下。露出が明るすぎます</translation>
+    </message>
+    <message>
+        <source>{:.0f} % of the pixels black</source>
+        <translation>画素の {:.0f} % が黒つぶれ</translation>
+    </message>
+    <message>
+        <source>at most {:.0f} %: dark, or the camera is covered</source>
+        <translation>{:.0f} % 以下。暗いか、カメラが覆われています</translation>
+    </message>
+    <message>
+        <source>no contrast</source>
+        <translation>明暗の差がありません</translation>
+    </message>
+    <message>
+        <source>a picture: the camera looks covered</source>
+        <translation>写真。カメラが覆われているようです</translation>
+    </message>
+    <message>
+        <source>{} of {:.0f} matches farther right than in the left image</source>
+        <translation>対応点 {1:.0f} 個のうち {0} 個が左画像より右側</translation>
+    </message>
+    <message>
+        <source>them farther left: left and right look swapped</source>
+        <translation>左画像より左側。左右が入れ替わっているようです</translation>
+    </message>
+    <message>
+        <source>an empty file</source>
+        <translation>空のファイル</translation>
+    </message>
+    <message>
+        <source>a PNG or JPEG image</source>
+        <translation>PNG または JPEG の画像</translation>
+    </message>
+    <message>
+        <source>at most {} megapixels</source>
+        <translation>{} メガピクセル以下</translation>
+    </message>
+    <message>
+        <source>an image that is cut off</source>
+        <translation>途中で切れた画像</translation>
+    </message>
+    <message>
+        <source>a whole one</source>
+        <translation>完全な画像</translation>
+    </message>
+    <message>
+        <source>more than 256 MiB</source>
+        <translation>256 MiB 超</translation>
+    </message>
+    <message>
+        <source>a smaller image</source>
+        <translation>より小さい画像</translation>
+    </message>
+    <message>
+        <source>an image that can be decoded</source>
+        <translation>復号できる画像</translation>
+    </message>
+    <message>
+        <source>a damaged image</source>
+        <translation>壊れた画像</translation>
+    </message>
+    <message>
+        <source>one that can be decoded</source>
+        <translation>復号できる画像</translation>
+    </message>
+    <message>
+        <source>{}: cannot be encoded as PNG</source>
+        <translation>{}: PNG として符号化できません</translation>
+    </message>
+    <message>
+        <source>no rotation matrix</source>
+        <translation>回転行列ではありません</translation>
+    </message>
+    <message>
+        <source>an orthonormal one</source>
+        <translation>正規直交行列</translation>
+    </message>
+    <message>
+        <source>000000.png or .jpg and so on</source>
+        <translation>000000.png または .jpg など</translation>
+    </message>
+    <message>
+        <source>a time in seconds</source>
+        <translation>秒単位の時刻</translation>
+    </message>
+    <message>
+        <source>time {} after {}</source>
+        <translation>時刻 {1} の後に {0}</translation>
+    </message>
+    <message>
+        <source>one more time</source>
+        <translation>さらに一つの時刻</translation>
+    </message>
+    <message>
+        <source>no time</source>
+        <translation>時刻がありません</translation>
+    </message>
+    <message>
+        <source>one a line</source>
+        <translation>一行に一つ</translation>
+    </message>
+    <message>
+        <source>{} poses</source>
+        <translation>位置 {} 個</translation>
+    </message>
+    <message>
+        <source>{}, one for each line of times.txt</source>
+        <translation>{} 個、times.txt の一行に一つ</translation>
+    </message>
+    <message>
+        <source>a YAML or XML file of OpenCV with M1 D1 M2 D2 R T</source>
+        <translation>M1 D1 M2 D2 R T を含む OpenCV の YAML または XML ファイル</translation>
+    </message>
+    <message>
+        <source>too many values</source>
+        <translation>多すぎる値</translation>
+    </message>
+    <message>
+        <source>no calibration of OpenCV</source>
+        <translation>OpenCV の校正ではありません</translation>
+    </message>
+    <message>
+        <source>16 bytes a point, at least one point</source>
+        <translation>一点 16 バイト、一点以上</translation>
+    </message>
+    <message>
+        <source>{} points that are not finite</source>
+        <translation>有限でない点 {} 個</translation>
+    </message>
+    <message>
+        <source>finite coordinates</source>
+        <translation>有限の座標</translation>
+    </message>
+    <message>
+        <source>{} points with w outside 0 … 1</source>
+        <translation>w が 0 … 1 の外にある点 {} 個</translation>
+    </message>
+    <message>
+        <source>w from 0 to 1</source>
+        <translation>0 から 1 までの w</translation>
+    </message>
+    <message>
+        <source>update the program to open this recording</source>
+        <translation>この記録を開くにはプログラムを更新してください</translation>
+    </message>
+    <message>
+        <source>that of rectified images, as KITTI writes it (&quot;rectified&quot; is true)</source>
+        <translation>KITTI 形式の、平行化した画像の校正 (&quot;rectified&quot; は true)</translation>
+    </message>
+    <message>
+        <source>a .yml, .yaml or .xml of OpenCV (&quot;rectified&quot; is false)</source>
+        <translation>OpenCV の .yml、.yaml または .xml (&quot;rectified&quot; は false)</translation>
+    </message>
+    <message>
+        <source>the folder of a recording</source>
+        <translation>記録のフォルダー</translation>
+    </message>
+    <message>
+        <source>neither recording.json nor a KITTI sequence</source>
+        <translation>recording.json も KITTI のシーケンスもありません</translation>
+    </message>
+    <message>
+        <source>recording.json, or times.txt and image_0 or image_2</source>
+        <translation>recording.json、または times.txt と image_0 か image_2</translation>
+    </message>
+    <message>
+        <source>{}: found a folder that is not empty, expected a new one</source>
+        <translation>{}: 空でないフォルダー (必要: 新しいフォルダー)</translation>
+    </message>
+    <message>
+        <source>{}: cannot be created: {}</source>
+        <translation>{}: 作成できません: {}</translation>
+    </message>
+    <message>
+        <source>{}: found frame {} at {} s after frame {} at {} s, expected both to increase</source>
+        <translation>{0}: フレーム {3} ({4} s) の後にフレーム {1} ({2} s) (必要: どちらも増加)</translation>
+    </message>
+    <message>
+        <source>rectified images scaled by {:.3g}</source>
+        <translation>平行化で {:.3g} 倍になる画像</translation>
+    </message>
+    <message>
+        <source>a calibration that leaves both images about as they are: is it that of these cameras?</source>
+        <translation>画像をほぼ元のまま保つ校正。このカメラのものですか?</translation>
+    </message>
+    <message>
+        <source>{}: frame {} is at {} s, but the odometry starts late, at {} s</source>
+        <translation>{}: フレーム {} は {} s ですが、オドメトリは {} s から始まります</translation>
+    </message>
+    <message>
+        <source>the odometry belongs to another time</source>
+        <translation>オドメトリは別の時刻のものです</translation>
+    </message>
+    <message>
+        <source>begin later: --from {}</source>
+        <translation>もっと後から始めてください: --from {}</translation>
+    </message>
+    <message>
+        <source>{}: frame {} is at {} s, but the odometry ends at {} s</source>
+        <translation>{}: フレーム {} は {} s ですが、オドメトリは {} s で終わります</translation>
+    </message>
+    <message>
+        <source>end earlier: --to {}</source>
+        <translation>もっと前で終えてください: --to {}</translation>
+    </message>
+    <message>
+        <source>--every: found {}, expected 1 or more</source>
+        <translation>--every: {} (必要: 1 以上)</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>no frame with {} from {} to {}</source>
+        <translation>{1} から {2} までに{0}のあるフレームがありません</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>最後</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>一つ以上</translation>
+    </message>
+    <message>
+        <source>images but no camera</source>
+        <translation>画像はあるがカメラの校正がありません</translation>
+    </message>
+    <message>
+        <source>the calibration of the camera</source>
+        <translation>カメラの校正</translation>
+    </message>
+    <message>
+        <source>points chosen to see with</source>
+        <translation>見るために点が選ばれています</translation>
+    </message>
+    <message>
+        <source>{}: found no odometry, expected odometry.tum</source>
+        <translation>{}: オドメトリがありません (必要: odometry.tum)</translation>
+    </message>
+    <message>
+        <source>give one: --odometry FILE.tum</source>
+        <translation>指定してください: --odometry FILE.tum</translation>
+    </message>
+    <message>
+        <source>a matrix</source>
+        <translation>行列</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> または </translation>
+    </message>
+    <message>
+        <source>a value that is no number</source>
+        <translation>数でない値</translation>
+    </message>
+    <message>
+        <source>the size of the images, 1 to {} pixels</source>
+        <translation>画像の大きさ、1 から {} 画素</translation>
+    </message>
+    <message>
+        <source>a focal length of {:g} px</source>
+        <translation>焦点距離 {:g} px</translation>
+    </message>
+    <message>
+        <source>one from {:g} to {:g} px for images {} px wide</source>
+        <translation>幅 {2} px の画像では {0:g} から {1:g} px</translation>
+    </message>
+    <message>
+        <source>a principal point at {:g}, {:g}</source>
+        <translation>{:g}, {:g} にある主点</translation>
+    </message>
+    <message>
+        <source>one inside the images of {} × {} pixels</source>
+        <translation>{} × {} 画素の画像の内側</translation>
+    </message>
+    <message>
+        <source>no camera matrix</source>
+        <translation>カメラ行列ではありません</translation>
+    </message>
+    <message>
+        <source>cameras turned by {:.0f}°</source>
+        <translation>{:.0f}° 回ったカメラ</translation>
+    </message>
+    <message>
+        <source>at most {:.0f}°: both look the same way</source>
+        <translation>{:.0f}° 以下。両方とも同じ方向を向きます</translation>
+    </message>
+    <message>
+        <source>cameras {:.4g} apart</source>
+        <translation>間隔が {:.4g} のカメラ</translation>
+    </message>
+    <message>
+        <source>{:g} to {:g} metres (T in metres: was the square of the board given in metres?)</source>
+        <translation>{:g} から {:g} メートル (T はメートル単位: 板のマス目の大きさをメートルで入力しましたか?)</translation>
+    </message>
+    <message>
+        <source>cameras side by side</source>
+        <translation>横に並んだカメラ</translation>
+    </message>
+    <message>
+        <source>the right camera {:.4g} m left of the left one</source>
+        <translation>右カメラが左カメラの {:.4g} m 左</translation>
+    </message>
+    <message>
+        <source>it on the right: left and right look swapped</source>
+        <translation>右側。左右が入れ替わっているようです</translation>
+    </message>
+    <message>
+        <source>8: time x y z qx qy qz qw</source>
+        <translation>8 個: time x y z qx qy qz qw</translation>
+    </message>
+    <message>
+        <source>a quaternion of length {:.3g}</source>
+        <translation>長さ {:.3g} の四元数</translation>
+    </message>
+    <message>
+        <source>length 1</source>
+        <translation>長さ 1</translation>
+    </message>
+    <message>
+        <source>pose {}</source>
+        <translation>位置 {}</translation>
+    </message>
+    <message>
+        <source>one more pose</source>
+        <translation>さらに一つの位置</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>位置がありません</translation>
+    </message>
+    <message>
+        <source>lines of time x y z qx qy qz qw</source>
+        <translation>time x y z qx qy qz qw の行</translation>
+    </message>
+    <message>
+        <source>the right image taken at {} s, the left one at {} s</source>
+        <translation>右画像の撮影は {} s、左画像は {} s</translation>
+    </message>
+    <message>
+        <source>both within {:g} s</source>
+        <translation>二つの差が {:g} s 以内</translation>
+    </message>
+    <message>
+        <source>images that the calibration belongs to: its principal point is at x = {:g} px</source>
+        <translation>校正に対応する画像。主点は x = {:g} px にあります</translation>
+    </message>
+    <message>
+        <source>{} × {} as {}</source>
+        <translation>{2} {0} × {1}</translation>
+    </message>
+    <message>
+        <source>the calibration says</source>
+        <translation>校正のとおり</translation>
+    </message>
+    <message>
+        <source>the images before: one camera</source>
+        <translation>これまでの画像と同じ (カメラは一つ)</translation>
+    </message>
+    <message>
+        <source>rendering</source>
+        <translation>描画</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} から {}</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>視野角</translation>
+    </message>
+    <message>
+        <source>camera x</source>
+        <translation>カメラの x</translation>
+    </message>
+    <message>
+        <source>camera y</source>
+        <translation>カメラの y</translation>
+    </message>
+    <message>
+        <source>camera height</source>
+        <translation>カメラの高さ</translation>
+    </message>
+    <message>
+        <source>camera pitch</source>
+        <translation>カメラのピッチ</translation>
+    </message>
+    <message>
+        <source>camera yaw</source>
+        <translation>カメラのヨー</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>雑音</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>露出</translation>
+    </message>
+    <message>
+        <source>azimuth of the sun</source>
+        <translation>太陽の方位角</translation>
+    </message>
+    <message>
+        <source>elevation of the sun</source>
+        <translation>太陽の高度</translation>
+    </message>
+    <message>
+        <source>strength of the sun</source>
+        <translation>太陽の強さ</translation>
+    </message>
+    <message>
+        <source>share of the clouds</source>
+        <translation>雲の割合</translation>
+    </message>
+    <message>
+        <source>period of the clouds</source>
+        <translation>雲の周期</translation>
+    </message>
+    <message>
+        <source>{}: the folder cannot be made</source>
+        <translation>{}: フォルダーを作成できません</translation>
+    </message>
+    <message>
+        <source>{}, {}, {} or {}</source>
+        <translation>{}、{}、{} または {}</translation>
+    </message>
+    <message>
+        <source>at least 3 vertices</source>
+        <translation>3 個以上の頂点</translation>
+    </message>
+    <message>
+        <source>an outline that does not meet itself</source>
+        <translation>自分自身と接しない輪郭</translation>
+    </message>
+    <message>
+        <source>none of {} could be used{}</source>
+        <translation>{}のどれも使えませんでした{}</translation>
+    </message>
+    <message>
+        <source>{} observations</source>
+        <translation>{} 件の観測</translation>
+    </message>
+    <message>
+        <source>what came</source>
+        <translation>届いたもの</translation>
+    </message>
+    <message>
+        <source>; the first: {}</source>
+        <translation>。最初のもの: {}</translation>
+    </message>
+    <message>
+        <source>Is the start where the recording begins, and does it look the right way?</source>
+        <translation>出発位置は記録の始まりの場所にあり、正しい方向を向いていますか?</translation>
+    </message>
+    <message>
+        <source>Nothing in the images was taken for the wall of a building.</source>
+        <translation>画像の中に建物の壁とみなせるものがありませんでした。</translation>
+    </message>
+    <message>
+        <source>Look at the crosses on the camera images; teach your own buildings where they are missing, or take every wall for one (--model none).</source>
+        <translation>カメラ画像の上の十字を見てください。足りない場所では建物を教えるか、すべての壁を建物とみなしてください (--model none)。</translation>
+    </message>
+    <message>
+        <source>Nothing came back from within {:.0f} m.</source>
+        <translation>{:.0f} m 以内から何も返ってきませんでした。</translation>
+    </message>
+    <message>
+        <source>Are the points in metres, x forward and y left, and range_limit_m that of the sensor?</source>
+        <translation>点はメートル単位で x が前、y が左ですか? range_limit_m はセンサーの値ですか?</translation>
+    </message>
+    <message>
+        <source>None of {} returns was taken for a wall: points of several heights count where some stand above one another, and these are too sparse for that.</source>
+        <translation>返ってきた {} 点のどれも壁とみなされませんでした。高さの異なる点は上下に重なっている場所で壁とみなされますが、これらの点はまばらすぎます。</translation>
+    </message>
+    <message>
+        <source>Give denser clouds, or one height for all points (z = 0): then each counts as it is.</source>
+        <translation>もっと密な点群を使うか、すべての点の高さを同じ (z = 0) にしてください。そうすると各点がそのまま使われます。</translation>
+    </message>
+    <message>
+        <source>Walls were seen in {} directions, up to {:.0f} m away</source>
+        <translation>壁は {} 方向に、最大 {:.0f} m 先まで見えました</translation>
+    </message>
+    <message>
+        <source>{}, but the way comes no nearer than {:.0f} m to a drawn building, and the sensor sees {:.0f} m.</source>
+        <translation>{}が、軌跡は描いた建物から {:.0f} m より近くを通らず、センサーに見えるのは {:.0f} m までです。</translation>
+    </message>
+    <message>
+        <source>{}, but none is long and straight enough, or near enough to where a building is drawn.</source>
+        <translation>{}が、十分に長くまっすぐなもの、または建物を描いた場所に十分近いものがありません。</translation>
+    </message>
+    <message>
+        <source>Check where the start is and which way it looks; leave the scale and the turn of the drawing free; draw what stands along the way.</source>
+        <translation>出発位置とその向きを確かめてください。図面の縮尺と向きを自由にし、道沿いにあるものを描いてください。</translation>
+    </message>
+    <message>
+        <source>Nothing was corrected: buildings were in sight in {} of {} observations, but none of them was taken for a drawn one.</source>
+        <translation>何も補正されませんでした。観測 {1} 件のうち {0} 件で建物が見えましたが、描いた建物とみなせるものはありませんでした。</translation>
+    </message>
+    <message>
+        <source>All buildings of the drawing are fixed.</source>
+        <translation>図面の建物はすべて固定されています。</translation>
+    </message>
+    <message>
+        <source> The way comes no nearer than {:.0f} m to one.</source>
+        <translation>軌跡は描いた建物から {:.0f} m より近くを通りません。</translation>
+    </message>
+    <message>
+        <source> Leave the scale and the turn of the drawing free.</source>
+        <translation>図面の縮尺と向きを自由にしてください。</translation>
+    </message>
+    <message>
+        <source>No building was recognised in {} observations: the drawing is as it was, and the way is the odometry&apos;s. {}</source>
+        <translation>観測 {} 件で建物が一つも認識されませんでした。図面は元のままで、軌跡はオドメトリによるものです。{}</translation>
+    </message>
+    <message>
+        <source>No building was in sight in {} of {} observations: there the way is the odometry&apos;s.</source>
+        <translation>観測 {1} 件のうち {0} 件で建物が見えませんでした。その間の軌跡はオドメトリによるものです。</translation>
+    </message>
+    <message>
+        <source>Draw more of what stands along the way.</source>
+        <translation>道沿いにあるものをもっと描いてください。</translation>
+    </message>
+    <message>
+        <source>the beginning of the run is no longer in memory</source>
+        <translation>実行の始まりはもうメモリーにありません</translation>
+    </message>
+    <message>
+        <source>run its recording with the changed drawing</source>
+        <translation>変更した図面でその記録を実行してください</translation>
+    </message>
+    <message>
+        <source>route</source>
+        <translation>経路</translation>
+    </message>
+    <message>
+        <source>no way to drive</source>
+        <translation>走る道がありません</translation>
+    </message>
+    <message>
+        <source>a route or a start</source>
+        <translation>経路または出発位置</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>シミュレーション</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>一歩</translation>
+    </message>
+    <message>
+        <source>a positive one, less than {:g} on the route</source>
+        <translation>正の値、経路全体で {:g} 未満</translation>
+    </message>
+    <message>
+        <source>building {} in the way after {:.0f} m</source>
+        <translation>{1:.0f} m 先に建物 {0} があり、通れません</translation>
+    </message>
+    <message>
+        <source>a way around the buildings</source>
+        <translation>建物を避ける道</translation>
+    </message>
+    <message>
+        <source>route: found no way to drive, expected a route or a start</source>
+        <translation>経路: 走る道がありません (必要: 経路または出発位置)</translation>
+    </message>
+    <message>
+        <source>draw a route, or a start that looks along a free way</source>
+        <translation>経路を描くか、空いた道の方を向く出発位置を描いてください</translation>
+    </message>
+    <message>
+        <source>at most {:.0f} m</source>
+        <translation>{:.0f} m 以下</translation>
+    </message>
+    <message>
+        <source>images chosen to see with</source>
+        <translation>見るために画像が選ばれています</translation>
+    </message>
+    <message>
+        <source>range points for odometry from scans: --source points</source>
+        <translation>スキャンによるオドメトリのための距離の点: --source points</translation>
+    </message>
+    <message>
+        <source>frame {}</source>
+        <translation>フレーム {}</translation>
+    </message>
+    <message>
+        <source>range points for odometry from scans</source>
+        <translation>スキャンによるオドメトリのための距離の点</translation>
+    </message>
+    <message>
+        <source>{}: cannot {}: {}</source>
+        <translation>{}: {}ができません: {}</translation>
+    </message>
+    <message>
+        <source>{}: found images of the pixel format {:#x}, expected Mono8 or a Bayer one of 8 bit</source>
+        <translation>{}: 画素形式 {:#x} の画像 (必要: Mono8 または 8 ビットの Bayer)</translation>
+    </message>
+    <message>
+        <source>open it</source>
+        <translation>開くこと</translation>
+    </message>
+    <message>
+        <source>{}: no such camera</source>
+        <translation>{}: カメラがありません</translation>
+    </message>
+    <message>
+        <source>receive its images</source>
+        <translation>画像の受信</translation>
+    </message>
+    <message>
+        <source>ask how large its images are</source>
+        <translation>画像の大きさの問い合わせ</translation>
+    </message>
+    <message>
+        <source>start it</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>make it send on and on</source>
+        <translation>連続送信の設定</translation>
+    </message>
+    <message>
+        <source>set the size of its images</source>
+        <translation>画像の大きさの設定</translation>
+    </message>
+    <message>
+        <source>set its rate</source>
+        <translation>フレームレートの設定</translation>
+    </message>
+    <message>
+        <source>{}: found {} bytes, expected {} × {} pixels</source>
+        <translation>{}: {} バイト (必要: {} × {} 画素)</translation>
+    </message>
+    <message>
+        <source>image of another size</source>
+        <translation>大きさの違う画像</translation>
+    </message>
+    <message>
+        <source>half image</source>
+        <translation>途中までの画像</translation>
+    </message>
+    <message>
+        <source>repeated image</source>
+        <translation>繰り返しの画像</translation>
+    </message>
+    <message>
+        <source>{}: the video is at its end</source>
+        <translation>{}: 動画が終わりました</translation>
+    </message>
+    <message>
+        <source>{}: no more images come</source>
+        <translation>{}: 画像が届かなくなりました</translation>
+    </message>
+    <message>
+        <source>FireWire camera: cannot {}: {}</source>
+        <translation>FireWire カメラ: {}ができません: {}</translation>
+    </message>
+    <message>
+        <source>there is no FireWire here</source>
+        <translation>このコンピューターには FireWire がありません</translation>
+    </message>
+    <message>
+        <source>list cameras</source>
+        <translation>カメラの一覧の取得</translation>
+    </message>
+    <message>
+        <source>FireWire camera: cannot open it</source>
+        <translation>FireWire カメラ: 開けません</translation>
+    </message>
+    <message>
+        <source>set its speed</source>
+        <translation>速度の設定</translation>
+    </message>
+    <message>
+        <source>make it send its images together</source>
+        <translation>二つの画像の同時送信の設定</translation>
+    </message>
+    <message>
+        <source>ask its size</source>
+        <translation>大きさの問い合わせ</translation>
+    </message>
+    <message>
+        <source>set its image</source>
+        <translation>画像の設定</translation>
+    </message>
+    <message>
+        <source>take an image</source>
+        <translation>画像の取得</translation>
+    </message>
+    <message>
+        <source>give an image back</source>
+        <translation>画像の返却</translation>
+    </message>
+    <message>
+        <source>ask what it sends</source>
+        <translation>送信形式の問い合わせ</translation>
+    </message>
+    <message>
+        <source>FireWire camera: it is no stereo head</source>
+        <translation>FireWire カメラ: ステレオヘッドではありません</translation>
+    </message>
+    <message>
+        <source>no FireWire camera answers: is it connected, and may you use /dev/fw*?</source>
+        <translation>FireWire カメラが応答しません。接続されていて、/dev/fw* を使う権限がありますか?</translation>
+    </message>
+    <message>
+        <source>FireWire camera: found &quot;{}&quot;, expected its number (hexadecimal) or &quot;first&quot;</source>
+        <translation>FireWire カメラ: 「{}」(必要: カメラの番号 (16 進) または &quot;first&quot;)</translation>
+    </message>
+    <message>
+        <source>the FireWire camera {} does not answer; {:016x} does</source>
+        <translation>FireWire カメラ {} が応答しません。{:016x} は応答しています</translation>
+    </message>
+    <message>
+        <source>FireWire camera: found {} bytes a pixel, expected the 2 or 3 of a stereo head</source>
+        <translation>FireWire カメラ: 一画素 {} バイト (必要: ステレオヘッドの 2 または 3)</translation>
+    </message>
+    <message>
+        <source>this program was built without {}, which such cameras need</source>
+        <translation>このプログラムは {} なしで作られていますが、このカメラにはそれが必要です</translation>
+    </message>
+    <message>
+        <source>{}: cannot be opened: is it there, and in use by nobody else?</source>
+        <translation>{}: 開けません。接続されていて、ほかで使われていませんか?</translation>
+    </message>
+    <message>
+        <source>{}: found images of {} channels and {} bits, expected 1 or 3 of 8</source>
+        <translation>{}: {} チャンネル、{} ビットの画像 (必要: 8 ビットで 1 または 3 チャンネル)</translation>
+    </message>
+    <message>
+        <source>found images of {} × {} pixels, expected {} × {}</source>
+        <translation>{} × {} 画素の画像 (必要: {} × {})</translation>
+    </message>
+    <message>
+        <source>the image is frozen</source>
+        <translation>画像が止まっています</translation>
+    </message>
+    <message>
+        <source>image of an odd width</source>
+        <translation>幅が奇数の画像</translation>
+    </message>
+    <message>
+        <source>found images {} pixels wide, expected an even width: two images side by side</source>
+        <translation>幅 {} 画素の画像 (必要: 偶数の幅。二つの画像が左右に並びます)</translation>
+    </message>
+    <message>
+        <source>image without its pair</source>
+        <translation>組の相手のない画像</translation>
+    </message>
+    <message>
+        <source>left and right images never come together; right_delay_ms = {:.0f} would fit, if it is always the same</source>
+        <translation>左右の画像が同時に届きません。ずれが一定なら right_delay_ms = {:.0f} が合います</translation>
+    </message>
+    <message>
+        <source>pair of images of two sizes</source>
+        <translation>大きさの違う画像の組</translation>
+    </message>
+    <message>
+        <source>left and right images are of two sizes</source>
+        <translation>左右の画像の大きさが違います</translation>
+    </message>
+    <message>
+        <source>the clock of the base was set anew</source>
+        <translation>台車の時計が合わせ直されました</translation>
+    </message>
+    <message>
+        <source>the base began its odometry anew; what it did in between is not known</source>
+        <translation>台車がオドメトリを最初から始めました。その間の動きはわかりません</translation>
+    </message>
+    <message>
+        <source>the base tells leaps that no robot can do</source>
+        <translation>台車の伝える動きがロボットにはありえない飛び方をしています</translation>
+    </message>
+    <message>
+        <source>Foxglove: port {} cannot be opened: {}</source>
+        <translation>Foxglove: ポート {} を開けません: {}</translation>
+    </message>
+    <message>
+        <source>another program may have it: choose another port</source>
+        <translation>ほかのプログラムが使っているかもしれません。別のポートを選んでください</translation>
+    </message>
+    <message>
+        <source>subscribe or unsubscribe</source>
+        <translation>subscribe または unsubscribe</translation>
+    </message>
+    <message>
+        <source>one that was advertised</source>
+        <translation>公開されているもの</translation>
+    </message>
+    <message>
+        <source>too many subscriptions</source>
+        <translation>多すぎる購読</translation>
+    </message>
+    <message>
+        <source>{} stamped in the future</source>
+        <translation>未来の時刻が付いた{}</translation>
+    </message>
+    <message>
+        <source>{} late</source>
+        <translation>遅れて届いた{}</translation>
+    </message>
+    <message>
+        <source>{} repeated or out of order</source>
+        <translation>繰り返しまたは順序の乱れた{}</translation>
+    </message>
+    <message>
+        <source>odometry that is not finite</source>
+        <translation>有限でないオドメトリ</translation>
+    </message>
+    <message>
+        <source>odometry</source>
+        <translation>オドメトリ</translation>
+    </message>
+    <message>
+        <source>scan with too many points</source>
+        <translation>点が多すぎるスキャン</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>スキャン</translation>
+    </message>
+    <message>
+        <source>scan without a single return</source>
+        <translation>一点も返ってこないスキャン</translation>
+    </message>
+    <message>
+        <source>pair of images</source>
+        <translation>画像の組</translation>
+    </message>
+    <message>
+        <source>no odometry at the time of an observation</source>
+        <translation>観測の時刻にオドメトリなし</translation>
+    </message>
+    <message>
+        <source>observation out of order</source>
+        <translation>順序の乱れた観測</translation>
+    </message>
+    <message>
+        <source>look around: {}</source>
+        <translation>見回し: {}</translation>
+    </message>
+    <message>
+        <source>image that nothing can be seen with</source>
+        <translation>何も見えない画像</translation>
+    </message>
+    <message>
+        <source>live frame {}</source>
+        <translation>実機のフレーム {}</translation>
+    </message>
+    <message>
+        <source>{} × {} as the calibration says</source>
+        <translation>校正のとおり {} × {}</translation>
+    </message>
+    <message>
+        <source>{}, left</source>
+        <translation>{}、左</translation>
+    </message>
+    <message>
+        <source>{}, right</source>
+        <translation>{}、右</translation>
+    </message>
+    <message>
+        <source>unexpected error</source>
+        <translation>予期しないエラー</translation>
+    </message>
+    <message>
+        <source>silent for {:.1f} s</source>
+        <translation>{:.1f} s の間応答なし</translation>
+    </message>
+    <message>
+        <source>the robot drove on while it looked around</source>
+        <translation>見回している間にロボットが動きました</translation>
+    </message>
+    <message>
+        <source>the head was lost while it looked around</source>
+        <translation>見回している間に雲台との接続が切れました</translation>
+    </message>
+    <message>
+        <source>the head did not arrive</source>
+        <translation>雲台が目標に達しませんでした</translation>
+    </message>
+    <message>
+        <source>no pair of images came while the head stood</source>
+        <translation>雲台が止まっている間に画像の組が届きませんでした</translation>
+    </message>
+    <message>
+        <source>looks around when it stands</source>
+        <translation>止まったら見回します</translation>
+    </message>
+    <message>
+        <source>looks around: {} of {}</source>
+        <translation>見回し中: {1} のうち {0}</translation>
+    </message>
+    <message>
+        <source>opening the port of the odometry</source>
+        <translation>オドメトリのポートを開いています</translation>
+    </message>
+    <message>
+        <source>waiting for the first odometry</source>
+        <translation>最初のオドメトリを待っています</translation>
+    </message>
+    <message>
+        <source>nothing that is odometry has come for {} s</source>
+        <translation>{} s の間オドメトリとして読めるものが届いていません</translation>
+    </message>
+    <message>
+        <source>no odometry has come for {} s</source>
+        <translation>{} s の間オドメトリが届いていません</translation>
+    </message>
+    <message>
+        <source>odometry line</source>
+        <translation>オドメトリの行</translation>
+    </message>
+    <message>
+        <source>a number within ±{:g}</source>
+        <translation>±{:g} 以内の数</translation>
+    </message>
+    <message>
+        <source>checksum {}</source>
+        <translation>チェックサム {}</translation>
+    </message>
+    <message>
+        <source>{} or JSON</source>
+        <translation>{} または JSON</translation>
+    </message>
+    <message>
+        <source>nobody looks</source>
+        <translation>誰も見ていません</translation>
+    </message>
+    <message>
+        <source>one looks</source>
+        <translation>1 人が見ています</translation>
+    </message>
+    <message>
+        <source>{} look</source>
+        <translation>{} 人が見ています</translation>
+    </message>
+    <message>
+        <source>{} on at port {}</source>
+        <translation>{} (ポート {})</translation>
+    </message>
+    <message>
+        <source>found {} arc-seconds a position, expected 1 to 64800</source>
+        <translation>一目盛り {} 秒角 (必要: 1 から 64800)</translation>
+    </message>
+    <message>
+        <source>found limits {} to {} positions, expected a range within a turn</source>
+        <translation>可動範囲 {} から {} 目盛り (必要: 一回転以内の範囲)</translation>
+    </message>
+    <message>
+        <source>found speeds {} to {} positions/s, expected a range above 0</source>
+        <translation>速度 {} から {} 目盛り/s (必要: 0 より大きい範囲)</translation>
+    </message>
+    <message>
+        <source>opening the port of the head</source>
+        <translation>雲台のポートを開いています</translation>
+    </message>
+    <message>
+        <source>asking the head what it can do</source>
+        <translation>雲台の性能を問い合わせています</translation>
+    </message>
+    <message>
+        <source>; it finds its way back at its stops</source>
+        <translation>。端に当てて位置を求め直します</translation>
+    </message>
+    <message>
+        <source>, twice on the same way; it stands until it is asked to look elsewhere</source>
+        <translation>。同じ動きで二度目です。別の方向を指示されるまで止まっています</translation>
+    </message>
+    <message>
+        <source>the head stands at {:.1f}°, {:.1f}° and was sent to {:.1f}°, {:.1f}°</source>
+        <translation>雲台は {:.1f}°、{:.1f}° にありますが、目標は {:.1f}°、{:.1f}° でした</translation>
+    </message>
+    <message>
+        <source>the head ran against its {} limit</source>
+        <translation>雲台が{}の限界に当たりました</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>パン</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>チルト</translation>
+    </message>
+    <message>
+        <source>the head refuses: {}</source>
+        <translation>雲台が拒否しました: {}</translation>
+    </message>
+    <message>
+        <source>the head never answers twice the same</source>
+        <translation>雲台の応答が毎回違います</translation>
+    </message>
+    <message>
+        <source>the head does not answer to {}</source>
+        <translation>雲台が {} に応答しません</translation>
+    </message>
+    <message>
+        <source>passed over: {:.2f} s late, the budget is {:.2f} s</source>
+        <translation>省略しました: {:.2f} s の遅れ、許容は {:.2f} s</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>次のいずれか: {}</translation>
+    </message>
+    <message>
+        <source>an unknown key</source>
+        <translation>未知のキー</translation>
+    </message>
+    <message>
+        <source>some text</source>
+        <translation>何かの文字</translation>
+    </message>
+    <message>
+        <source>a path</source>
+        <translation>パス</translation>
+    </message>
+    <message>
+        <source>it beside &quot;ros&quot;</source>
+        <translation>&quot;ros&quot; との併用</translation>
+    </message>
+    <message>
+        <source>the topics &quot;left&quot; and &quot;right&quot;</source>
+        <translation>トピック &quot;left&quot; と &quot;right&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;device&quot; and &quot;left&quot; or &quot;right&quot;</source>
+        <translation>&quot;device&quot; と &quot;left&quot; または &quot;right&quot; の併用</translation>
+    </message>
+    <message>
+        <source>&quot;device&quot; (both images in one) or &quot;left&quot; and &quot;right&quot;</source>
+        <translation>&quot;device&quot; (一つに両方の画像)、または &quot;left&quot; と &quot;right&quot;</translation>
+    </message>
+    <message>
+        <source>it beside two cameras</source>
+        <translation>二つのカメラとの併用</translation>
+    </message>
+    <message>
+        <source>&quot;device&quot; (both images in one)</source>
+        <translation>&quot;device&quot; (一つに両方の画像)</translation>
+    </message>
+    <message>
+        <source>no &quot;device&quot;</source>
+        <translation>&quot;device&quot; がありません</translation>
+    </message>
+    <message>
+        <source>one: a stereo head that sends both images in one</source>
+        <translation>一つに両方の画像を送るステレオヘッド</translation>
+    </message>
+    <message>
+        <source>at least one pan</source>
+        <translation>一つ以上のパン角</translation>
+    </message>
+    <message>
+        <source>a camera and a scanner</source>
+        <translation>カメラとスキャナーの両方</translation>
+    </message>
+    <message>
+        <source>neither camera nor scanner</source>
+        <translation>カメラもスキャナーもありません</translation>
+    </message>
+    <message>
+        <source>one of them: what the robot sees with</source>
+        <translation>ロボットが見るためのどちらか一つ</translation>
+    </message>
+    <message>
+        <source>no camera on it</source>
+        <translation>載せるカメラがありません</translation>
+    </message>
+    <message>
+        <source>a camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>no head</source>
+        <translation>雲台がありません</translation>
+    </message>
+    <message>
+        <source>a head to look around</source>
+        <translation>見回すための雲台</translation>
+    </message>
+    <message>
+        <source>nothing that measures it</source>
+        <translation>動きを測るものがありません</translation>
+    </message>
+    <message>
+        <source>lines or ros: a robot that stops to look around sees too little in common between two stops</source>
+        <translation>lines または ros。止まって見回すロボットは、二つの停止の間で共通に見えるものが少なすぎます</translation>
+    </message>
+    <message>
+        <source>odometry that is not by ROS</source>
+        <translation>ROS によらないオドメトリ</translation>
+    </message>
+    <message>
+        <source>odometry &quot;ros&quot;</source>
+        <translation>オドメトリ &quot;ros&quot;</translation>
+    </message>
+    <message>
+        <source>visual without a camera</source>
+        <translation>カメラのない visual</translation>
+    </message>
+    <message>
+        <source>scan without a scanner</source>
+        <translation>スキャナーのない scan</translation>
+    </message>
+    <message>
+        <source>a scanner</source>
+        <translation>スキャナー</translation>
+    </message>
+    <message>
+        <source>update the program to use this rig</source>
+        <translation>この構成を使うにはプログラムを更新してください</translation>
+    </message>
+    <message>
+        <source>a virtual rig has no file</source>
+        <translation>仮想ロボットにはファイルがありません</translation>
+    </message>
+    <message>
+        <source>message from the network</source>
+        <translation>ネットワークからのメッセージ</translation>
+    </message>
+    <message>
+        <source>byte {}</source>
+        <translation>{} バイト目</translation>
+    </message>
+    <message>
+        <source>another value</source>
+        <translation>別の値</translation>
+    </message>
+    <message>
+        <source>a JSON object</source>
+        <translation>JSON オブジェクト</translation>
+    </message>
+    <message>
+        <source>a CBOR map</source>
+        <translation>CBOR マップ</translation>
+    </message>
+    <message>
+        <source>{} bytes in pieces</source>
+        <translation>断片の合計 {} バイト</translation>
+    </message>
+    <message>
+        <source>the images of one camera find no partner of the same moment</source>
+        <translation>片方のカメラの画像に、同時刻の相手が見つかりません</translation>
+    </message>
+    <message>
+        <source>no rotation</source>
+        <translation>回転ではありません</translation>
+    </message>
+    <message>
+        <source>a quaternion of length 1</source>
+        <translation>長さ 1 の四元数</translation>
+    </message>
+    <message>
+        <source>no field {}</source>
+        <translation>フィールド {} がありません</translation>
+    </message>
+    <message>
+        <source>x, y and z</source>
+        <translation>x、y、z</translation>
+    </message>
+    <message>
+        <source>{} × {} points</source>
+        <translation>{} × {} 点</translation>
+    </message>
+    <message>
+        <source>image over rosbridge</source>
+        <translation>rosbridge 経由の画像</translation>
+    </message>
+    <message>
+        <source>waiting for {}</source>
+        <translation>{} を待っています</translation>
+    </message>
+    <message>
+        <source>connecting to the rosbridge</source>
+        <translation>rosbridge に接続しています</translation>
+    </message>
+    <message>
+        <source>nothing has come of {} for {} s</source>
+        <translation>{1} s の間 {0} が届いていません</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>another kind of value</source>
+        <translation>別の種類の値</translation>
+    </message>
+    <message>
+        <source>no {}</source>
+        <translation>{} がありません</translation>
+    </message>
+    <message>
+        <source>the member {}</source>
+        <translation>メンバー {}</translation>
+    </message>
+    <message>
+        <source>{} values</source>
+        <translation>{} 個の値</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数</translation>
+    </message>
+    <message>
+        <source>a number from {:g} to {:g}</source>
+        <translation>{:g} から {:g} までの数</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文字列</translation>
+    </message>
+    <message>
+        <source>a text of {} bytes</source>
+        <translation>{} バイトの文字列</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>バイト</translation>
+    </message>
+    <message>
+        <source>a list of numbers</source>
+        <translation>数のリスト</translation>
+    </message>
+    <message>
+        <source>numbers alone</source>
+        <translation>数のみ</translation>
+    </message>
+    <message>
+        <source>a list of numbers of 8 to 64 bits</source>
+        <translation>8 から 64 ビットの数のリスト</translation>
+    </message>
+    <message>
+        <source>nobody answers at {}</source>
+        <translation>{} からの応答がありません</translation>
+    </message>
+    <message>
+        <source>a fragment in fragments</source>
+        <translation>断片の中の断片</translation>
+    </message>
+    <message>
+        <source>a message</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>opening the port of the scanner</source>
+        <translation>スキャナーのポートを開いています</translation>
+    </message>
+    <message>
+        <source>asking the scanner what it can do</source>
+        <translation>スキャナーの性能を問い合わせています</translation>
+    </message>
+    <message>
+        <source>the scanner cannot switch its laser on: it reports status {}</source>
+        <translation>スキャナーがレーザーを点灯できません: ステータス {}</translation>
+    </message>
+    <message>
+        <source>the scanner stopped: it reports status {}</source>
+        <translation>スキャナーが停止しました: ステータス {}</translation>
+    </message>
+    <message>
+        <source>the scanner has sent no whole scan for a second</source>
+        <translation>スキャナーから 1 秒間、完全なスキャンが届いていません</translation>
+    </message>
+    <message>
+        <source>what is at this port does not answer as a Hokuyo scanner</source>
+        <translation>このポートの機器は北陽のスキャナーとして応答しません</translation>
+    </message>
+    <message>
+        <source>asking the scanner what it is</source>
+        <translation>スキャナーの機種を問い合わせています</translation>
+    </message>
+    <message>
+        <source>the scanner reports an error and is reset</source>
+        <translation>スキャナーがエラーを報告したため、リセットしています</translation>
+    </message>
+    <message>
+        <source>the scanner reports an error</source>
+        <translation>スキャナーがエラーを報告しています</translation>
+    </message>
+    <message>
+        <source>the scanner sends no whole turn: does its motor run?</source>
+        <translation>スキャナーから一回転分のデータが届きません。モーターは回っていますか?</translation>
+    </message>
+    <message>
+        <source>what is at this port does not answer as an RPLIDAR</source>
+        <translation>このポートの機器は RPLIDAR として応答しません</translation>
+    </message>
+    <message>
+        <source>{} is not there: is it plugged in?</source>
+        <translation>{} がありません。接続されていますか?</translation>
+    </message>
+    <message>
+        <source>{} may not be opened: another program has it, or you are not in the group dialout</source>
+        <translation>{} を開けません。ほかのプログラムが使っているか、あなたがグループ dialout に属していません</translation>
+    </message>
+    <message>
+        <source>{} is gone: {}</source>
+        <translation>{} との接続が切れました: {}</translation>
+    </message>
+    <message>
+        <source>{} does not take what is sent</source>
+        <translation>{} が送信データを受け取りません</translation>
+    </message>
+    <message>
+        <source>port</source>
+        <translation>ポート</translation>
+    </message>
+    <message>
+        <source>a device as in /dev/ttyUSB0@9600, or tcp://host:port</source>
+        <translation>/dev/ttyUSB0@9600 のような機器、または tcp://host:port</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>抜けています</translation>
+    </message>
+    <message>
+        <source>camera: unplugged</source>
+        <translation>カメラ: 抜けています</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>no folder that can be read</source>
+        <translation>読み取れないフォルダー</translation>
+    </message>
+    <message>
+        <source>one with images</source>
+        <translation>画像のあるフォルダー</translation>
+    </message>
+    <message>
+        <source>the labels of {}</source>
+        <translation>{} のラベル</translation>
+    </message>
+    <message>
+        <source>a colour image</source>
+        <translation>カラー画像</translation>
+    </message>
+    <message>
+        <source>a grey one: a class number a pixel</source>
+        <translation>グレー画像: 一画素に一つのクラス番号</translation>
+    </message>
+    <message>
+        <source>{} pixels</source>
+        <translation>{} 画素</translation>
+    </message>
+    <message>
+        <source>{} as its image</source>
+        <translation>対応する画像と同じ {}</translation>
+    </message>
+    <message>
+        <source>--building-class: only with --model NAME.onnx</source>
+        <translation>--building-class: --model NAME.onnx と一緒にのみ使えます</translation>
+    </message>
+    <message>
+        <source>buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>--faults: found &quot;{}&quot;, expected DEVICE:KIND@BEGIN+SECONDS</source>
+        <translation>--faults: 「{}」(必要: DEVICE:KIND@BEGIN+SECONDS)</translation>
+    </message>
+    <message>
+        <source>{}; e.g. {}</source>
+        <translation>{}。例: {}</translation>
     </message>
 </context>
 <context>

@@ -47,9 +47,19 @@ std::vector<Entry> entriesOf(const char* language) {
   return entries;
 }
 
-/// "%1", "%2" … and "%n", sorted.
-QStringList placesIn(const QString& text) {
+/// "%1", "%2" … and "%n"; of phrases "{0}", "{1:.1f}" …, also where their numbers are left out.
+/// Sorted.
+QStringList placesIn(const QString& context, QString text) {
   QStringList places;
+  if (context == QLatin1String("core")) {
+    static const QRegularExpression kField(QStringLiteral("\\{(\\d*)(:[^}]*)?\\}"));
+    text.remove("{{").remove("}}");
+    for (auto match = kField.globalMatch(text); match.hasNext();) {
+      const auto field = match.next();
+      const QString number = field.captured(1);
+      places << (number.isEmpty() ? QString::number(places.size()) : number) + field.captured(2);
+    }
+  }
   static const QRegularExpression kPlace(QStringLiteral("%(\\d|n)"));
   for (auto match = kPlace.globalMatch(text); match.hasNext();) places << match.next().captured();
   places.sort();
@@ -64,7 +74,8 @@ TEST(Translations, NoneIsUnfinishedAndNoneLosesANumber) {
       EXPECT_TRUE(entry.finished && !entry.translations.join(QString()).isEmpty())
           << language << ": " << entry.context.toStdString() << ": " << entry.source.toStdString();
       for (const QString& text : entry.translations)
-        EXPECT_EQ(placesIn(text), placesIn(entry.source)) << text.toStdString();
+        EXPECT_EQ(placesIn(entry.context, text), placesIn(entry.context, entry.source))
+            << text.toStdString();
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "widgets/editing/clipboard.h"
 
+#include <QObject>
 #include <unordered_set>
 
 #include "core/base/error.h"
@@ -40,8 +41,9 @@ MapChange objectsOf(const QMimeData& data) {
                               ? data.data(QLatin1String(kMimeType))
                               : data.text().toUtf8();
   if (static_cast<std::uintmax_t>(json.size()) > kMaxMapBytes)
-    throw Error(ErrorCode::BadInput, "the clipboard holds too much for a drawing");
-  Map map = parseMap(json.toStdString(), "clipboard");
+    throw Error(ErrorCode::BadInput,
+                QObject::tr("the clipboard holds too much for a drawing").toStdString());
+  Map map = parseMap(json.toStdString(), QObject::tr("clipboard").toStdString());
   MapChange objects{std::move(map.buildings), std::move(map.landmarks), map.start};
   if (!map.route.empty()) objects.route = std::move(map.route);
   return objects;

@@ -1,5 +1,6 @@
 #include "widgets/teach/teaching.h"
 
+#include <QObject>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -42,7 +43,9 @@ std::vector<WindowLabel> readLabels(const JsonValue& json) {
     const auto count = parseInteger(std::string_view(text).substr(begin, at - begin));
     if (at == text.size() || !count || *count < 1 ||
         static_cast<std::size_t>(*count) > kMaxWindows - labels.size()) {
-      json.fail("runs of windows such as \"120-3b40o\"");
+      json.fail(QObject::tr("runs of windows such as %1")
+                    .arg(QLatin1String("\"120-3b40o\""))
+                    .toStdString());
     }
     const auto label = std::ranges::find(kLetters, text[at], &std::pair<WindowLabel, char>::second);
     labels.insert(labels.end(), static_cast<std::size_t>(*count), label->first);
