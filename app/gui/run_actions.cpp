@@ -33,11 +33,11 @@ constexpr std::size_t kMostDoubtfulOffered = 3;
 QString trustInWords(const FrameReport& report) {
   QStringList parts;
   for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
-    parts.push_back(RunActions::tr("%1 m: %2 %")
+    parts.push_back(handmap::RunActions::tr("%1 m: %2 %")
                         .arg(kWithin_m[i])
                         .arg(static_cast<int>(std::floor(100.0 * report.within[i]))));
   }
-  return RunActions::tr("pose within %1").arg(parts.join(", "));
+  return handmap::RunActions::tr("pose within %1").arg(parts.join(", "));
 }
 }  // namespace
 

@@ -1070,17 +1070,6 @@
     </message>
 </context>
 <context>
-    <name>RunActions</name>
-    <message>
-        <source>%1 m: %2 %</source>
-        <translation>%1 m: %2 %</translation>
-    </message>
-    <message>
-        <source>pose within %1</source>
-        <translation>位置の確率 %1</translation>
-    </message>
-</context>
-<context>
     <name>TimeLeft</name>
     <message numerus="yes">
         <source>, about %n second(s) left</source>
@@ -6348,6 +6337,14 @@ Corrected by a run.</source>
     <message>
         <source>A live robot with a &amp;stereo head</source>
         <translation>ステレオカメラで見回すロボット（実時間）(&amp;S)</translation>
+    </message>
+    <message>
+        <source>%1 m: %2 %</source>
+        <translation>%1 m: %2 %</translation>
+    </message>
+    <message>
+        <source>pose within %1</source>
+        <translation>位置の確率 %1</translation>
     </message>
 </context>
 <context>
