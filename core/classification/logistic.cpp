@@ -10,8 +10,7 @@ namespace handmap {
 namespace {
 
 constexpr int kIterations = 50;
-constexpr double kNewtonRidge =
-    1e-6;  // keeps Newton's step finite where the classes do not overlap
+constexpr double kNewtonRidge = 1e-6;  // a finite step where the classes do not overlap
 
 }  // namespace
 

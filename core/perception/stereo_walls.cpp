@@ -27,9 +27,14 @@ constexpr int kMinSide_px = 32;
 constexpr float kUnknown = -1.0F;
 constexpr double kSureExtent_m = 2.0;  ///< a column with this extent has the whole weight
 
+[[noreturn]] void refuse(const std::string& place, const std::string& found,
+                         const std::string& expected) {
+  throwBadInput(phrase("stereo"), place, found, expected);
+}
+
 void require(bool good, const std::string& place, const std::string& found,
              const std::string& expected) {
-  if (!good) throwBadInput(phrase("stereo"), place, found, expected);
+  if (!good) refuse(place, found, expected);
 }
 
 void check(const StereoCamera& camera) {
@@ -68,13 +73,17 @@ std::string describe(const cv::Mat& image) {
 
 void check(const cv::Mat& left, const cv::Mat& right) {
   for (const cv::Mat* image : {&left, &right}) {
-    require(!image->empty() && image->depth() == CV_8U &&
-                (image->channels() == 1 || image->channels() == 3),
-            image == &left ? phrase("left image") : phrase("right image"), describe(*image),
-            phrase("8 bits, one or three channels"));
+    if (!image->empty() && image->depth() == CV_8U &&
+        (image->channels() == 1 || image->channels() == 3)) {
+      continue;
+    }
+    refuse(image == &left ? phrase("left image") : phrase("right image"), describe(*image),
+           phrase("8 bits, one or three channels"));
   }
-  require(left.size() == right.size(), phrase("right image"), describe(right),
-          phrase("the size of the left image: {}", describe(left)));
+  if (left.size() != right.size()) {
+    refuse(phrase("right image"), describe(right),
+           phrase("the size of the left image: {}", describe(left)));
+  }
 }
 
 /// Mean step between neighbours in a row, grey levels. Where there is none, nothing can be matched
@@ -220,8 +229,10 @@ StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, 
   const StereoOptions& options = matcher_->options;
   const cv::Size size(static_cast<int>(std::lround(left.cols * options.scale)),
                       static_cast<int>(std::lround(left.rows * options.scale)));
-  require(std::min(size.width, size.height) >= kMinSide_px, phrase("left image"), describe(left),
-          phrase("at least {} pixels a side at the reduced size", kMinSide_px));
+  if (std::min(size.width, size.height) < kMinSide_px) {
+    refuse(phrase("left image"), describe(left),
+           phrase("at least {} pixels a side at the reduced size", kMinSide_px));
+  }
   const StereoCamera reduced =
       reducedCamera(matcher_->camera, static_cast<double>(left.cols) / size.width,
                     static_cast<double>(left.rows) / size.height);

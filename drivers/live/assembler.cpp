@@ -43,14 +43,14 @@ Assembler::Assembler(const Rig& rig, Sinks sinks) : rig_(rig), sinks_(std::move(
   if (rig.head) stops_.emplace(rig.stops.value_or(sixPans()));
 }
 
-bool Assembler::isTimely(double time_s, double& newest_s, double now_s, const std::string& what) {
+bool Assembler::isTimely(double time_s, double& newest_s, double now_s, Word what) {
   std::string wrong;
   if (!std::isfinite(time_s) || time_s > now_s + kFuture_s) {
-    wrong = phrase("{} stamped in the future", what);
+    wrong = phrase("{} stamped in the future", what());
   } else if (time_s < now_s - kLatest_s) {
-    wrong = phrase("{} late", what);
+    wrong = phrase("{} late", what());
   } else if (time_s <= newest_s) {
-    wrong = phrase("{} repeated or out of order", what);
+    wrong = phrase("{} repeated or out of order", what());
   }
   if (!wrong.empty()) {
     sinks_.refused(wrong);
@@ -62,7 +62,7 @@ bool Assembler::isTimely(double time_s, double& newest_s, double now_s, const st
 
 void Assembler::moved(double time_s, const Pose2& pose, double now_s) {
   if (!isFinite(pose)) return sinks_.refused(phrase("odometry that is not finite"));
-  if (!isTimely(time_s, newest_odometry_s_, now_s, phrase("odometry"))) return;
+  if (!isTimely(time_s, newest_odometry_s_, now_s, [] { return phrase("odometry"); })) return;
   odometry_.add(time_s, pose);
   settle(now_s);
   if (stops_) act(stops_->moved(time_s, pose, odometry_.standingFor()));
@@ -71,7 +71,7 @@ void Assembler::moved(double time_s, const Pose2& pose, double now_s) {
 void Assembler::scanned(double time_s, const std::vector<RangePoint>& points, double now_s) {
   if (!rig_.scanner) return;
   if (points.size() > kMostPoints) return sinks_.refused(phrase("scan with too many points"));
-  if (!isTimely(time_s, newest_view_s_, now_s, phrase("scan"))) return;
+  if (!isTimely(time_s, newest_view_s_, now_s, [] { return phrase("scan"); })) return;
   View view;
   view.points = inRobotFrame(points, rig_.scanner->mount);
   if (view.points->empty()) return sinks_.refused(phrase("scan without a single return"));
@@ -81,7 +81,7 @@ void Assembler::scanned(double time_s, const std::vector<RangePoint>& points, do
 
 void Assembler::pairTaken(double time_s, const cv::Mat& left, const cv::Mat& right, double now_s) {
   if (!rig_.camera) return;
-  if (!isTimely(time_s, newest_view_s_, now_s, phrase("pair of images"))) return;
+  if (!isTimely(time_s, newest_view_s_, now_s, [] { return phrase("pair of images"); })) return;
   if (!stops_) {
     addMoving(time_s, {0.0, left, right, std::nullopt});
     return settle(now_s);

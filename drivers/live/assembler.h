@@ -36,7 +36,8 @@ class Assembler {
   std::string activity() const { return stops_ ? stops_->describe() : std::string(); }
 
  private:
-  bool isTimely(double time_s, double& newest_s, double now_s, const std::string& what);
+  using Word = std::string (*)();  ///< said only where something is wrong
+  bool isTimely(double time_s, double& newest_s, double now_s, Word what);
   void addMoving(double time_s, View view);
   void settle(double now_s);
   void deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views);
