@@ -1,5 +1,7 @@
 #include "app/gui/recording_opener.h"
 
+#include "app/gui/demonstration.h"
+
 namespace handmap {
 
 namespace {
@@ -27,8 +29,13 @@ RecordingOpener::~RecordingOpener() {
 
 void RecordingOpener::forget() {
   ++request_;
+  simulates_ = false;
   stop_.request_stop();
   stop_ = {};
+}
+
+void RecordingOpener::forgetSimulation() {
+  if (simulates_) forget();
 }
 
 void RecordingOpener::begin(std::function<Answer()> open) {
@@ -39,6 +46,8 @@ void RecordingOpener::begin(std::function<Answer()> open) {
         Q_EMIT opener.opened(opened->recording, opened->acts);
       } else if (const auto* poses = std::get_if<Poses>(&answer)) {
         Q_EMIT opener.posesOpened(*poses);
+      } else if (const auto* robot = std::get_if<Robot>(&answer)) {
+        Q_EMIT opener.simulated(*robot);
       } else {
         Q_EMIT opener.failed(std::get<RunFailure>(answer));
       }
@@ -56,6 +65,12 @@ void RecordingOpener::open(const QString& folder) {
 void RecordingOpener::openPoses(const QString& tum_file) {
   forget();
   begin([path = tum_file.toStdString()]() -> Answer { return readTum(path).poses(); });
+}
+
+void RecordingOpener::simulate(const Map& drawing, std::uint64_t seed) {
+  forget();
+  simulates_ = true;
+  begin([drawing, seed]() -> Answer { return simulationOfDrawing(drawing, seed); });
 }
 
 }  // namespace handmap

@@ -67,6 +67,7 @@ RunActions::RunActions(const Parts& parts)
             tellActs();
           });
   connect(&opener_, &RecordingOpener::posesOpened, this, &RunActions::usePoses);
+  connect(&opener_, &RecordingOpener::simulated, this, &RunActions::setRobot);
   connect(&opener_, &RecordingOpener::failed, this, &RunActions::fail);
   updateActions();
 }
@@ -194,12 +195,7 @@ bool RunActions::openVirtualRig(VirtualRigKind kind) {
 bool RunActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 
 void RunActions::simulateDrawing() {
-  if (!isReady(true)) return;
-  try {
-    setRobot(simulationOfDrawing(parts_.document.map(), seed()));
-  } catch (const Error& error) {
-    fail(failureOf(error));
-  }
+  if (isReady(true)) opener_.simulate(parts_.document.map(), seed());
 }
 
 void RunActions::runOrResume() {
@@ -421,6 +417,7 @@ void RunActions::acceptRefinement() {
 
 void RunActions::onDrawingReplaced() {
   parts_.run.discard();
+  opener_.forgetSimulation();
   source_ = nullptr;
   last_ = nullptr;
   shown_ = nullptr;

@@ -24,6 +24,8 @@ class RecordingOpenerTest : public testing::Test {
     });
     QObject::connect(&opener_, &RecordingOpener::failed, &opener_,
                      [this](const RunFailure& failure) { heard_ << failure.message; });
+    QObject::connect(&opener_, &RecordingOpener::simulated, &opener_,
+                     [this](const Robot& robot) { heard_ << robot.name; });
   }
   QString path(const QString& name) const { return folder_.filePath(name); }
   /// All that comes of what was asked for.
@@ -57,6 +59,24 @@ TEST_F(RecordingOpenerTest, TheLatestWinsAndWhatIsForgottenIsNotHeard) {
   opener_.open(path("one"));
   opener_.forget();
   EXPECT_EQ(heard(), QStringList{"two"});
+}
+
+TEST_F(RecordingOpenerTest, AWorldOfADrawingIsForgottenWithTheDrawing) {
+  opener_.simulate(twoRowWorld(2).map, 2);
+  EXPECT_EQ(heard(), QStringList{"Simulator: this drawing"});
+  opener_.simulate(twoRowWorld(2).map, 2);
+  opener_.forgetSimulation();
+  EXPECT_EQ(heard(), QStringList{"Simulator: this drawing"});
+  opener_.open(path("one"));
+  opener_.forgetSimulation();
+  EXPECT_EQ(heard_, QStringList{"Simulator: this drawing"}) << "it comes later";
+  EXPECT_EQ(heard(), (QStringList{"Simulator: this drawing", "one"}));
+}
+
+TEST_F(RecordingOpenerTest, TellsWhyADrawingMakesNoWorld) {
+  opener_.simulate({}, 2);
+  ASSERT_EQ(heard().size(), 1);
+  EXPECT_TRUE(heard_[0].contains("start")) << heard_[0].toStdString();
 }
 
 }  // namespace
