@@ -11,6 +11,12 @@ constexpr double kRobotInside = -1e6;  // nats
 constexpr double kAround = 2.0;  // metres that corners may move before rays are sought anew; choice
 constexpr double kMostMargin = 1.6;  // radians; choice: a quarter turn
 
+std::array<Vec2, 4> cornersOf(const Box& box) {
+  return {box.boxCorner(0), box.boxCorner(1), box.boxCorner(2), box.boxCorner(3)};
+}
+
+Pose2 frameOf(const Box& box) { return {box.pivot.x(), box.pivot.y(), box.heading}; }
+
 }  // namespace
 
 BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
@@ -20,15 +26,16 @@ BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
 }
 
 void BoxScorer::lookAt(const Box& box) {
-  around_ = box;
+  around_ = cornersOf(box);
+  turned_to_ = frameOf(box);
   looking_.clear();
   for (const Frame* frame : frames_) {
     const BoxView view(box, frame->pose);
     if (!view.inReach(sensor_.rangeLimit() + kAround)) continue;
     // Seen from the nearest corner, what lies within kAround of the box.
     double nearest = (box.rectangle().centre - frame->pose.position()).norm();
-    for (std::size_t k = 0; k < 4; ++k) {
-      nearest = std::min(nearest, (box.boxCorner(k) - frame->pose.position()).norm());
+    for (const Vec2& corner : around_) {
+      nearest = std::min(nearest, (corner - frame->pose.position()).norm());
     }
     const double margin =
         nearest > kAround ? std::min(std::asin(kAround / nearest), kMostMargin) : kMostMargin;
@@ -36,24 +43,32 @@ void BoxScorer::lookAt(const Box& box) {
     const float span = std::min(view.highBearing() - view.lowBearing() + 2.0F * widened,
                                 static_cast<float>(2.0 * kPi));
     const float low = std::max(view.lowBearing() - widened, static_cast<float>(-2.0 * kPi));
-    looking_.push_back({frame, low, low + span});
+    looking_.push_back(
+        {frame, raysBetween(frame->rays, low, low + span), PoseAtBox(box, frame->pose)});
   }
 }
 
+/// What changes is mostly how far the box reaches: then there is nothing to do.
+void BoxScorer::turnTo(const Box& box) {
+  if (frameOf(box) == turned_to_) return;
+  turned_to_ = frameOf(box);
+  for (Looking& looking : looking_) looking.pose = PoseAtBox(box, looking.frame->pose);
+}
+
 double BoxScorer::operator()(const Box& box) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    if ((box.boxCorner(k) - around_.boxCorner(k)).norm() <= kAround) continue;
-    lookAt(box);
-    break;
-  }
+  const std::array<Vec2, 4> corners = cornersOf(box);
+  const bool near =
+      std::equal(corners.begin(), corners.end(), around_.begin(),
+                 [](const Vec2& a, const Vec2& b) { return (a - b).norm() <= kAround; });
+  near ? turnTo(box) : lookAt(box);
   double score = 0.0;
   for (const Looking& looking : looking_) {
-    const BoxSlabs slabs(box, looking.frame->pose);
+    const BoxSlabs slabs(box, looking.pose);
     if (slabs.inside()) return kRobotInside;
     if (!slabs.inReach(sensor_.rangeLimit())) continue;
     float sum = 0.0F;
-    forRaysBetween(
-        looking.frame->rays, looking.low, looking.high,
+    forRays(
+        looking.rays,
         [&](const FrameRay& ray) {
           const Entry entry = slabs.entry(ray);
           if (entry.distance < 0.0F) return;

@@ -22,15 +22,17 @@ class BoxScorer {
  private:
   struct Looking {
     const Frame* frame;
-    float low;  ///< bearings that can meet the boxes
-    float high;
+    RayStretches rays;  ///< that can meet the boxes
+    PoseAtBox pose;
   };
   void lookAt(const Box& box);
+  void turnTo(const Box& box);
 
   std::span<const Frame* const> frames_;
   const SensorModel& sensor_;
   int stride_;
-  Box around_;
+  std::array<Vec2, 4> around_;  ///< corners of the box that the rays are around
+  Pose2 turned_to_;             ///< the frame of a box that the poses are in
   std::vector<Looking> looking_;
 };
 

@@ -5,18 +5,22 @@
 
 namespace handmap {
 
-BoxSlabs::BoxSlabs(const Box& box, const Pose2& robot) {
+PoseAtBox::PoseAtBox(const Box& box, const Pose2& robot) {
   const Pose2 own = between({box.pivot.x(), box.pivot.y(), box.heading}, robot);
-  x_ = static_cast<float>(own.x);
-  y_ = static_cast<float>(own.y);
-  cos_ = static_cast<float>(std::cos(own.heading));
-  sin_ = static_cast<float>(std::sin(own.heading));
+  x = static_cast<float>(own.x);
+  y = static_cast<float>(own.y);
+  cos = static_cast<float>(std::cos(own.heading));
+  sin = static_cast<float>(std::sin(own.heading));
+}
+
+BoxSlabs::BoxSlabs(const Box& box, const PoseAtBox& robot) : robot_(robot) {
+  const auto& [x, y, cos, sin] = robot_;
   high_x_ = static_cast<float>(box.reach[0]);
   high_y_ = static_cast<float>(box.reach[1]);
   low_x_ = static_cast<float>(-box.reach[2]);
   low_y_ = static_cast<float>(-box.reach[3]);
-  const float dx = std::max({0.0F, x_ - high_x_, low_x_ - x_});
-  const float dy = std::max({0.0F, y_ - high_y_, low_y_ - y_});
+  const float dx = std::max({0.0F, x - high_x_, low_x_ - x});
+  const float dy = std::max({0.0F, y - high_y_, low_y_ - y});
   nearest_ = std::sqrt(dx * dx + dy * dy);
   inside_ = nearest_ == 0.0F;
   if (!box.outline) return;
@@ -29,9 +33,9 @@ BoxSlabs::BoxSlabs(const Box& box, const Pose2& robot) {
   // A ray in any direction leaves a polygon that it begins in once more than it enters it.
   inside_ = false;
   for (std::size_t i = 0, last = corners_ - 1; i < corners_; last = i++) {
-    if ((corner_y_[i] > y_) == (corner_y_[last] > y_)) continue;
-    const float share = (y_ - corner_y_[i]) / (corner_y_[last] - corner_y_[i]);
-    if (x_ < corner_x_[i] + share * (corner_x_[last] - corner_x_[i])) inside_ = !inside_;
+    if ((corner_y_[i] > y) == (corner_y_[last] > y)) continue;
+    const float share = (y - corner_y_[i]) / (corner_y_[last] - corner_y_[i]);
+    if (x < corner_x_[i] + share * (corner_x_[last] - corner_x_[i])) inside_ = !inside_;
   }
 }
 
@@ -42,8 +46,8 @@ Entry BoxSlabs::entryIntoOutline(float dx, float dy) const {
     const float along_y = corner_y_[i] - corner_y_[last];
     const float facing = dx * along_y - dy * along_x;  // outward normal times direction
     if (facing >= 0.0F) continue;
-    const float to_x = corner_x_[last] - x_;
-    const float to_y = corner_y_[last] - y_;
+    const float to_x = corner_x_[last] - robot_.x;
+    const float to_y = corner_y_[last] - robot_.y;
     const float distance = (to_x * along_y - to_y * along_x) / facing;
     const float at = (to_x * dy - to_y * dx) / facing;
     if (distance < 0.0F || at < 0.0F || at > 1.0F) continue;

@@ -16,10 +16,19 @@ struct Entry {
   int wall = 0;            ///< of Box::walls()
 };
 
-/// A robot pose in the frame of a box.
+/// A robot pose in the frame of a box, however far that reaches.
+struct PoseAtBox {
+  PoseAtBox(const Box& box, const Pose2& robot);
+
+  float x, y;
+  float cos, sin;  ///< from the robot frame to that of the box
+};
+
+/// A box around a robot pose.
 class BoxSlabs {
  public:
-  BoxSlabs(const Box& box, const Pose2& robot);
+  BoxSlabs(const Box& box, const PoseAtBox& robot);
+  BoxSlabs(const Box& box, const Pose2& robot) : BoxSlabs(box, PoseAtBox(box, robot)) {}
 
   bool inside() const { return inside_; }  ///< the robot is in the building
   bool inBox() const { return nearest_ == 0.0F; }
@@ -29,8 +38,7 @@ class BoxSlabs {
  private:
   Entry entryIntoOutline(float dx, float dy) const;
 
-  float x_, y_;      ///< the robot
-  float cos_, sin_;  ///< from the robot frame to that of the box
+  PoseAtBox robot_;
   float low_x_, high_x_, low_y_, high_y_;
   float nearest_;
   bool inside_;
@@ -41,18 +49,19 @@ class BoxSlabs {
 
 // Asked more often than anything else: here, to be inlined.
 inline Entry BoxSlabs::entry(const FrameRay& ray) const {
-  const float dx = cos_ * ray.x - sin_ * ray.y;
-  const float dy = sin_ * ray.x + cos_ * ray.y;
+  const auto& [x_at, y_at, cos, sin] = robot_;
+  const float dx = cos * ray.x - sin * ray.y;
+  const float dy = sin * ray.x + cos * ray.y;
   if (corners_ > 0) return entryIntoOutline(dx, dy);
   Entry entry;
-  if (x_ > high_x_ ? dx < 0.0F : x_ < low_x_ && dx > 0.0F) {
-    const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_) / dx;
-    const float y = y_ + distance * dy;
+  if (x_at > high_x_ ? dx < 0.0F : x_at < low_x_ && dx > 0.0F) {
+    const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_at) / dx;
+    const float y = y_at + distance * dy;
     if (y >= low_y_ && y <= high_y_) entry = {distance, std::abs(dx), dx < 0.0F ? 0 : 2};
   }
-  if (entry.distance < 0.0F && (y_ > high_y_ ? dy < 0.0F : y_ < low_y_ && dy > 0.0F)) {
-    const float distance = ((dy < 0.0F ? high_y_ : low_y_) - y_) / dy;
-    const float x = x_ + distance * dx;
+  if (entry.distance < 0.0F && (y_at > high_y_ ? dy < 0.0F : y_at < low_y_ && dy > 0.0F)) {
+    const float distance = ((dy < 0.0F ? high_y_ : low_y_) - y_at) / dy;
+    const float x = x_at + distance * dx;
     if (x >= low_x_ && x <= high_x_) entry = {distance, std::abs(dy), dy < 0.0F ? 1 : 3};
   }
   return entry;
@@ -68,7 +77,7 @@ class BoxView : public BoxSlabs {
   /// Calls `use(ray)` for the rays within the bearings of the box.
   template <typename Use>
   void forRays(const std::vector<FrameRay>& rays, Use use) const {
-    forRaysBetween(rays, low_bearing_, high_bearing_, use);
+    handmap::forRays(raysBetween(rays, low_bearing_, high_bearing_), use);
   }
 
  private:

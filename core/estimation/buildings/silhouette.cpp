@@ -82,18 +82,18 @@ std::vector<VisibleEnd> visibleEnds(const Box& box, const Frame& frame, const Se
     const Vec2 own_normal = frame.pose.toOwn(robot + normal);
     const double to_wall = normal.dot(offset);
     VisibleEnd end{k, bearing, sign, distance, {}};
-    forRaysBetween(frame.rays, static_cast<float>(bearing - width),
-                   static_cast<float>(bearing + width), [&](const FrameRay& ray) {
-                     const double off =
-                         sign * normalizedAngle(static_cast<double>(ray.bearing) - bearing);
-                     const double cosine = own_normal.x() * ray.x + own_normal.y() * ray.y;
-                     RayBeside beside{off, std::numeric_limits<float>::infinity(), 0.0F, ray.sight};
-                     if (cosine < kGrazing && to_wall / cosine < sensor.rangeLimit()) {
-                       beside.distance = static_cast<float>(to_wall / cosine);
-                       beside.slack = kWallSlack / static_cast<float>(-cosine);
-                     }
-                     end.rays.push_back(beside);
-                   });
+    const RayStretches beside_it = raysBetween(frame.rays, static_cast<float>(bearing - width),
+                                               static_cast<float>(bearing + width));
+    forRays(beside_it, [&](const FrameRay& ray) {
+      const double off = sign * normalizedAngle(static_cast<double>(ray.bearing) - bearing);
+      const double cosine = own_normal.x() * ray.x + own_normal.y() * ray.y;
+      RayBeside beside{off, std::numeric_limits<float>::infinity(), 0.0F, ray.sight};
+      if (cosine < kGrazing && to_wall / cosine < sensor.rangeLimit()) {
+        beside.distance = static_cast<float>(to_wall / cosine);
+        beside.slack = kWallSlack / static_cast<float>(-cosine);
+      }
+      end.rays.push_back(beside);
+    });
     std::sort(end.rays.begin(), end.rays.end(),
               [](const RayBeside& a, const RayBeside& b) { return a.outwards < b.outwards; });
     ends.push_back(std::move(end));

@@ -22,6 +22,24 @@ void addSilence(Frame& frame, const std::vector<float>& bearings, double range_l
             [](const FrameRay& a, const FrameRay& b) { return a.bearing < b.bearing; });
 }
 
+RayStretches raysBetween(const std::vector<FrameRay>& rays, float low, float high) {
+  constexpr auto kTurn = static_cast<float>(2.0 * kPi);
+  constexpr std::array kTurns = {-kTurn, 0.0F, kTurn};
+  RayStretches stretches;
+  for (std::size_t i = 0; i < kTurns.size(); ++i) {
+    const float turn = kTurns[i];
+    if (high + turn <= -kTurn / 2.0F || low + turn > kTurn / 2.0F) continue;
+    const auto begin =
+        std::lower_bound(rays.begin(), rays.end(), low + turn,
+                         [](const FrameRay& ray, float bearing) { return ray.bearing < bearing; });
+    const auto end =
+        std::upper_bound(begin, rays.end(), high + turn,
+                         [](float bearing, const FrameRay& ray) { return bearing < ray.bearing; });
+    stretches[i] = {begin, end};
+  }
+  return stretches;
+}
+
 Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const Scan& scan) {
   Frame frame;
   frame.time_s = time_s;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "core/estimation/walls/sensor_model.h"
@@ -45,20 +47,18 @@ void addSilence(Frame& frame, const std::vector<float>& bearings, double range_l
 
 Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const Scan& scan);
 
-/// Calls `use(ray)` for the rays with bearings from `low` to `high`, either of which may lie up to
-/// a turn outside (-π, π]; only each `stride`-th.
+/// A stretch of neighbouring rays for each turn around the robot; some are empty.
+using RayStretches = std::array<std::span<const FrameRay>, 3>;
+
+/// The rays with bearings from `low` to `high`, either of which may lie up to a turn outside
+/// (-π, π].
+RayStretches raysBetween(const std::vector<FrameRay>& rays, float low, float high);
+
+/// Calls `use(ray)` for each `stride`-th.
 template <typename Use>
-void forRaysBetween(const std::vector<FrameRay>& rays, float low, float high, Use use,
-                    std::ptrdiff_t stride = 1) {
-  constexpr auto kTurn = static_cast<float>(2.0 * kPi);
-  const auto below = [](const FrameRay& ray, float bearing) { return ray.bearing < bearing; };
-  for (const float turn : {-kTurn, 0.0F, kTurn}) {
-    if (high + turn <= -kTurn / 2.0F || low + turn > kTurn / 2.0F) continue;
-    auto ray = std::lower_bound(rays.begin(), rays.end(), low + turn, below);
-    const auto end = std::upper_bound(
-        ray, rays.end(), high + turn,
-        [](float bearing, const FrameRay& other) { return bearing < other.bearing; });
-    for (; ray < end; ray += std::min(stride, end - ray)) use(*ray);
+void forRays(const RayStretches& stretches, Use use, std::size_t stride = 1) {
+  for (const std::span<const FrameRay> rays : stretches) {
+    for (std::size_t i = 0; i < rays.size(); i += stride) use(rays[i]);
   }
 }
 

@@ -46,12 +46,14 @@ TEST(BoxScorer, IsTheSumOverAllRays) {
     std::vector<const Frame*> seen;
     for (const Frame& frame : frames) seen.push_back(&frame);
     BoxScorer scorer(box, seen, sensor, 1);
+    const double unchanged = scorer(box);
     for (int change = 0; change < 5; ++change) {
       Box changed = box;
       changed.heading += random.normal(0.0, 0.03);
       for (double& reach : changed.reach) reach += random.normal(0.0, 0.5);
       const double plain = plainScore(changed, seen, sensor);
       EXPECT_NEAR(scorer(changed), plain, 0.01 * std::abs(plain) + 8.0);
+      EXPECT_EQ(scorer(box), unchanged) << "turned back";
     }
   }
 }
