@@ -8,13 +8,12 @@ constexpr double kSeen = 2.0;  // metres, σ of a wall that was seen at most; ch
 
 }  // namespace
 
-DrawnBox::DrawnBox(const Building& building, const Uncertainty& uncertainty,
+DrawnBox::DrawnBox(const Rectangle& drawn, const Uncertainty& uncertainty,
                    const DrawingMotion& motion, const Box& frame) {
-  const Rectangle box = building.box();
-  const Box turned = boxOf(box).nearestTo(frame.heading - motion.turn());
+  const Box turned = boxOf(drawn).nearestTo(frame.heading - motion.turn());
   const double scale = motion.scale();
-  const Vec2 from_origin = box.centre - motion.origin;
-  const Vec2 centre = motion(box.centre) - frame.pivot;
+  const Vec2 from_origin = drawn.centre - motion.origin;
+  const Vec2 centre = motion(drawn.centre) - frame.pivot;
   const auto [position, size] = uncertainty;
   covariance_.setZero();
   for (int k = 0; k < 4; ++k) {

@@ -20,7 +20,7 @@ class DrawnBox {
   using Covariance = Eigen::Matrix4d;
 
   /// `frame`: any box near the place; its pivot and heading are what the walls refer to.
-  DrawnBox(const Building& building, const Uncertainty& uncertainty, const DrawingMotion& motion,
+  DrawnBox(const Rectangle& drawn, const Uncertainty& uncertainty, const DrawingMotion& motion,
            const Box& frame);
 
   const Walls& mean() const { return mean_; }

@@ -54,7 +54,7 @@ RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& unc
     const double heading = frame.heading;
     frame = found->box.nearestTo(heading);
   }
-  const DrawnBox prior(building, uncertainty, motion, frame);
+  const DrawnBox prior(building.box(), uncertainty, motion, frame);
   DrawnBox::Walls walls = prior.mean();
   DrawnBox::Covariance covariance =
       prior.covariance() + prior.slope() * motion.covariance * prior.slope().transpose();

@@ -16,6 +16,8 @@ constexpr double kFreeScale = 0.25;  // one σ; of 0.7 to 1.4
 constexpr double kFan =
     toRadians(8.0);           // between the hypotheses of a free turn, and their σ; choice
 constexpr int kFanSteps = 5;  // to either side: ±40°
+/// Nats behind the best at which a branch is given up. Choice: more than a building more can tell.
+constexpr double kHopeless = 25.0;
 
 Vec2 originOf(const Map& drawing) {
   return drawing.start ? drawing.start->position() : Vec2::Zero();
@@ -44,7 +46,7 @@ class Assigner {
         options_(options),
         log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
-      drawn_at_.push_back(building.box().centre);
+      drawn_.push_back(building.box());
       const double phantom = mayNotExist(building) ? options.uncertain_phantom : options.phantom;
       log_present_.push_back(std::log((1.0 - phantom) / phantom));
     }
@@ -94,10 +96,10 @@ class Assigner {
   /// of them.
   std::vector<Branch> grown(const std::vector<Branch>& beam, std::size_t building) const {
     std::vector<Branch> next;
-    const int side = sideOf(beam.front().motion(drawn_at_[building]));
+    const int side = sideOf(beam.front().motion(drawn_[building].centre));
     for (const Branch& branch : beam) {
       next.push_back(branch);
-      const Vec2 expected = branch.motion(drawn_at_[building]);
+      const Vec2 expected = branch.motion(drawn_[building].centre);
       const double reach = reachOf(building, branch.motion);
       for (std::size_t f = 0; f < found_.size(); ++f) {
         if ((found_at_[f] - expected).norm() > reach + half_size_[f]) continue;
@@ -106,7 +108,11 @@ class Assigner {
     }
     std::stable_sort(next.begin(), next.end(),
                      [](const Branch& a, const Branch& b) { return a.log_weight > b.log_weight; });
-    next.resize(std::min(next.size(), static_cast<std::size_t>(options_.hypotheses)));
+    const double least = next.front().log_weight - kHopeless;
+    while (next.size() > static_cast<std::size_t>(options_.hypotheses) ||
+           next.back().log_weight < least) {
+      next.pop_back();
+    }
     return next;
   }
 
@@ -115,7 +121,9 @@ class Assigner {
     std::vector<std::size_t> order(drawing_.buildings.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> distance;
-    for (const Vec2& at : drawn_at_) distance.push_back((at - originOf(drawing_)).norm());
+    for (const Rectangle& box : drawn_) {
+      distance.push_back((box.centre - originOf(drawing_)).norm());
+    }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
     return order;
@@ -131,11 +139,10 @@ class Assigner {
   /// No pairing() lies farther from where a building is expected.
   double reachOf(std::size_t building, const DrawingMotion& motion) const {
     constexpr double kMost = 6.0;  // σ; beyond the gate of pairing()
-    const Building& drawn = drawing_.buildings[building];
-    const Uncertainty uncertainty = drawing_.uncertaintyOf(drawn);
+    const Uncertainty uncertainty = drawing_.uncertaintyOf(drawing_.buildings[building]);
     const double own = std::hypot(uncertainty.position, uncertainty.size);
-    return kMost * (own + motion.sigmaAt(drawn_at_[building])) +
-           motion.scale() * halfSize(drawn.box());
+    const Rectangle& drawn = drawn_[building];
+    return kMost * (own + motion.sigmaAt(drawn.centre)) + motion.scale() * halfSize(drawn);
   }
 
   /// Of the robot's way: 1 left, −1 right, 0 where there is none.
@@ -153,7 +160,7 @@ class Assigner {
     for (std::size_t other = 0; other < branch.found_of.size(); ++other) {
       const int its_found = branch.found_of[other];
       if (its_found == kNone) continue;
-      const Vec2 drawn_way = drawn_at_[other] - drawn_at_[building];
+      const Vec2 drawn_way = drawn_[other].centre - drawn_[building].centre;
       const Vec2 found_way = found_at_[static_cast<std::size_t>(its_found)] - found_at_[found];
       if (drawn_way.dot(found_way) < 0.0) price += options_.disorder;
     }
@@ -162,9 +169,9 @@ class Assigner {
 
   void extend(const Branch& branch, std::size_t building, std::size_t f, int side,
               std::vector<Branch>& next) const {
-    const Building& drawn = drawing_.buildings[building];
+    const Uncertainty uncertainty = drawing_.uncertaintyOf(drawing_.buildings[building]);
     const std::optional<Pairing> pair =
-        pairing(drawn, drawing_.uncertaintyOf(drawn), found_[f], branch.motion, options_);
+        pairing(drawn_[building], uncertainty, found_[f], branch.motion, options_);
     if (!pair) return;
     // The same walls of a building that no one drew: anywhere, of any size.
     const double undrawn =
@@ -183,7 +190,7 @@ class Assigner {
   std::span<const FoundBox> found_;
   std::span<const Pose2> way_;
   const AssignmentOptions& options_;
-  std::vector<Vec2> drawn_at_;
+  std::vector<Rectangle> drawn_;
   std::vector<Vec2> found_at_;
   std::vector<double> half_size_;  ///< of the found ones
   std::vector<int> sides_;         ///< of the found buildings
@@ -234,7 +241,7 @@ void settle(std::vector<Hypothesis>& roots, const Building& drawn, const Uncerta
             const FoundBox& found, const AssignmentOptions& options) {
   std::vector<Hypothesis> settled;
   for (Hypothesis& root : roots) {
-    const auto pair = pairing(drawn, uncertainty, found, root.motion, options);
+    const auto pair = pairing(drawn.box(), uncertainty, found, root.motion, options);
     if (!pair) continue;
     root.motion = pair->motion;
     root.log_weight += pair->log_likelihood;

@@ -84,16 +84,15 @@ Match compareWalls(const DrawnBox& prior, const DrawingMotion& motion, const Fou
 
 }  // namespace
 
-std::optional<Pairing> pairing(const Building& drawn, const Uncertainty& uncertainty,
+std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncertainty,
                                const FoundBox& any, const DrawingMotion& before,
                                const PairingOptions& options) {
-  const double heading = drawn.box().heading;
-  const FoundBox found = any.nearestTo(heading + before.turn());
+  const FoundBox found = any.nearestTo(drawn.heading + before.turn());
   const SeenWalls seen(found);
   if (seen.count == 0) return std::nullopt;
   Pairing result{0.0, seen.count, seen.widths, before};
   DrawingMotion& motion = result.motion;
-  result.log_likelihood = -compareHeading(heading, found, options.heading_sigma, motion);
+  result.log_likelihood = -compareHeading(drawn.heading, found, options.heading_sigma, motion);
   const DrawnBox prior(drawn, uncertainty, motion, found.box);
   if (farWalls(prior, motion, found, seen) > 1) return std::nullopt;
   const auto count = static_cast<std::size_t>(seen.count);

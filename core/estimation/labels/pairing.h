@@ -26,7 +26,7 @@ struct Pairing {
 };
 
 /// nullopt where they cannot be the same.
-std::optional<Pairing> pairing(const Building& drawn, const Uncertainty& uncertainty,
+std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncertainty,
                                const FoundBox& found, const DrawingMotion& motion,
                                const PairingOptions& options);
 

@@ -69,7 +69,7 @@ void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_a
 
 DrawnWallsFactor drawnWallsFactor(const FoundBox& found, const SeenWalls& seen,
                                   const DrawingPrior::Anchor& anchor, const DrawingMotion& motion) {
-  const DrawnBox drawn(*anchor.drawn, anchor.uncertainty, motion, found.box);
+  const DrawnBox drawn(anchor.drawn->box(), anchor.uncertainty, motion, found.box);
   // Walls that were not seen may be anywhere.
   Eigen::Matrix4d covariance = kTogether * kTogether * drawn.covariance();
   for (Eigen::Index k = 0; k < 4; ++k) {
