@@ -33,7 +33,7 @@ void HandmapEstimator::reviseOdometry(const std::vector<Pose2>& odometry, double
   for (const Frame& frame : state.frames) before.push_back(frame.pose);
   state.layAlong(odometry);
   state.carryAlong(before);
-  state.evidence.reinsertAll(state.sensor);
+  state.evidence.reinsertAll();
   if (state.frames.empty()) return;
   state.pose = state.frames.back().pose;
   state.first_moved = 0;
@@ -75,16 +75,17 @@ void HandmapEstimator::State::process(const std::stop_token& stop,
   smoother.setHeadingVariance(odometry_estimate.headingVariance());
   if (progress) progress(0.4);
   if (stop.stop_requested()) return;
-  evidence.add(frames.back(), sensor);
+  evidence.add(frames.back());
   updateDirections();
   if (stop.stop_requested()) return;
   reached(EstimatorPhase::Evidence);
-  findBuildings();
+  const bool looked_for_new_ones = findBuildings();
   followBuildings();
   reached(EstimatorPhase::Detection);
   if (!stop.stop_requested()) updateNoise();
   if (progress) progress(0.9);
-  labelBuildings(nearM());  // they are labelled by their places among those that were found
+  // They are labelled by their places among those that were found.
+  if (looked_for_new_ones) labelBuildings(nearM());
   reached(EstimatorPhase::Labels);
   if (closeLoop(stop) || smoothPeriodically(stop)) labelBuildings(nearM());
   if (stop.stop_requested()) return;

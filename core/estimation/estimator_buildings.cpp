@@ -10,6 +10,9 @@ namespace handmap {
 namespace {
 
 constexpr std::size_t kLastPoses = 200;  // that tell which side a building is on; choice
+/// Buildings are refined and walls detected at least so often. Choice: two key frames on the move;
+/// a robot that stops every 5 m does both at each stop.
+constexpr double kTurnsWithin_m = 4.5;
 /// Key frames that have seen a building when its outline is tried. Choice: twice as many each time.
 constexpr std::array kOutlineTries = {3, 6, 12, 24};
 constexpr double kOutlineStep_m = 0.5;  // of the search of a box that was an outline; choice
@@ -40,17 +43,30 @@ void HandmapEstimator::State::updateDirections() {
   smoother.expectHeadings({directions.drawn(), labels.headingScatter(found)});
 }
 
-void HandmapEstimator::State::findBuildings() {
-  const std::vector<FoundWall> walls = detectWalls(
-      evidence.evidence(), frames.back().pose.position(), options.range_limit_m, options.detection);
-  const std::vector<Frame*> last = framesFrom(firstActive());
+/// Where key frames are close to each other buildings are refined at one and walls detected at the
+/// next. Returns whether walls were.
+bool HandmapEstimator::State::findBuildings() {
+  const double driven = frames.back().driven_m;
+  const bool both = driven - std::min(refined_at_m, detected_at_m) > kTurnsWithin_m;
+  const bool detects = both || detected_at_m <= refined_at_m;
+  if (detects) detected_at_m = driven;
+  if (both || !detects) refined_at_m = driven;
   for (FoundBox& box : found) box.in_sight = isInSight(box);
   const auto dormant = std::stable_partition(found.begin(), found.end(),
                                              [](const FoundBox& box) { return !box.dormant; });
   const std::vector<FoundBox> aside(dormant, found.end());
   found.erase(dormant, found.end());
-  finder.update(found, walls, {last.begin(), last.end()}, sensor);
+  const std::vector<Frame*> last = framesFrom(firstActive());
+  const std::span<const Frame* const> seen(last.begin(), last.end());
+  if (both || !detects) finder.refineAll(found, seen, sensor);
+  if (detects) {
+    finder.update(found,
+                  detectWalls(evidence.evidence(), frames.back().pose.position(),
+                              options.range_limit_m, options.detection),
+                  seen, sensor);
+  }
   found.insert(found.end(), aside.begin(), aside.end());
+  return detects;
 }
 
 /// What has been out of sight for long becomes dormant: the trajectory may have drifted since. It
@@ -87,7 +103,8 @@ void HandmapEstimator::State::updateNoise() {
   changed.clutter = clutter.measured();
   if (differMuch(changed.noise, sensor.options().noise) ||
       differMuch(changed.clutter, sensor.options().clutter)) {
-    evidence.changeSensor(sensor, changed);
+    sensor = SensorModel(changed, sensor.rangeLimit());
+    evidence.setSensor(sensor);
   }
 }
 

@@ -20,7 +20,7 @@ void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, con
     for (std::size_t i = firstKept(); i < frames.size(); ++i) {
       if (frames[i].ray_by_ray) addSilence(frames[i], scan.first_looked_at, sensor.rangeLimit());
     }
-    evidence.weighAnew(sensor);
+    evidence.reinsertAll();
   }
   frames.push_back(makeFrame(time_s, odometry, at, scan));
   frames.back().odometry_noise = frames.size() <= kFromStart ? 1.0 : odometry_noise;

@@ -17,7 +17,7 @@ constexpr double kPeriodicSlacks[] = {0.1};
 constexpr double kFinalSlacks[] = {0.2, 0.1, 0.03};
 
 constexpr int kMostIterations = 10;       // with one slack; choice
-constexpr int kPeriodicIterations = 3;    // the same; choice
+constexpr int kPeriodicIterations = 3;    // now and then; choice
 constexpr double kSettled_m = 0.02;       // choice: no pose moves any more
 constexpr std::size_t kLeastPeriod = 25;  // key frames; choice: two windows
 constexpr std::size_t kPeriodShare = 8;  // of the run so far; choice: an observation costs the same
@@ -50,14 +50,17 @@ void HandmapEstimator::State::smoothWindow() {
   for (const FoundBox& box : boxes) *findBox(found, box.id) = box;
 }
 
-/// The window alone drifts. The longer the run the more seldom, so that a frame costs the same.
+/// The window alone drifts. The longer the run the more seldom, so that a frame costs the same; an
+/// iteration with each of a few key frames, so that none takes long.
 bool HandmapEstimator::State::smoothPeriodically(const std::stop_token& stop) {
   if (stop.stop_requested()) return false;
-  if (frames.size() < smoothed_at + std::max(kLeastPeriod, smoothed_at / kPeriodShare)) {
-    return false;
+  if (frames.size() >= smoothed_at + std::max(kLeastPeriod, smoothed_at / kPeriodShare)) {
+    iterations_due = kPeriodicIterations;
   }
-  smoothAll(kPeriodicSlacks, kPeriodicIterations, {}, stop);
-  evidence.reinsertAll(sensor, stop);
+  if (iterations_due == 0) return false;
+  --iterations_due;
+  smoothAll(kPeriodicSlacks, 1, {}, stop);
+  if (iterations_due == 0) evidence.reinsertAll(stop);
   return true;
 }
 
@@ -122,7 +125,7 @@ bool HandmapEstimator::State::closeLoop(const std::stop_token& stop) {
   if (!pairs) return false;
   smoothAll(kLoopSlacks, kMostIterations, *pairs, stop);
   found = merged(found, *pairs);
-  evidence.reinsertAll(sensor, stop);
+  evidence.reinsertAll(stop);
   return true;
 }
 

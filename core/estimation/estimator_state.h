@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "core/estimation/buildings/clutter_estimate.h"
@@ -26,7 +27,7 @@ struct HandmapEstimator::State {
         seed(random_seed),
         sensor(with.sensor, with.range_limit_m),
         evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m), with.active_m,
-                 static_cast<std::size_t>(with.most_active)),
+                 static_cast<std::size_t>(with.most_active), sensor),
         finder(with.finder),
         smoother(with.odometry, sensor),
         odometry_estimate(with.odometry.heading_variance_per_m),
@@ -52,7 +53,7 @@ struct HandmapEstimator::State {
   void renewCovariance();
   void updateDirections();
   void updateNoise();
-  void findBuildings();
+  bool findBuildings();
   void followBuildings();
   bool closeLoop(const std::stop_token& stop);
   bool smoothPeriodically(const std::stop_token& stop);
@@ -92,7 +93,10 @@ struct HandmapEstimator::State {
   std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
   MapCorrection correction;
   std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
-  struct Observed {             ///< an observation: its pose relative to a key frame
+  int iterations_due = 0;       ///< of smoothing them all
+  double refined_at_m = -std::numeric_limits<double>::infinity();   ///< driven by then
+  double detected_at_m = -std::numeric_limits<double>::infinity();  ///< the same
+  struct Observed {  ///< an observation: its pose relative to a key frame
     double time_s;
     std::size_t frame;
     Pose2 offset;

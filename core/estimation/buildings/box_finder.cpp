@@ -64,6 +64,19 @@ std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   return std::nullopt;
 }
 
+/// Whether the frame says anything of it.
+bool isLookedAt(const Box& box, const Frame& frame, const SensorModel& sensor) {
+  const BoxView view(box, frame.pose);
+  if (!view.inReach(sensor.rangeLimit())) return false;
+  bool looked_at = false;
+  view.forRays(frame.rays, [&](const FrameRay& ray) {
+    if (looked_at) return;
+    const Entry entry = view.entry(ray);
+    looked_at = entry.distance >= 0.0F && sensor(ray.sight, entry.distance, kWallSlack) != 0.0F;
+  });
+  return looked_at;
+}
+
 double area(const Box& box) { return signedArea(box.polygon()); }
 
 double commonArea(const Box& a, const Box& b) {
@@ -216,16 +229,21 @@ std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<
   return {found};
 }
 
+void BoxFinder::refineAll(std::vector<FoundBox>& boxes, std::span<const Frame* const> frames,
+                          const SensorModel& sensor) {
+  parallelFor(boxes.size(), [&](std::size_t b) {
+    if (!boxes[b].in_sight || !isLookedAt(boxes[b].box, *frames.back(), sensor)) return;
+    FoundBox refined = boxes[b];
+    refine(refined, kSettledStep_m, frames, sensor);
+    if (!boxes[b].predates(frames) || refined.score > boxes[b].score) boxes[b] = refined;
+  });
+  prune(boxes);
+}
+
 void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
                        std::span<const Frame* const> frames, const SensorModel& sensor) {
   std::erase_if(rivals_, [&](const FoundBox& rival) {
     return !BoxView(rival.box, frames.back()->pose).inReach(sensor.rangeLimit());
-  });
-  parallelFor(boxes.size(), [&](std::size_t b) {
-    if (!boxes[b].in_sight) return;
-    FoundBox refined = boxes[b];
-    refine(refined, kSettledStep_m, frames, sensor);
-    if (!boxes[b].predates(frames) || refined.score > boxes[b].score) boxes[b] = refined;
   });
   int seeds = 0;
   for (const FoundWall& wall : walls) {

@@ -22,8 +22,11 @@ class BoxFinder {
  public:
   explicit BoxFinder(const FinderOptions& options) : options_(options) {}
 
-  /// Changes and drops boxes in sight and adds new ones. `frames`: the last ones, back to those
-  /// that saw the first of what is in sight.
+  /// Refines the boxes that the last frame looks at. `frames`: the last ones, back to those that
+  /// saw the first of what is in sight.
+  void refineAll(std::vector<FoundBox>& boxes, std::span<const Frame* const> frames,
+                 const SensorModel& sensor);
+  /// Changes and drops boxes in sight and adds new ones.
   void update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
               std::span<const Frame* const> frames, const SensorModel& sensor);
   /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.

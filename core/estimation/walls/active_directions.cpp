@@ -29,7 +29,7 @@ void ActiveDirections::update(std::span<const double> drawn, std::span<const Act
       near->is_drawn |= is_drawn;
     } else if (directions_.size() < kMostDirections) {
       directions_.push_back({heading, is_drawn});
-      evidence.include(heading, held, sensor);
+      evidence.include(heading, held);
     }
   };
   for (const double heading : drawn) want(heading, kDirectionsApart / 2.0, true);

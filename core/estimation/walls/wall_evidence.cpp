@@ -78,15 +78,14 @@ void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& 
   }
 }
 
-void WallEvidence::include(double heading, std::span<const ActiveFrame> held,
-                           const SensorModel& sensor) {
+void WallEvidence::include(double heading, std::span<const ActiveFrame> held) {
   const std::size_t first = images_.size();
   for (int side = 0; side < 4; ++side) {
     images_.emplace_back(heading + side * kPi / 2.0, cell_, window_);
   }
   parallelFor(images_.size() - first, [&](std::size_t i) {
     for (const ActiveFrame& active : held) {
-      images_[first + i].apply(*active.frame, active.held_at, sensor, 1);
+      images_[first + i].apply(*active.frame, active.held_at, *active.held_by, 1);
     }
   });
 }
@@ -100,21 +99,19 @@ void WallEvidence::exclude(double heading) {
   }
 }
 
-void WallEvidence::putAnew(std::span<const ActiveFrame> held, const SensorModel& sensor) {
+void WallEvidence::putAnew(std::span<const ActiveFrame> held) {
   parallelFor(images_.size(), [&](std::size_t i) {
     images_[i].clear();
     for (const ActiveFrame& active : held) {
-      images_[i].apply(*active.frame, active.held_at, sensor, 1);
+      images_[i].apply(*active.frame, active.held_at, *active.held_by, 1);
     }
   });
 }
 
-void WallEvidence::add(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
-  parallelFor(images_.size(), [&](std::size_t i) { images_[i].apply(frame, pose, sensor, 1); });
-}
-
-void WallEvidence::remove(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
-  parallelFor(images_.size(), [&](std::size_t i) { images_[i].apply(frame, pose, sensor, -1); });
+void WallEvidence::apply(const ActiveFrame& held, int sign) {
+  parallelFor(images_.size(), [&](std::size_t i) {
+    images_[i].apply(*held.frame, held.held_at, *held.held_by, sign);
+  });
 }
 
 }  // namespace handmap

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -50,10 +51,11 @@ class WallImage {
   std::vector<std::int32_t> cells_;
 };
 
-/// A frame that is worked on, and the pose at which the evidence holds it.
+/// A frame that is worked on, and how the evidence holds it: from this pose, weighed by this model.
 struct ActiveFrame {
   Frame* frame;
   Pose2 held_at;
+  std::shared_ptr<const SensorModel> held_by;
 };
 
 /// The images of the four sides of every direction, over the last frames.
@@ -62,15 +64,17 @@ class WallEvidence {
   WallEvidence(double cell_m, double window_m) : cell_(cell_m), window_(window_m) {}
 
   /// Looks for walls of one more direction (modulo π/2); `held`: the frames that it holds.
-  void include(double heading, std::span<const ActiveFrame> held, const SensorModel& sensor);
+  void include(double heading, std::span<const ActiveFrame> held);
   void exclude(double heading);
-  void add(const Frame& frame, const Pose2& pose, const SensorModel& sensor);
-  void remove(const Frame& frame, const Pose2& pose, const SensorModel& sensor);
+  void add(const ActiveFrame& held) { apply(held, 1); }
+  void remove(const ActiveFrame& held) { apply(held, -1); }
   /// Takes all out and puts `held` in: half the work of taking out one by one.
-  void putAnew(std::span<const ActiveFrame> held, const SensorModel& sensor);
+  void putAnew(std::span<const ActiveFrame> held);
   const std::vector<WallImage>& images() const { return images_; }
 
  private:
+  void apply(const ActiveFrame& held, int sign);
+
   double cell_;
   double window_;
   std::vector<WallImage> images_;

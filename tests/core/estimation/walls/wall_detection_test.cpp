@@ -57,19 +57,20 @@ std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle
 
 class WallDetectionTest : public testing::Test {
  protected:
-  WallDetectionTest() : evidence_(kDetectionCell, 200.0), sensor_(SensorOptions{}, kReach) {
-    evidence_.include(0.05, {}, sensor_);
-    evidence_.include(0.6, {}, sensor_);
+  WallDetectionTest() : evidence_(kDetectionCell, 200.0) {
+    evidence_.include(0.05, {});
+    evidence_.include(0.6, {});
   }
   void see(const std::vector<Box>& boxes, std::uint64_t seed) {
     RandomStream random(seed);
     for (double x = -12.0; x <= 12.0; x += 3.0) {
-      const Frame frame = seenFrom({x, 0.0, 0.1}, boxes, 0.2, random);
-      evidence_.add(frame, frame.pose, sensor_);
+      Frame frame = seenFrom({x, 0.0, 0.1}, boxes, 0.2, random);
+      evidence_.add({&frame, frame.pose, sensor_});
     }
   }
   WallEvidence evidence_;
-  SensorModel sensor_;
+  std::shared_ptr<const SensorModel> sensor_ =
+      std::make_shared<const SensorModel>(SensorOptions{}, kReach);
   DetectionOptions options_;
 };
 

@@ -51,18 +51,18 @@ TEST(WallImage, IsTheSumOverTheRaysThatCross) {
 
 TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
   RandomStream random(6);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   WallEvidence evidence(kEvidenceCell, kWindow);
-  evidence.include(0.1, {}, sensor);
+  evidence.include(0.1, {});
   std::vector<Frame> frames;
   for (double x = -4.0; x <= 4.0; x += 2.0) {
     frames.push_back(seenFrom({x, 0.0, 0.1}, {box}, 0.2, random));
   }
   std::vector<ActiveFrame> held;
   for (Frame& frame : frames) {
-    held.push_back({&frame, frame.pose});
-    evidence.add(frame, frame.pose, sensor);
+    held.push_back({&frame, frame.pose, sensor});
+    evidence.add(held.back());
   }
   const auto cells = [&] {
     std::vector<double> all;
@@ -74,21 +74,22 @@ TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
     return all;
   };
   const std::vector<double> one_by_one = cells();
-  evidence.add(frames.front(), {7.0, -3.0, 1.0}, sensor);
+  evidence.add({&frames.front(), {7.0, -3.0, 1.0}, sensor});
   EXPECT_NE(cells(), one_by_one);
-  evidence.putAnew(held, sensor);
+  evidence.putAnew(held);
   EXPECT_EQ(cells(), one_by_one);
 }
 
 TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
   RandomStream random(4);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   WallEvidence evidence(kEvidenceCell, kWindow);
-  evidence.include(0.1, {}, sensor);
-  const Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
-  evidence.add(frame, frame.pose, sensor);
-  evidence.remove(frame, frame.pose, sensor);
+  evidence.include(0.1, {});
+  Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
+  const ActiveFrame held{&frame, frame.pose, sensor};
+  evidence.add(held);
+  evidence.remove(held);
   for (const WallImage& image : evidence.images()) {
     for (int column = 0; column < image.size(); ++column) {
       for (int row = 0; row < image.size(); ++row) ASSERT_EQ(image.at(column, row), 0.0);
@@ -98,16 +99,16 @@ TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
 
 TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
   RandomStream random(6);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
   WallEvidence first(kEvidenceCell, kWindow);
-  first.include(0.2, {}, sensor);
-  first.add(frame, frame.pose, sensor);
+  first.include(0.2, {});
+  const ActiveFrame held{&frame, frame.pose, sensor};
+  first.add(held);
   WallEvidence later(kEvidenceCell, kWindow);
-  const ActiveFrame held{&frame, frame.pose};
-  later.include(0.7, {}, sensor);
-  later.include(0.2, {&held, 1}, sensor);
+  later.include(0.7, {});
+  later.include(0.2, {&held, 1});
   later.exclude(0.7);
   ASSERT_EQ(later.images().size(), 4u);
   for (int column = 0; column < first.images()[0].size(); ++column) {
@@ -119,14 +120,14 @@ TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
 
 TEST(DetectWalls, NeighboursWithAGapAreTwoWalls) {
   RandomStream random(5);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
   const std::vector<Box> boxes{boxOf({{-15.0, 15.0}, 20.0, 8.0, toRadians(3.0)}),
                                boxOf({{15.0, 15.0}, 24.0, 8.0, 0.0})};
   WallEvidence evidence(kEvidenceCell, kWindow);
-  evidence.include(0.0, {}, sensor);
+  evidence.include(0.0, {});
   for (double x = -20.0; x <= 20.0; x += 5.0) {
-    const Frame frame = seenFrom({x, 0.0, 0.0}, boxes, 0.2, random);
-    evidence.add(frame, frame.pose, sensor);
+    Frame frame = seenFrom({x, 0.0, 0.0}, boxes, 0.2, random);
+    evidence.add({&frame, frame.pose, sensor});
   }
   const auto walls = detectWalls(evidence, Vec2::Zero(), 40.0, DetectionOptions{});
   ASSERT_GE(walls.size(), 2u);
