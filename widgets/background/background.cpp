@@ -1,5 +1,9 @@
 #include "widgets/background/background.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 #include <condition_variable>
 #include <thread>
 
@@ -19,6 +23,14 @@ Running& running() {
   return *running;
 }
 
+/// The window comes first. What this thread starts (TBB's threads) inherits it.
+void giveWay() {
+#ifdef __linux__
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, 0, kNice);  // of this thread alone
+#endif
+}
+
 void count(int change) {
   const std::scoped_lock lock(running().mutex);
   running().count += change;
@@ -30,6 +42,7 @@ void startInBackground(std::function<void()> work) {
   count(1);
   try {
     std::thread([work = std::move(work)]() mutable {
+      giveWay();
       work();
       work = nullptr;  // what it owns goes before the thread counts as ended
       std::unique_lock lock(running().mutex);

@@ -11,7 +11,8 @@
 
 namespace handmap {
 
-/// Runs `work` in a thread of its own. It owns all that it uses and does not throw.
+/// Runs `work` in a thread of its own, which gives way to that of the window. It owns all that it
+/// uses and does not throw.
 void startInBackground(std::function<void()> work);
 
 /// For the end of the program: waits until no such thread is left in this process, their

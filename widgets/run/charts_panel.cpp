@@ -61,7 +61,16 @@ ChartsPanel::ChartsPanel(QWidget* parent) : QWidget(parent) {
   addSeries();
   soon_.setSingleShot(true);
   soon_.setInterval(kRedraw_ms);
-  connect(&soon_, &QTimer::timeout, this, &ChartsPanel::redraw);
+  later_.setSingleShot(true);
+  later_.setInterval(kRedraw_ms / 2);
+  connect(&soon_, &QTimer::timeout, this, [this] {
+    redrawReports();
+    later_.start();
+  });
+  connect(&later_, &QTimer::timeout, this, [this] {
+    redrawChanges();
+    budget_table_->setBudget(budget_);
+  });
   applyPalette();
   error_plot_->hide();
   showSampleSize(false);
@@ -148,7 +157,8 @@ void ChartsPanel::clear() {
   redraw();
 }
 
-/// At once when it is shown, else a few times a second.
+/// At once when it is shown, else a few times a second, a half at a time: they would hold the
+/// window for two frames.
 void ChartsPanel::redrawSoon() {
   if (isVisible() && !soon_.isActive()) soon_.start();
 }

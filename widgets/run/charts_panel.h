@@ -66,6 +66,7 @@ class ChartsPanel : public QWidget {
   FrameBudget budget_;
   Trajectory truth_;
   QTimer soon_;
+  QTimer later_;
   Plot* pose_plot_;
   Plot* change_plot_;
   Plot* error_plot_;

@@ -14,7 +14,7 @@ namespace handmap {
 
 class ParticlesItem : public QGraphicsItem {
  public:
-  static constexpr std::size_t kDensityFrom = 20000;
+  static constexpr std::size_t kDensityFrom = 2000;
 
   void setColours(const Colours& colours);
   void setParticles(const std::vector<ParticleView>& particles);

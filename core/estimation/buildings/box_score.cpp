@@ -20,7 +20,7 @@ Pose2 frameOf(const Box& box) { return {box.pivot.x(), box.pivot.y(), box.headin
 }  // namespace
 
 BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
-                     const SensorModel& sensor, int stride)
+                     const SensorModel& sensor, std::size_t stride)
     : frames_(frames), sensor_(sensor), stride_(stride) {
   lookAt(box);
 }
@@ -75,7 +75,7 @@ double BoxScorer::operator()(const Box& box) {
           sum += sensor_(ray.sight, entry.distance, kWallSlack / std::max(entry.cosine, 0.02F));
         },
         stride_);
-    score += static_cast<double>(sum) * stride_;
+    score += static_cast<double>(sum) * static_cast<double>(stride_);
   }
   return score;
 }

@@ -13,7 +13,7 @@ class BoxScorer {
  public:
   /// Looks at each `stride`-th ray: two take half the time for √2 of the noise.
   BoxScorer(const Box& box, std::span<const Frame* const> frames, const SensorModel& sensor,
-            int stride = 2);
+            std::size_t stride = 2);
 
   /// Sum of the log likelihood ratios of all rays that would meet the box; very low where a robot
   /// stands inside it. The box may be any: far from the one given it only takes longer.
@@ -30,7 +30,7 @@ class BoxScorer {
 
   std::span<const Frame* const> frames_;
   const SensorModel& sensor_;
-  int stride_;
+  std::size_t stride_;
   std::array<Vec2, 4> around_;  ///< corners of the box that the rays are around
   Pose2 turned_to_;             ///< the frame of a box that the poses are in
   std::vector<Looking> looking_;
