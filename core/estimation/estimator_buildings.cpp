@@ -10,9 +10,8 @@ namespace handmap {
 namespace {
 
 constexpr std::size_t kLastPoses = 200;  // that tell which side a building is on; choice
-/// Buildings are refined and walls detected at least so often. Choice: two key frames on the move;
-/// a robot that stops every 5 m does both at each stop.
-constexpr double kTurnsWithin_m = 4.5;
+/// Key frames nearer to each other take turns. Choice: a robot that stops drives farther.
+constexpr double kClose_m = 3.0;
 /// Key frames that have seen a building when its outline is tried. Choice: twice as many each time.
 constexpr std::array kOutlineTries = {3, 6, 12, 24};
 constexpr double kOutlineStep_m = 0.5;  // of the search of a box that was an outline; choice
@@ -46,11 +45,10 @@ void HandmapEstimator::State::updateDirections() {
 /// Where key frames are close to each other buildings are refined at one and walls detected at the
 /// next. Returns whether walls were.
 bool HandmapEstimator::State::findBuildings() {
-  const double driven = frames.back().driven_m;
-  const bool both = driven - std::min(refined_at_m, detected_at_m) > kTurnsWithin_m;
-  const bool detects = both || detected_at_m <= refined_at_m;
-  if (detects) detected_at_m = driven;
-  if (both || !detects) refined_at_m = driven;
+  const bool both =
+      frames.size() < 2 || frames.back().driven_m - frames[frames.size() - 2].driven_m > kClose_m;
+  const bool detects = both || !detected_last;
+  detected_last = detects;
   for (FoundBox& box : found) box.in_sight = isInSight(box);
   const auto dormant = std::stable_partition(found.begin(), found.end(),
                                              [](const FoundBox& box) { return !box.dormant; });

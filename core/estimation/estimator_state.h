@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <limits>
 #include <optional>
 
 #include "core/estimation/buildings/clutter_estimate.h"
@@ -94,9 +93,8 @@ struct HandmapEstimator::State {
   MapCorrection correction;
   std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
   int iterations_due = 0;       ///< of smoothing them all
-  double refined_at_m = -std::numeric_limits<double>::infinity();   ///< driven by then
-  double detected_at_m = -std::numeric_limits<double>::infinity();  ///< the same
-  struct Observed {  ///< an observation: its pose relative to a key frame
+  bool detected_last = false;   ///< walls, at the last key frame
+  struct Observed {             ///< an observation: its pose relative to a key frame
     double time_s;
     std::size_t frame;
     Pose2 offset;
