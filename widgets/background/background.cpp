@@ -19,8 +19,8 @@ struct Running {
 };
 
 Running& running() {
-  static auto* const running = new Running;
-  return *running;
+  static auto* const kRunning = new Running;
+  return *kRunning;
 }
 
 /// The window comes first. What this thread starts (TBB's threads) inherits it.

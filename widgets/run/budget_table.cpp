@@ -67,7 +67,7 @@ void BudgetTable::setBudget(const FrameBudget& budget) {
     row.p50->setText(tr("%1 ms").arg(milliseconds(line.p50_ms)));
     row.p95->setText(tr("%1 ms").arg(milliseconds(line.p95_ms)));
   }
-  const auto interval = budget.interval_ms();
+  const auto interval = budget.intervalMs();
   if (!interval) return verdict_->setText({});
   const double used = 100.0 * budget.total().p95_ms / *interval;
   verdict_->setText(

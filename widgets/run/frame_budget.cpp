@@ -38,7 +38,7 @@ FrameBudget::Line FrameBudget::of(double StageTimes::*stage) const {
 
 FrameBudget::Line FrameBudget::total() const { return of(&StageTimes::total); }
 
-std::optional<double> FrameBudget::interval_ms() const {
+std::optional<double> FrameBudget::intervalMs() const {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < frames_.size(); ++i) {
     const double interval = frames_[i].time_s - frames_[i - 1].time_s;

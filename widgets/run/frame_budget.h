@@ -25,7 +25,7 @@ class FrameBudget {
   Line of(double StageTimes::*stage) const;
   Line total() const;
   /// Median time between two observations, of the recording's clock; nullopt before there are two.
-  std::optional<double> interval_ms() const;
+  std::optional<double> intervalMs() const;
   bool empty() const { return frames_.empty(); }
 
  private:

@@ -92,10 +92,10 @@ TEST(ReportSeries, KnowsHowSureAndHowFarOffThePoseIs) {
 
 TEST(FrameBudget, TellsSharesAndPercentilesAgainstTheInterval) {
   FrameBudget budget;
-  EXPECT_FALSE(budget.interval_ms());
+  EXPECT_FALSE(budget.intervalMs());
   EXPECT_EQ(budget.total().p95_ms, 0.0);
   for (const FrameReport& report : reports(1100)) budget.add(report);
-  EXPECT_NEAR(budget.interval_ms().value(), 100.0, 1e-6);
+  EXPECT_NEAR(budget.intervalMs().value(), 100.0, 1e-6);
   EXPECT_NEAR(budget.of(&StageTimes::stereo).share, 5.0 / 69.5, 1e-6);
   EXPECT_NEAR(budget.of(&StageTimes::stereo).p95_ms, 5.0, 1e-12);
   EXPECT_NEAR(budget.total().p50_ms, 70.0, 1.5);
