@@ -157,8 +157,8 @@ void ChartsPanel::clear() {
   redraw();
 }
 
-/// At once when it is shown, else a few times a second, a half at a time: they would hold the
-/// window for two frames.
+/// At once when it is shown, else a few times a second, a half at a time: all
+/// together would hold the window for two frames.
 void ChartsPanel::redrawSoon() {
   if (isVisible() && !soon_.isActive()) soon_.start();
 }

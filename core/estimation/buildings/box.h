@@ -22,6 +22,7 @@ struct Box {
   std::array<double, 4> reach{};
   std::shared_ptr<const Outline> outline;  ///< nullptr: the box itself, wall k is side k
 
+  Pose2 frame() const { return {pivot.x(), pivot.y(), heading}; }
   Vec2 sideNormal(std::size_t side) const {
     return unitVector(heading + static_cast<double>(side) * kPi / 2.0);
   }

@@ -15,8 +15,6 @@ std::array<Vec2, 4> cornersOf(const Box& box) {
   return {box.boxCorner(0), box.boxCorner(1), box.boxCorner(2), box.boxCorner(3)};
 }
 
-Pose2 frameOf(const Box& box) { return {box.pivot.x(), box.pivot.y(), box.heading}; }
-
 }  // namespace
 
 BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
@@ -27,7 +25,7 @@ BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
 
 void BoxScorer::lookAt(const Box& box) {
   around_ = cornersOf(box);
-  turned_to_ = frameOf(box);
+  turned_to_ = box.frame();
   looking_.clear();
   for (const Frame* frame : frames_) {
     const BoxView view(box, frame->pose);
@@ -50,8 +48,8 @@ void BoxScorer::lookAt(const Box& box) {
 
 /// What changes is mostly how far the box reaches: then there is nothing to do.
 void BoxScorer::turnTo(const Box& box) {
-  if (frameOf(box) == turned_to_) return;
-  turned_to_ = frameOf(box);
+  if (box.frame() == turned_to_) return;
+  turned_to_ = box.frame();
   for (Looking& looking : looking_) looking.pose = PoseAtBox(box, looking.frame->pose);
 }
 

@@ -6,7 +6,7 @@
 namespace handmap {
 
 PoseAtBox::PoseAtBox(const Box& box, const Pose2& robot) {
-  const Pose2 own = between({box.pivot.x(), box.pivot.y(), box.heading}, robot);
+  const Pose2 own = between(box.frame(), robot);
   x = static_cast<float>(own.x);
   y = static_cast<float>(own.y);
   cos = static_cast<float>(std::cos(own.heading));
