@@ -3,6 +3,7 @@
 // one thread before that of another; of plain threads it sees all, so that its verdict counts.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #ifdef HANDMAP_PLAIN_THREADS
@@ -54,6 +55,16 @@ void parallelFor(std::size_t count, const Body& body) {
 #else
   tbb::parallel_for(std::size_t{0}, count, body);
 #endif
+}
+
+/// body(begin, end) for 0 … count, cut into stretches of so many; the same as above otherwise.
+template <typename Body>
+void parallelStretches(int count, int length, const Body& body) {
+  const int stretches = (count + length - 1) / length;
+  parallelFor(static_cast<std::size_t>(stretches), [&](std::size_t i) {
+    const int begin = static_cast<int>(i) * length;
+    body(begin, std::min(begin + length, count));
+  });
 }
 
 }  // namespace handmap

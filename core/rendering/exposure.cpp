@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "core/base/parallel.h"
 #include "core/base/random.h"
 
 namespace handmap {
@@ -68,8 +66,8 @@ cv::Mat developed(const cv::Mat3f& radiance, float exposure, bool colour, double
                   std::uint64_t seed, std::uint32_t frame, std::uint32_t picture) {
   cv::Mat image(radiance.size(), colour ? CV_8UC3 : CV_8UC1);
   const auto noise = static_cast<float>(sigma);
-  tbb::parallel_for(tbb::blocked_range<int>(0, image.rows, 16), [&](const auto& rows) {
-    for (int row = rows.begin(); row < rows.end(); ++row) {
+  parallelStretches(image.rows, 16, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
       const std::uint32_t line = picture << 16 | static_cast<std::uint32_t>(row);
       RandomStream random(seed, frame, line, kSensor);
       const cv::Vec3f* in = radiance[row];

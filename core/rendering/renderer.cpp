@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "core/base/parallel.h"
 #include "core/rendering/exposure.h"
 #include "core/rendering/visibility.h"
 
@@ -51,8 +49,8 @@ Colour pixelRadiance(const Scene& scene, const ViewCamera& camera, const Visibil
 cv::Mat3f radianceOf(const Scene& scene, const ViewCamera& camera) {
   const Visibility visibility = visibilityOf(scene.model().surfaces, camera, kSamples);
   cv::Mat3f picture(camera.height, camera.width);
-  tbb::parallel_for(tbb::blocked_range<int>(0, camera.height, 8), [&](const auto& rows) {
-    for (int row = rows.begin(); row < rows.end(); ++row) {
+  parallelStretches(camera.height, 8, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
       for (int column = 0; column < camera.width; ++column) {
         const Colour colour = pixelRadiance(scene, camera, visibility, column, row);
         picture(row, column) = {colour[0], colour[1], colour[2]};

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "core/base/parallel.h"
 
 namespace handmap {
 
@@ -160,8 +159,8 @@ Visibility visibilityOf(const std::vector<Surface>& surfaces, const ViewCamera& 
   }
   Canvas canvas(camera, scale);
   constexpr int kBand = 32;
-  tbb::parallel_for(tbb::blocked_range<int>(0, canvas.rows(), kBand),
-                    [&](const auto& rows) { canvas.drawRows(patches, rows.begin(), rows.end()); });
+  parallelStretches(canvas.rows(), kBand,
+                    [&](int begin, int end) { canvas.drawRows(patches, begin, end); });
   return canvas.take();
 }
 

@@ -19,6 +19,16 @@ TEST(Parallel, DoesEveryPartOnce) {
   EXPECT_EQ(Arena(1).execute([] { return 7; }), 7);
 }
 
+TEST(Parallel, CutsIntoStretches) {
+  std::vector<int> done(100, 0);
+  parallelStretches(100, 32, [&](int begin, int end) {
+    EXPECT_LE(end - begin, 32);
+    for (int i = begin; i < end; ++i) ++done[static_cast<std::size_t>(i)];
+  });
+  EXPECT_EQ(done, std::vector<int>(100, 1));
+  EXPECT_NO_THROW(parallelStretches(0, 8, [](int, int) { FAIL(); }));
+}
+
 TEST(Parallel, PassesOnWhatIsThrown) {
   const auto throwing = [](std::size_t i) {
     if (i == 17) throw std::runtime_error("seventeen");
