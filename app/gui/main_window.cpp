@@ -79,6 +79,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   docks_ = new Docks(*this, document_);
   overlays_ = std::make_unique<RunOverlays>(*canvas_->scene(), kOverlayZ);
   overlays_->setColours(Colours::of(palette()));
+  run_.setPrepare(overlays_->preparation());
   files_ = new FileActions(
       {*this, document_, *canvas_, run_, actions_, *messages_, settings_, *dialogs_});
   runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,

@@ -57,6 +57,7 @@ void RunController::pass(const RunNews& news) {
 }
 
 void RunController::listenTo(RunWorker& worker) {
+  worker.mailbox().setPrepare(prepare_);
   connect(&worker.mailbox(), &RunMailbox::arrived, this, &RunController::pass);
   connect(&worker, &RunWorker::started, this, &RunController::sourceOpened);
   connect(&worker, &RunWorker::progressed, this, &RunController::progressed);

@@ -19,6 +19,8 @@ class RunController : public QObject {
  public:
   using QObject::QObject;
 
+  /// How what newsArrived() brings is made ready for being shown; see RunMailbox.
+  void setPrepare(RunMailbox::Prepare prepare) { prepare_ = std::move(prepare); }
   RunState state() const { return state_; }
   bool isActive() const { return state_ != RunState::Idle; }
   /// Of the latest run, also when it has ended; nullptr before its first whole step.
@@ -103,6 +105,7 @@ class RunController : public QObject {
   void letGo();
   void listenTo(RunWorker& worker);
 
+  RunMailbox::Prepare prepare_;
   RunState state_ = RunState::Idle;
   int number_ = 0;
   double speed_ = 1.0;

@@ -4,11 +4,13 @@
 
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "core/session/snapshot.h"
+#include "widgets/background/background.h"
 
 namespace handmap {
 
@@ -20,12 +22,20 @@ struct RunNews {
 
 class RunMailbox : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RunMailbox)
  public:
-  explicit RunMailbox(QObject* parent = nullptr);
+  /// Makes what is to be shown of a snapshot; called in a thread of its own.
+  using Prepare = std::function<void(const Snapshot&)>;
 
+  explicit RunMailbox(QObject* parent = nullptr);
+  ~RunMailbox() override;
+
+  /// What comes from now on is prepared before it is delivered.
+  void setPrepare(Prepare prepare) { prepare_ = std::move(prepare); }
   /// From any thread; never waits.
   void post(std::shared_ptr<const Snapshot> snapshot);
-  /// Delivers what is there now, e.g. because a run has ended. In this object's thread.
+  /// Delivers what is there now, prepared or not, e.g. because a run has ended. In this object's
+  /// thread.
   void flush();
 
  Q_SIGNALS:
@@ -33,10 +43,17 @@ class RunMailbox : public QObject {
   void arrived(const handmap::RunNews& news);
 
  private:
+  void prepare();
+  void deliver();
+  RunNews taken();
+
   std::mutex mutex_;
   RunNews news_;
   bool pending_ = false;  ///< a delivery is on its way
+  RunNews next_;          ///< that is being prepared
+  Prepare prepare_;
   QTimer timer_;
+  std::shared_ptr<Lifeline<RunMailbox>> lifeline_;
 };
 
 }  // namespace handmap

@@ -110,6 +110,7 @@ std::vector<QGraphicsItem*> RunOverlays::itemsOf(Layer layer) const {
 
 void RunOverlays::setLayerVisible(Layer layer, bool visible) {
   visible_[static_cast<std::size_t>(layer)] = visible;
+  if (layer == Layer::LocalMap) *shows_local_map_ = visible;
   updateVisibility();
   if (layer == Layer::Corrected) tellOutlines();
   if (layer == Layer::SeenWalls && visible) showSeen();
@@ -151,6 +152,13 @@ void RunOverlays::show(const Snapshot& snapshot) {
   phase_->setPhase(nullptr);
   display(snapshot);
   Q_EMIT shown(snapshot);
+}
+
+std::function<void(const Snapshot&)> RunOverlays::preparation() const {
+  return [shows_local_map = shows_local_map_](const Snapshot& snapshot) {
+    if (snapshot.map) snapshot.map.get();
+    if (snapshot.local_map && *shows_local_map) snapshot.local_map.get();
+  };
 }
 
 void RunOverlays::showPhase(const Phase& phase) {

@@ -5,6 +5,8 @@
 #include <QHash>
 #include <QObject>
 #include <QPolygonF>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -56,6 +58,9 @@ class RunOverlays : public QObject {
   const std::optional<Map>& truthMap() const { return truth_map_; }
   /// Snapshots may come in any order.
   void show(const Snapshot& snapshot);
+  /// Makes, in any thread, what show() would make, so that this one need not wait for it. May
+  /// outlive this object.
+  std::function<void(const Snapshot&)> preparation() const;
   /// In the middle of an observation; until the next show().
   void showPhase(const Phase& phase);
   void clear();
@@ -102,6 +107,8 @@ class RunOverlays : public QObject {
   std::unique_ptr<ChangesItem> changes_;
   std::unique_ptr<PhaseItem> phase_;
   std::array<bool, static_cast<std::size_t>(Layer::Count)> visible_;
+  /// For preparation().
+  std::shared_ptr<std::atomic<bool>> shows_local_map_ = std::make_shared<std::atomic<bool>>(true);
   Map drawing_;
   std::optional<Map> truth_map_;
   std::optional<Map> shown_map_;

@@ -2,6 +2,9 @@
 
 #include <QCoreApplication>
 #include <QTest>
+#include <condition_variable>
+#include <mutex>
+#include <new>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -59,6 +62,83 @@ TEST_F(RunMailboxTest, FlushDeliversAtOnceAndOnlyOnce) {
   EXPECT_EQ(indices_, std::vector{1});
   QTest::qWait(50);
   EXPECT_EQ(indices_, std::vector{1});
+}
+
+/// A preparation that waits until it may end.
+struct Gate {
+  std::mutex mutex;
+  std::condition_variable opened;
+  int open_for = 0;  ///< snapshots
+  std::vector<int> prepared;
+
+  RunMailbox::Prepare prepare() {
+    return [this](const Snapshot& snapshot) {
+      std::unique_lock lock(mutex);
+      prepared.push_back(snapshot.index);
+      opened.wait(lock, [&] { return open_for > 0; });
+      --open_for;
+    };
+  }
+  std::size_t entered() {
+    const std::scoped_lock lock(mutex);
+    return prepared.size();
+  }
+  void open(int snapshots) {
+    const std::scoped_lock lock(mutex);
+    open_for = snapshots;
+    opened.notify_all();
+  }
+};
+
+TEST_F(RunMailboxTest, WhatIsPreparedIsWhatArrives) {
+  Gate gate;
+  mailbox_.setPrepare(gate.prepare());
+  mailbox_.post(snapshotOf(1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+  mailbox_.post(snapshotOf(2));
+  mailbox_.post(snapshotOf(3));
+  QTest::qWait(50);
+  EXPECT_TRUE(indices_.empty()) << "delivered before it was prepared";
+  gate.open(2);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return indices_.size() == 2; }));
+  EXPECT_EQ(indices_, (std::vector{1, 3}));
+  EXPECT_EQ(frames_, (std::vector{1, 2, 3}));
+  EXPECT_EQ(gate.prepared, indices_);
+}
+
+TEST_F(RunMailboxTest, FlushDoesNotWaitForThePreparation) {
+  Gate gate;
+  mailbox_.setPrepare(gate.prepare());
+  mailbox_.post(snapshotOf(1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+  mailbox_.post(snapshotOf(2));
+  mailbox_.flush();
+  EXPECT_EQ(indices_, std::vector{2});
+  EXPECT_EQ(frames_, (std::vector{1, 2}));
+  mailbox_.post(snapshotOf(3));
+  gate.open(2);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return indices_.size() == 2; }));
+  QTest::qWait(50);
+  EXPECT_EQ(indices_, (std::vector{2, 3})) << "the first one came late";
+  EXPECT_TRUE(waitForBackground(std::chrono::seconds(5)));
+}
+
+TEST_F(RunMailboxTest, APreparationThatFailsHoldsNothingBack) {
+  mailbox_.setPrepare([](const Snapshot&) { throw std::bad_alloc(); });
+  mailbox_.post(snapshotOf(1));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !indices_.empty(); }));
+  EXPECT_EQ(indices_, std::vector{1});
+}
+
+TEST(RunMailboxEndTest, MayGoWhileItPrepares) {
+  Gate gate;
+  auto mailbox = std::make_unique<RunMailbox>();
+  mailbox->setPrepare(gate.prepare());
+  mailbox->post(snapshotOf(1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+  mailbox.reset();
+  gate.open(1);
+  EXPECT_TRUE(waitForBackground(std::chrono::seconds(5)));
 }
 
 TEST_F(RunMailboxTest, TheLastOfAnotherThreadAlwaysArrives) {
