@@ -21,29 +21,26 @@ QPointF deviceAt(const QTransform& to_device, const Axis& axis, double metres) {
   return to_device.map(axis.vertical_lines ? QPointF(metres, 0.0) : QPointF(0.0, metres));
 }
 
-/// A map that is turned has no sharp lines.
+/// A map that is turned has no lines that lie on pixels.
 bool isTurned(const QTransform& to_device) { return std::abs(to_device.m12()) > 1e-9; }
 
 void paintLines(QPainter& painter, const QTransform& to_device, const QRectF& area,
-                const Axis& axis, const Axis& other, double step) {
-  QList<QLineF> lines;
+                const Axis& axis, const Axis& other, double step, const QColor& colour) {
+  painter.setPen(colour);
   for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i) {
     const double metres = i * step;
-    if (isTurned(to_device)) {
-      lines << to_device.map(axis.vertical_lines ? QLineF(metres, other.low, metres, other.high)
-                                                 : QLineF(other.low, metres, other.high, metres));
-      continue;
-    }
     const QPointF at = deviceAt(to_device, axis, metres);
-    if (axis.vertical_lines) {
-      const double x = std::floor(at.x()) + 0.5;
-      lines << QLineF(x, area.top(), x, area.bottom());
+    // A rectangle of one pixel takes a quarter of the time of a line.
+    if (isTurned(to_device)) {
+      painter.drawLine(to_device.map(axis.vertical_lines
+                                         ? QLineF(metres, other.low, metres, other.high)
+                                         : QLineF(other.low, metres, other.high, metres)));
+    } else if (axis.vertical_lines) {
+      painter.fillRect(QRectF(std::floor(at.x()), area.top(), 1.0, area.height()), colour);
     } else {
-      const double y = std::floor(at.y()) + 0.5;
-      lines << QLineF(area.left(), y, area.right(), y);
+      painter.fillRect(QRectF(area.left(), std::floor(at.y()), area.width(), 1.0), colour);
     }
   }
-  painter.drawLines(lines);
 }
 
 void paintNumbers(QPainter& painter, const QTransform& to_device, const QRectF& area,
@@ -83,9 +80,8 @@ void paintGrid(QPainter& painter, const QTransform& to_device, const QRectF& are
                        {false, metres.top(), metres.bottom()}};
   for (const auto& [role, spacing] :
        {std::pair{Role::GridLine, step}, std::pair{Role::GridLineMajor, major}}) {
-    painter.setPen(colours.pen(role));
-    paintLines(painter, to_device, area, axes[0], axes[1], spacing);
-    paintLines(painter, to_device, area, axes[1], axes[0], spacing);
+    paintLines(painter, to_device, area, axes[0], axes[1], spacing, colours[role]);
+    paintLines(painter, to_device, area, axes[1], axes[0], spacing, colours[role]);
   }
   painter.setPen(colours.pen(Role::Axis));
   const QPointF origin = to_device.map(QPointF());

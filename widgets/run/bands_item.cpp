@@ -27,7 +27,7 @@ void BandsItem::setMap(const Map& map) {
 }
 
 void BandsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setRenderHint(QPainter::Antialiasing, false);  // nobody sees it, and it takes long
   painter->fillPath(bands_, colours_->brush(Role::CorrectedBand));
 }
 

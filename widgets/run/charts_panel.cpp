@@ -154,11 +154,11 @@ void ChartsPanel::clear() {
   changes_.clear();
   budget_.clear();
   setCursor({});
-  redraw();
+  redrawSoon();
 }
 
-/// At once when it is shown, else a few times a second, a half at a time: all
-/// together would hold the window for two frames.
+/// At once when the panel is shown, then a few times a second, a half at a time: all together would
+/// hold the window for two frames.
 void ChartsPanel::redrawSoon() {
   if (isVisible() && !soon_.isActive()) soon_.start();
 }

@@ -30,34 +30,35 @@ void CorrectedMapItem::setMap(const Map& map) {
   seen_.clear();
   unseen_.clear();
   doubtful_.clear();
+  bounds_ = {};
   for (const Building& building : map.buildings) {
     if (!building.estimate) continue;
     const QPolygonF outline = toScene(building.footprint());
     const std::vector<SideEstimate> walls = wallsOf(building);
     for (qsizetype i = 0; i < outline.size(); ++i) {
-      QPainterPath& path = walls[static_cast<std::size_t>(i)].seen ? seen_ : unseen_;
-      if (path.currentPosition() != outline[i] || path.isEmpty()) path.moveTo(outline[i]);
-      path.lineTo(outline[(i + 1) % outline.size()]);
+      (walls[static_cast<std::size_t>(i)].seen ? seen_ : unseen_)
+          .append({outline[i], outline[(i + 1) % outline.size()]});
     }
+    bounds_ |= outline.boundingRect();
     if (doubtOf(building) <= 0.0) continue;
     doubtful_.addPolygon(outline);
     doubtful_.closeSubpath();
   }
-  bounds_ = (seen_.boundingRect() | unseen_.boundingRect()).adjusted(-2.0, -2.0, 2.0, 2.0);
+  bounds_.adjust(-2.0, -2.0, 2.0, 2.0);
 }
 
 void CorrectedMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
   const QTransform to_device = painter->worldTransform();
   painter->setWorldTransform({});  // a hatching is of pixels
-  painter->setRenderHint(QPainter::Antialiasing);
   painter->fillPath(to_device.map(doubtful_), colours_->brush(Role::Doubtful));
-  painter->setBrush(Qt::NoBrush);
-  painter->setPen(colours_->pen(Role::Corrected));
-  painter->drawPath(to_device.map(seen_));
+  painter->setWorldTransform(to_device);
+  QPen pen = colours_->pen(Role::Corrected);
+  pen.setCapStyle(Qt::SquareCap);  // closes the corners
+  painter->setPen(pen);
+  painter->drawLines(seen_);
   painter->setPen(unseenPen(*colours_));
-  painter->drawPath(to_device.map(unseen_));
-  painter->restore();
+  painter->drawLines(unseen_);
 }
 
 }  // namespace handmap

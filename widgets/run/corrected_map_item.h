@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QLineF>
+#include <QList>
 #include <QPainterPath>
 
 #include "core/map/map.h"
@@ -21,8 +23,8 @@ class CorrectedMapItem : public QGraphicsItem {
 
  private:
   const Colours* colours_ = &Colours::light();
-  QPainterPath seen_;      ///< walls
-  QPainterPath unseen_;    ///< walls
+  QList<QLineF> seen_;     ///< walls
+  QList<QLineF> unseen_;   ///< walls
   QPainterPath doubtful_;  ///< footprints
   QRectF bounds_;
 };

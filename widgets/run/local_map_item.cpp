@@ -1,17 +1,31 @@
 #include "widgets/run/local_map_item.h"
 
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <opencv2/core.hpp>
 
-#include "widgets/run/averaged_image.h"
-
 namespace handmap {
 
 namespace {
+
+/// Means of so many cells either way: a painter alone would pick one of them, and thin walls would
+/// vanish. Cells beyond the last whole mean are left out: half a pixel.
+cv::Mat1f shrunk(const cv::Mat1f& cells, int by) {
+  if (by == 1) return cells;
+  cv::Mat1f means(cells.rows / by, cells.cols / by, 0.0F);
+  const float share = 1.0F / static_cast<float>(by * by);
+  for (int row = 0; row < means.rows * by; ++row) {
+    const float* from = cells[row];
+    for (float& mean : cv::Mat1f(means.row(row / by))) {
+      for (int i = 0; i < by; ++i) mean += share * *from++;
+    }
+  }
+  return means;
+}
 
 /// The surer of a wall, measured by the surest cell, the less transparent.
 QImage imageOf(const cv::Mat1f& cells, const QColor& colour) {
@@ -29,7 +43,7 @@ QImage imageOf(const cv::Mat1f& cells, const QColor& colour) {
     const float* from = cells[row];
     auto* to = reinterpret_cast<QRgb*>(image.scanLine(row));
     for (int column = 0; column < cells.cols; ++column) {
-      to[column] = shades[static_cast<std::size_t>(std::clamp(from[column] * scale, 0.0F, 255.0F))];
+      to[column] = shades[static_cast<std::size_t>(std::min(from[column] * scale, 255.0F))];
     }
   }
   return image;
@@ -59,17 +73,19 @@ QRectF LocalMapItem::boundingRect() const {
 
 void LocalMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   if (!local_map_) return;
-  if (image_.isNull()) {
-    image_ = imageOf(local_map_.get().cells(), (*colours_)[Role::LocalMap]);
-    averaged_ = {};
+  const LocalMap& map = local_map_.get();
+  const double pixels_a_cell =
+      map.cell() * painter->device()->devicePixelRatioF() *
+      QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
+  const int by = std::clamp(static_cast<int>(1.0 / pixels_a_cell), 1, map.cells().cols);
+  if (image_.isNull() || by != cells_a_pixel_) {
+    image_ = imageOf(shrunk(map.cells(), by), (*colours_)[Role::LocalMap]);
+    cells_a_pixel_ = by;
   }
-  if (lod_ != painter->worldTransform().determinant() || averaged_.isNull()) {
-    lod_ = painter->worldTransform().determinant();
-    averaged_ = averagedFor(*painter, boundingRect(), image_);
-  }
+  const double side = map.cell() * by * image_.width();
   // Row 0 is the right edge, y = -range: the scene's y axis points up, so the image lies as it is.
   painter->setRenderHint(QPainter::SmoothPixmapTransform);
-  painter->drawImage(boundingRect(), averaged_);
+  painter->drawImage(QRectF(-map.range(), -map.range(), side, side), image_);
 }
 
 }  // namespace handmap

@@ -23,9 +23,8 @@ class LocalMapItem : public QGraphicsItem {
  private:
   const Colours* colours_ = &Colours::light();
   LazyLocalMap local_map_;
-  QImage image_;     ///< of local_map_ in the colours; made when first painted
-  QImage averaged_;  ///< of image_ for the scale of lod_
-  double lod_ = 0.0;
+  QImage image_;           ///< of local_map_ in the colours; made when first painted
+  int cells_a_pixel_ = 1;  ///< of image_, either way
 };
 
 }  // namespace handmap

@@ -25,38 +25,37 @@ QPolygonF thinned(const QPolygonF& way, double apart) {
 
 }  // namespace
 
-void PathItem::setColours(const Colours& colours) { setPen(colours.pen(role_)); }
+void PathItem::setColours(const Colours& colours) {
+  colours_ = &colours;
+  update();
+}
 
 void PathItem::setPoses(const std::vector<StampedPose>& poses) {
+  prepareGeometryChange();
   way_.clear();
   way_.reserve(static_cast<qsizetype>(poses.size()));
   for (const StampedPose& stamped : poses) way_ << toScene(stamped.pose.position());
-  join();
+  way_bounds_ = way_.boundingRect();
 }
 
 void PathItem::setBuildings(const std::vector<Building>& buildings) {
+  prepareGeometryChange();
   outlines_.clear();
+  outlines_bounds_ = {};
   for (const Building& building : buildings) {
-    outlines_.addPolygon(toScene(building.footprint()));
-    outlines_.closeSubpath();
+    const QPolygonF outline = toScene(building.footprint());
+    appendSides(outline, outlines_);
+    outlines_bounds_ |= outline.boundingRect();
   }
-  join();
-}
-
-void PathItem::join() {
-  QPainterPath path;
-  path.addPolygon(way_);
-  path.addPath(outlines_);
-  setPath(path);
 }
 
 void PathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const double pixels_per_metre =
       QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
   painter->setRenderHint(QPainter::Antialiasing);
-  painter->setPen(pen());
+  painter->setPen(colours_->pen(role_));
   painter->setBrush(Qt::NoBrush);
-  painter->drawPath(outlines_);
+  painter->drawLines(outlines_);
   painter->drawPolyline(thinned(way_, kApartPx / std::max(pixels_per_metre, 1e-6)));
 }
 

@@ -1,7 +1,10 @@
 // Ways and outlines in one pen: a trajectory, the odometry alone, the truth.
 #pragma once
 
-#include <QGraphicsPathItem>
+#include <QGraphicsItem>
+#include <QLineF>
+#include <QList>
+#include <QPolygonF>
 #include <vector>
 
 #include "core/map/map.h"
@@ -10,23 +13,25 @@
 
 namespace handmap {
 
-class PathItem : public QGraphicsPathItem {
+class PathItem : public QGraphicsItem {
  public:
-  explicit PathItem(Role role) : role_(role) { setColours(Colours::light()); }
+  explicit PathItem(Role role) : role_(role) {}
 
   void setColours(const Colours& colours);
   void setPoses(const std::vector<StampedPose>& poses);
   /// Beside the way.
   void setBuildings(const std::vector<Building>& buildings);
 
+  QRectF boundingRect() const override { return way_bounds_ | outlines_bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  void join();
-
   Role role_;
+  const Colours* colours_ = &Colours::light();
   QPolygonF way_;
-  QPainterPath outlines_;
+  QList<QLineF> outlines_;
+  QRectF way_bounds_;
+  QRectF outlines_bounds_;
 };
 
 }  // namespace handmap

@@ -128,9 +128,11 @@ void SeenItem::paintPoints(QPainter& painter) const {
 }
 
 void SeenItem::paintSight(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing, false);  // nobody sees it, and it takes long
   painter.setPen(Qt::NoPen);
   painter.setBrush(sightBrush(*colours_));
   painter.drawPolygon(looked_through_);
+  painter.setRenderHint(QPainter::Antialiasing);
   if (range_m_ <= 0.0) return;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(rangePen(*colours_));

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <QGraphicsItem>
-#include <QPainterPath>
+#include <QLineF>
+#include <QList>
 #include <vector>
 
 #include "core/session/snapshot.h"
@@ -15,12 +16,13 @@ class SwarmsItem : public QGraphicsItem {
   void setColours(const Colours& colours);
   void setSwarms(const std::vector<SwarmView>& swarms);
 
-  QRectF boundingRect() const override { return outlines_.boundingRect(); }
+  QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   const Colours* colours_ = &Colours::light();
-  QPainterPath outlines_;
+  QList<QLineF> outlines_;
+  QRectF bounds_;
 };
 
 }  // namespace handmap

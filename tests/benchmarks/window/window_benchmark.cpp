@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <atomic>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -41,16 +42,24 @@ double residentMb() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
-/// p50, p99 and the worst of times in milliseconds.
-void count(benchmark::State& state, std::vector<double> ms) {
+/// What this thread has computed so far, without what the machine did meanwhile.
+double computedMs() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+/// p50, p99, p99.9 and the worst of times in milliseconds.
+void count(benchmark::State& state, std::vector<double> ms, const std::string& of = {}) {
   if (ms.empty()) return;
   std::sort(ms.begin(), ms.end());
   const auto at = [&](double share) {
     return ms[static_cast<std::size_t>(share * static_cast<double>(ms.size() - 1))];
   };
-  state.counters["p50_ms"] = at(0.5);
-  state.counters["p99_ms"] = at(0.99);
-  state.counters["worst_ms"] = ms.back();
+  state.counters[of + "p50_ms"] = at(0.5);
+  state.counters[of + "p99_ms"] = at(0.99);
+  state.counters[of + "p999_ms"] = at(0.999);
+  state.counters[of + "worst_ms"] = ms.back();
 }
 
 /// The event loop as in the program: QTest::qWait() sleeps ten milliseconds between events.
@@ -80,9 +89,31 @@ void comesUp(benchmark::State& state) {
 }
 BENCHMARK(comesUp)->Unit(benchmark::kMillisecond);
 
-/// One run after another at the speed of the computer; a heart beats beside.
+/// How long a thread that does nothing but sleep for milliseconds is kept waiting.
+class Idle {
+ public:
+  std::vector<double> gapsMs() {
+    thread_.request_stop();
+    thread_.join();
+    return gaps_ms_;
+  }
+
+ private:
+  std::vector<double> gaps_ms_;
+  std::jthread thread_{[this](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      const double before_s = secondsNow();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      gaps_ms_.push_back(1e3 * (secondsNow() - before_s));
+    }
+  }};
+};
+
+/// One run after another at the speed of the computer; a heart beats in the event loop, another one
+/// beside: the machine's own stalls. `computed`: between two beats, by the thread of the window.
 void stalls(benchmark::State& state) {
   std::vector<double> gaps;
+  std::vector<double> computed;
   for (auto _ : state) {
     Window one;
     MainWindow& window = *one.window;
@@ -91,10 +122,14 @@ void stalls(benchmark::State& state) {
     QTimer heart;
     heart.setTimerType(Qt::PreciseTimer);
     QElapsedTimer since;
+    double computed_ms = computedMs();
     QObject::connect(&heart, &QTimer::timeout, &heart, [&] {
       gaps.push_back(1e-6 * static_cast<double>(since.nsecsElapsed()));
+      computed.push_back(computedMs() - computed_ms);
       since.start();
+      computed_ms = computedMs();
     });
+    Idle idle;
     since.start();
     heart.start(1);
     QTimer again;
@@ -103,8 +138,10 @@ void stalls(benchmark::State& state) {
     });
     again.start(50);
     live(std::chrono::seconds(state.range(0)));
+    count(state, idle.gapsMs(), "machine_");
   }
   count(state, gaps);
+  count(state, computed, "computed_");
 }
 BENCHMARK(stalls)->ArgName("s")->Arg(20)->Arg(600)->Iterations(1)->Unit(benchmark::kSecond);
 
@@ -123,6 +160,7 @@ void ageOfWhatIsDrawn(benchmark::State& state) {
   canvas.zoomToFit();
   RunOverlays overlays(*canvas.scene(), kOverlayZ);
   RunMailbox mailbox;
+  mailbox.setPrepare(overlays.preparation());
   std::vector<double> ages;
   QObject::connect(&mailbox, &RunMailbox::arrived, &mailbox, [&](const RunNews& news) {
     overlays.show(*news.newest);

@@ -39,6 +39,7 @@ TEST(ChartsPanel, TakesAnyNumberOfReports) {
   const QImage full = panel.grab().toImage();
   EXPECT_NE(full, empty);
   panel.clear();
+  QTest::qWait(300);
   EXPECT_NE(panel.grab().toImage(), full);
 }
 
