@@ -10,7 +10,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kMostlyBlind = 0.5;       // share of the observations without a building
+constexpr double kMostlyBlind = 0.5;       // share of the observations, or of the way
 constexpr float kLikelyWall = 0.2F;        // a return less sure of being a wall is not counted
 constexpr std::size_t kPlacesOfWay = 100;  // enough to tell how near a way comes to a building
 
@@ -18,15 +18,27 @@ std::string checkStart() {
   return phrase("Is the start where the recording begins, and does it look the right way?");
 }
 
-double nearestBuilding_m(const Map& drawing, const std::vector<StampedPose>& way) {
-  double nearest = std::numeric_limits<double>::infinity();
+/// At places all along the way: how far it is to the nearest of the buildings.
+template <typename Counts>
+std::vector<double> nearestAlong(const std::vector<StampedPose>& way,
+                                 const std::vector<Building>& buildings, const Counts& counts) {
+  std::vector<double> nearest_m;
   const std::size_t step = std::max<std::size_t>(1, way.size() / kPlacesOfWay);
   for (std::size_t i = 0; i < way.size(); i += step) {
-    for (const Building& building : drawing.buildings) {
-      nearest = std::min(nearest, distanceTo(building.footprint(), way[i].pose.position()));
+    nearest_m.push_back(std::numeric_limits<double>::infinity());
+    for (const Building& building : buildings) {
+      if (!counts(building)) continue;
+      nearest_m.back() =
+          std::min(nearest_m.back(), distanceTo(building.footprint(), way[i].pose.position()));
     }
   }
-  return nearest;
+  return nearest_m;
+}
+
+double nearestBuilding_m(const Map& drawing, const std::vector<StampedPose>& way) {
+  const auto nearest_m = nearestAlong(way, drawing.buildings, [](const Building&) { return true; });
+  return nearest_m.empty() ? std::numeric_limits<double>::infinity()
+                           : *std::min_element(nearest_m.begin(), nearest_m.end());
 }
 
 /// What was seen, and what to try.
@@ -99,6 +111,16 @@ bool isCorrected(const Building& building) {
   return building.estimate && building.estimate->observations > 0;
 }
 
+/// Share of the way that has no corrected building within the sensor's range.
+double shareAlone(const RunOutcome& outcome) {
+  const auto nearest_m = nearestAlong(outcome.way, outcome.refined.buildings, isCorrected);
+  const auto alone = std::count_if(nearest_m.begin(), nearest_m.end(), [&](double distance_m) {
+    return distance_m > outcome.range_limit_m;
+  });
+  return static_cast<double>(alone) /
+         static_cast<double>(std::max<std::size_t>(1, nearest_m.size()));
+}
+
 }  // namespace
 
 void RunCounts::add(const Percept& percept, const FrameReport& report) {
@@ -133,6 +155,14 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
                     "odometry's.",
                     blind, counts.observations),
              phrase("Draw more of what stands along the way.")}};
+  }
+  if (const double alone = shareAlone(outcome); outcome.refine && alone > kMostlyBlind) {
+    return {
+        {"way_from_odometry",
+         phrase("Along {:.0f} % of the way, none of the drawn buildings that were recognised is "
+                "within the {:.0f} m that the sensor sees: there the way is the odometry's.",
+                100.0 * alone, outcome.range_limit_m),
+         phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }
   return {};
 }

@@ -61,6 +61,14 @@ TEST(RunWarnings, TellsThatTheWayIsMostlyTheOdometrys) {
   EXPECT_TRUE(warningsOf({10, 5, false, 1000, 300, 20.0}, corrected(4)).empty());
 }
 
+TEST(RunWarnings, TellsThatTheWayLeftWhatWasRecognised) {
+  const RunCounts seen{10, 8, false, 1000, 300, 20.0};
+  EXPECT_TRUE(says(warningsOf(seen, corrected(4), 54.0), "way_from_odometry",
+                   "Along 100 % of the way, none of the drawn buildings"));
+  EXPECT_TRUE(warningsOf(seen, corrected(4), 56.0).empty()) << "55 m away";
+  EXPECT_TRUE(warningsOf(seen, corrected(4), 54.0, false).empty()) << "nothing was to be corrected";
+}
+
 TEST(RunWarnings, CountsWhatComesBack) {
   RunCounts counts;
   Percept percept;
