@@ -18,6 +18,7 @@ class RigPreviewView;
 
 class RigDialog : public QDialog {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RigDialog)
  public:
   /// Both must outlive it.
   RigDialog(Dialogs& dialogs, MakeDevices make, QWidget* parent = nullptr);

@@ -27,10 +27,14 @@ class Arena {
 
   template <typename Work>
   auto execute(Work&& work) {
-    const struct Restored {
+    struct Restored {
       Team before = team;
+      Restored() = default;
+      Restored(const Restored&) = delete;
+      Restored& operator=(const Restored&) = delete;
       ~Restored() { team = before; }
-    } restored;
+    };
+    const Restored restored;
     team.threads = threads_;
     return std::forward<Work>(work)();
   }

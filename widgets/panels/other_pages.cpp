@@ -9,11 +9,6 @@
 
 namespace handmap {
 
-namespace {
-
-
-}  // namespace
-
 // --- Landmark
 
 LandmarkPage::LandmarkPage(MapDocument& document) : PropertyPage(document, tr("Landmark")) {
