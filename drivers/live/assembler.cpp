@@ -1,5 +1,6 @@
 #include "drivers/live/assembler.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,10 @@ constexpr double kFuture_s = 0.1;
 constexpr double kOdometryPatience_s = 0.5;
 constexpr std::size_t kMostWaiting = 8;
 constexpr std::size_t kMostPoints = 500'000;
+/// Who has moved so far does not see so many points the same to the last bit.
+constexpr std::size_t kTelling = 20;
+constexpr double kMoved_m = 0.1;
+constexpr double kMoved_rad = toRadians(1.0);
 
 bool isFinite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
@@ -35,6 +40,10 @@ std::vector<RangePoint> inRobotFrame(const std::vector<RangePoint>& points,
                      p.z + static_cast<float>(mount.z), p.w});
   }
   return moved;
+}
+
+bool isSame(const RangePoint& a, const RangePoint& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
 }
 
 }  // namespace
@@ -129,10 +138,26 @@ void Assembler::settle(double now_s) {
       sinks_.refused(phrase("no odometry at the time of an observation"));
       continue;
     }
+    if (isFrozen(ready.view, *pose)) {
+      sinks_.refused(phrase("the same scan again, though the robot has moved"));
+      continue;
+    }
     std::vector<View> views;
     views.push_back(std::move(ready.view));
     deliver(time_s, *pose, false, std::move(views));
   }
+}
+
+bool Assembler::isFrozen(const View& view, const Pose2& pose) {
+  if (!view.points || view.points->size() < kTelling) return false;
+  if (!std::ranges::equal(*view.points, newest_points_, isSame)) {
+    newest_points_ = *view.points;
+    newest_points_from_ = pose;
+    return false;
+  }
+  const Pose2 moved = between(newest_points_from_, pose);
+  return moved.position().norm() > kMoved_m ||
+         std::abs(normalizedAngle(moved.heading)) > kMoved_rad;
 }
 
 void Assembler::deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views) {

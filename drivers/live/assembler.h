@@ -39,6 +39,7 @@ class Assembler {
   using Word = std::string (*)();  ///< said only where something is wrong
   bool isTimely(double time_s, double& newest_s, double now_s, Word what);
   void addMoving(double time_s, View view);
+  bool isFrozen(const View& view, const Pose2& pose);
   void settle(double now_s);
   void deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views);
   void act(std::optional<StopScan::Action> action);
@@ -54,6 +55,8 @@ class Assembler {
     View view;
   };
   std::deque<Waiting> waiting_;  ///< for their odometry
+  std::vector<RangePoint> newest_points_;
+  Pose2 newest_points_from_;  ///< where they came first
   std::vector<View> stop_views_;
   double stop_time_s_ = 0.0;  ///< of the first of them
   double delivered_s_ = -1.0;

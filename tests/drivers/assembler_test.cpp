@@ -103,6 +103,29 @@ TEST(Assembler, DoesNotUseWhatIsLateRepeatedOrFromTheFuture) {
   EXPECT_EQ(heard.refused["scan without a single return"], 1);
 }
 
+TEST(Assembler, NamesAScanThatComesAgainThoughTheRobotHasMoved) {
+  std::vector<RangePoint> scan;
+  for (int i = 0; i < 30; ++i) scan.push_back({5.0F, 0.1F * static_cast<float>(i), 0.0F, 1.0F});
+  Assembled heard(laserCart());
+  const auto see = [&](double time_s, const Pose2& pose, const std::vector<RangePoint>& points) {
+    heard.assembler.moved(time_s, pose, time_s);
+    heard.assembler.scanned(time_s, points, time_s);
+  };
+  see(1.0, {}, scan);
+  see(1.2, {0.05, 0.0, 0.0}, scan);  // as good as standing
+  EXPECT_EQ(heard.observations.size(), 2U);
+  see(1.4, {0.2, 0.0, 0.0}, scan);
+  see(1.6, {0.0, 0.0, 0.1}, scan);
+  EXPECT_EQ(heard.observations.size(), 2U);
+  EXPECT_EQ(heard.refused["the same scan again, though the robot has moved"], 2);
+  scan[7].x += 0.01F;
+  see(1.8, {0.5, 0.0, 0.0}, scan);
+  EXPECT_EQ(heard.observations.size(), 3U);
+  see(2.0, {0.9, 0.0, 0.0}, {scan.begin(), scan.begin() + 5});  // so few may be the same
+  see(2.2, {1.3, 0.0, 0.0}, {scan.begin(), scan.begin() + 5});
+  EXPECT_EQ(heard.observations.size(), 5U);
+}
+
 TEST(Assembler, WithoutMeasuredOdometryNothingIsWaitedFor) {
   Rig rig = laserCart();
   rig.odometry = {OdometryRigKind::Scan, "", ""};

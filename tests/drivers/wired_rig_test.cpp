@@ -9,6 +9,7 @@
 #include <functional>
 #include <future>
 #include <limits>
+#include <random>
 #include <thread>
 
 #include <fmt/format.h>
@@ -22,9 +23,12 @@
 namespace handmap {
 namespace {
 
-/// A wall straight ahead, 4 m away.
+/// A wall straight ahead, 4 m away, as noisy as a laser sees it.
 double wallAhead(double angle) {
-  return std::cos(angle) > 0.2 ? 4.0 / std::cos(angle) : std::numeric_limits<double>::infinity();
+  static std::minstd_rand random;
+  const double ahead_m = 4.0 + std::uniform_real_distribution(-0.01, 0.01)(random);
+  return std::cos(angle) > 0.2 ? ahead_m / std::cos(angle)
+                               : std::numeric_limits<double>::infinity();
 }
 
 struct WiredRig {
