@@ -58,6 +58,10 @@ void PtuHead::advance() {
       break;
     case PtuProtocol::State::Ready:
     case PtuProtocol::State::Moving:
+      if (!protocol_.trouble().empty()) {
+        tell(DeviceState::Degraded, QString::fromStdString(protocol_.trouble()));
+        break;
+      }
       port().delivers();
       tell(DeviceState::Ready, {});
       break;

@@ -32,6 +32,7 @@ void PtuProtocol::start(double now_s) {
 void PtuProtocol::stop() {
   state_ = State::Closed;
   detail_.clear();
+  trouble_.clear();
   replies_.clear();
   tasks_.clear();
   sent_ = false;
@@ -259,6 +260,7 @@ void PtuProtocol::done(double number, double now_s) {
     slowest_answer_s_ = std::clamp(now_s - sent_s_, slowest_answer_s_, kLongestAnswer_s);
   }
   sent_ = false;
+  trouble_.clear();
   idle_since_s_ = now_s;
   if (task.twice && task.heard != number) {
     task.heard = number;
@@ -273,6 +275,7 @@ void PtuProtocol::done(double number, double now_s) {
 void PtuProtocol::tryAgain(const std::string& why, bool behind_version) {
   sent_ = false;
   replies_.clear();
+  trouble_ = why;
   if (++tasks_.front().attempts >= kMostAttempts) return fail(why);
   if (behind_version && tasks_.front().answer != Answer::Version) {
     tasks_.push_front({"V", Answer::Version});

@@ -51,6 +51,8 @@ class PtuProtocol {
   std::optional<Look> takeArrival();  ///< confirmed by the head
   State state() const { return state_; }
   const std::string& detail() const { return detail_; }  ///< of LimitHit and Failed
+  /// What the head last did not answer, until it answers again; empty where all is well.
+  const std::string& trouble() const { return trouble_; }
   const PtuAxis& pan() const { return pan_; }
   const PtuAxis& tilt() const { return tilt_; }
 
@@ -88,6 +90,7 @@ class PtuProtocol {
   PtuOptions options_;
   State state_ = State::Closed;
   std::string detail_;
+  std::string trouble_;
   PtuReplies replies_;
   std::deque<Task> tasks_;  ///< the first is under way where sent_
   bool sent_ = false;

@@ -178,6 +178,8 @@ TEST(PtuHead, AHeadThatFallsSilentIsLostAndFoundAgain) {
   Rig rig;
   ASSERT_TRUE(rig.becomesReady());
   rig.emulator.setDead(true);
+  ASSERT_TRUE(waitUntil([&] { return rig.log.is(DeviceState::Degraded); }));
+  EXPECT_NE(rig.log.details.back().find("does not answer"), std::string::npos);
   ASSERT_TRUE(waitUntil([&] { return rig.log.is(DeviceState::Lost); }, 60000));
   EXPECT_NE(rig.log.details.back().find("does not answer"), std::string::npos);
   rig.emulator.setDead(false);
