@@ -115,6 +115,7 @@ void RunStrip::setMode(FollowRobot::Mode mode) {
 }
 
 void RunStrip::place() {
+  layout()->activate();  // else a layout within another one goes by the texts before
   const QSize room = parentWidget()->size() - QSize(kBesideRuler + kMargin, kBelowRuler + kMargin);
   setGeometry(QRect(QPoint(kBesideRuler, kBelowRuler), sizeHint().boundedTo(room)));
   raise();

@@ -1,5 +1,7 @@
 #include "widgets/run/follow_robot.h"
 
+#include <QLabel>
+
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 
@@ -85,6 +87,24 @@ TEST_F(FollowRobotTest, TheStripSaysWhereTheRobotIsAndWhetherTheViewFollows) {
   EXPECT_TRUE(canvas_.rect().contains(strip.geometry()));
   strip.showNothing();
   EXPECT_TRUE(strip.isHidden());
+}
+
+TEST_F(FollowRobotTest, TheStripIsAtOnceAsWideAsItsWords) {
+  canvas_.resize(900, 300);
+  canvas_.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas_));
+  RunStrip strip(canvas_);
+  FrameReport report;
+  report.pose_sigma = {0.2, 0.2, 0.0};
+  strip.show(report, {});
+  QTest::qWait(20);
+  report.pose_sigma = {12.0, 12.0, 0.3};
+  report.pose = {-1234.0, -5678.0, 0.0};
+  strip.show(report, {});
+  for (const QLabel* label : strip.findChildren<QLabel*>()) {
+    if (label->isHidden()) continue;
+    EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+  }
 }
 
 }  // namespace
