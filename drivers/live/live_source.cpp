@@ -1,6 +1,7 @@
 #include "drivers/live/live_source.h"
 
 #include <chrono>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
@@ -16,6 +17,9 @@
 namespace handmap {
 
 namespace {
+
+/// So often it is looked whether left is left: a camera that was pulled may come back as the other.
+constexpr double kLookClosely_s = 1.0;
 
 /// The camera behind the images that the run gets, and how they are made.
 struct Optics {
@@ -73,7 +77,9 @@ class LiveSource : public ObservationSource {
     if (!observation) return observation;
     const auto begin = std::chrono::steady_clock::now();
     try {
-      for (View& view : observation->views) prepare(view, observation->frame);
+      const bool closely = observation->time_s >= look_closely_s_;
+      if (closely) look_closely_s_ = observation->time_s + kLookClosely_s;
+      for (View& view : observation->views) prepare(view, observation->frame, closely);
     } catch (const Error& error) {
       monitor_->refused(phrase("image that nothing can be seen with"), error.what());
       throw FrameError(observation->frame, error.what());
@@ -85,7 +91,7 @@ class LiveSource : public ObservationSource {
     return observation;
   }
 
-  void prepare(View& view, int frame) {
+  void prepare(View& view, int frame, bool closely) {
     if (view.left.empty()) return;
     const std::string name = phrase("live frame {}", frame);
     if (optics_->rectifier && view.left.size() != optics_->rectifier->size()) {
@@ -99,14 +105,14 @@ class LiveSource : public ObservationSource {
       view.left = optics_->rectifier->left(view.left);
       view.right = optics_->rectifier->right(view.right);
     }
-    swap_check_(view.left, view.right, name);
+    if (closely) SwapCheck()(view.left, view.right, name);
   }
 
   std::shared_ptr<RigMonitor> monitor_;
   std::stop_token stop_;
   SourceInfo info_;
   std::optional<Optics> optics_;
-  SwapCheck swap_check_;
+  double look_closely_s_ = -std::numeric_limits<double>::infinity();
   std::unique_ptr<RigHost> host_;
   std::optional<Observation> first_;
 };

@@ -75,6 +75,30 @@ TEST(StereoRig, LooksAroundAtEachStopAndDrivesOn) {
   job.monitor->end();
 }
 
+TEST(StereoRig, APairThatIsSwappedOnTheWayIsNamedAndNotUsed) {
+  VirtualDrive drive{furnished(twoRowWorld(3), 3), 3};
+  drive.speed_m_s = 10.0;
+  drive.faults = {{DeviceRole::Camera, FaultKind::Swap, 14.0, 28.0}};  // the second look around
+  const LiveJob job{
+      virtualStereoRig(), virtualStereoDevices(drive), std::make_shared<RigMonitor>(), {}};
+  const auto source = openLive(job, {});
+  ASSERT_TRUE(source);
+  int used = 0;
+  int refused = 0;
+  while ((used < 2 || refused == 0) && used + refused < 6) {
+    try {
+      ASSERT_TRUE(source->next());
+      ++used;
+    } catch (const FrameError& error) {
+      EXPECT_NE(std::string(error.what()).find("look swapped"), std::string::npos) << error.what();
+      ++refused;
+    }
+  }
+  job.monitor->end();
+  EXPECT_GE(refused, 1);
+  EXPECT_EQ(used, 2) << "before and after";
+}
+
 TEST(StereoRig, FaultsAreThoseThatSuchARigCanHave) {
   const auto possible = possibleFaults(VirtualRigKind::StereoHead);
   EXPECT_EQ(possible.size(), 20U);
