@@ -76,8 +76,13 @@ void Recovery::write() {
   const MapDocument& document = parts_.document;
   UnsavedWork work{document.filePath(),   document.origin(), QDateTime::currentDateTimeUtc(),
                    document.isModified(), document.map(),    parts_.teach.teaching()};
-  kept_ = true;
-  pool_.start([this, files = candidates(), work = std::move(work)] {
+  const QStringList files = candidates();
+  // Before the file is there: who is killed in between is asked about it too.
+  if (!std::exchange(kept_, true)) {
+    parts_.settings.setValue(keyOf(session_), files.front());
+    parts_.settings.sync();
+  }
+  pool_.start([this, files, work = std::move(work)] {
     const Outcome outcome = writeTo(files, work);
     QMetaObject::invokeMethod(this, [this, outcome] { onWritten(outcome); });
   });

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -37,8 +38,14 @@ struct Session {
 
   bool hasKept() {
     settings.sync();
+    const auto is_there = [this](const QString& key) {
+      return QFile::exists(settings.value(key).toString());
+    };
     return QTest::qWaitFor(
-        [this] { return !settings.allKeys().filter("recovery_sessions").isEmpty(); }, kPatienceMs);
+        [&] {
+          return std::ranges::any_of(settings.allKeys().filter("recovery_sessions"), is_there);
+        },
+        kPatienceMs);
   }
 
   MapDocument document;
@@ -162,6 +169,14 @@ TEST_F(RecoveryTest, AnotherFolderIsTriedAndSaidOnce) {
   nowhere->document.addBuilding(house(0.0));
   ASSERT_TRUE(lost.wait(kPatienceMs));
   EXPECT_TRUE(lost[0][1].toString().isEmpty());
+}
+
+TEST_F(RecoveryTest, IsInTheSettingsBeforeItsFileIsThere) {
+  const auto crashing = session();
+  crashing->document.addBuilding(house(0.0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !recoveryFiles(path("kept")).isEmpty(); }, kPatienceMs));
+  crashing->settings.sync();
+  EXPECT_FALSE(crashing->settings.allKeys().filter("recovery_sessions").isEmpty());
 }
 
 TEST_F(RecoveryTest, AFolderThatIsGoneIsNotMadeAnew) {
