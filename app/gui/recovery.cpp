@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QUuid>
+#include <algorithm>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -24,6 +25,17 @@ std::shared_ptr<QLockFile> lockOf(const QString& file) {
   auto lock = std::make_shared<QLockFile>(file + QStringLiteral(".lock"));
   lock->setStaleLockTime(0);  // by the process that is gone, never by age
   return lock;
+}
+
+/// Empty: none is there.
+QString newestOf(const QStringList& files) {
+  QFileInfo newest;
+  for (const QString& file : files) {
+    const QFileInfo info(file);
+    if (!info.exists()) continue;
+    if (!newest.exists() || info.lastModified() > newest.lastModified()) newest = info;
+  }
+  return newest.filePath();
 }
 
 }  // namespace
@@ -77,19 +89,24 @@ void Recovery::write() {
   UnsavedWork work{document.filePath(),   document.origin(), QDateTime::currentDateTimeUtc(),
                    document.isModified(), document.map(),    parts_.teach.teaching()};
   const QStringList files = candidates();
-  // Before the file is there: who is killed in between is asked about it too.
-  if (!std::exchange(kept_, true)) {
-    parts_.settings.setValue(keyOf(session_), files.front());
-    parts_.settings.sync();
+  for (const QString& file : files) {
+    if (!places_.contains(file)) places_ << file;
   }
+  tellSettings();  // before the file is there: who is killed in between is asked about it too
   pool_.start([this, files, work = std::move(work)] {
     const Outcome outcome = writeTo(files, work);
     QMetaObject::invokeMethod(this, [this, outcome] { onWritten(outcome); });
   });
 }
 
+void Recovery::tellSettings() {
+  if (places_.isEmpty() || parts_.settings.value(keyOf(session_)) == places_) return;
+  parts_.settings.setValue(keyOf(session_), places_);
+  parts_.settings.sync();
+}
+
 Recovery::Outcome Recovery::writeTo(const QStringList& files, const UnsavedWork& work) {
-  Outcome outcome{session_, {}, {}};
+  Outcome outcome;
   QStringList in_turn = files;
   if (!place_.file.isEmpty()) in_turn.prepend(place_.file);
   for (const QString& file : std::as_const(in_turn)) {
@@ -115,10 +132,7 @@ Recovery::Outcome Recovery::writeTo(const QStringList& files, const UnsavedWork&
 }
 
 void Recovery::onWritten(const Outcome& outcome) {
-  if (kept_ && outcome.session == session_ && !outcome.file.isEmpty()) {
-    parts_.settings.setValue(keyOf(session_), outcome.file);
-    parts_.settings.sync();
-  }
+  tellSettings();  // a window that looked in between may have forgotten what was not there
   if (outcome.problem.isEmpty()) return;
   if (!std::exchange(outcome.file.isEmpty() ? told_nowhere_ : told_instead_, true)) {
     Q_EMIT cannotKeep(outcome.problem, outcome.file);
@@ -127,9 +141,9 @@ void Recovery::onWritten(const Outcome& outcome) {
 
 void Recovery::clear() {
   timer_.stop();
-  if (!std::exchange(kept_, false)) return;
-  pool_.start([this] {
-    if (!place_.file.isEmpty()) QFile::remove(place_.file);
+  if (places_.isEmpty()) return;
+  pool_.start([this, places = std::exchange(places_, {})] {
+    for (const QString& file : places) QFile::remove(file);
     place_ = {};
   });
   parts_.settings.remove(keyOf(session_));
@@ -142,16 +156,21 @@ std::vector<LeftBehind> Recovery::takeLeftBehind() {
   std::vector<LeftBehind> result;
   settings.beginGroup(kGroup);
   for (const QString& session : settings.childKeys()) {
-    const QString file = settings.value(session).toString();
-    const QFileInfo info(file);
-    if (session == session_ || !info.exists()) {
+    if (session == session_) continue;
+    const QStringList places = settings.value(session).toStringList();
+    const QString file = newestOf(places);
+    if (file.isEmpty()) {
       // What lies on a disk that is not there at the moment is not forgotten.
-      if (session != session_ && info.dir().exists()) settings.remove(session);
+      const auto is_there = [&](const QString& place) {
+        const QDir folder = QFileInfo(place).dir();
+        return options_.folders.contains(folder.path()) || folder.exists();
+      };
+      if (std::ranges::all_of(places, is_there)) settings.remove(session);
       continue;
     }
     auto lock = lockOf(file);
     if (!lock->tryLock(0) && lock->error() == QLockFile::LockFailedError) continue;  // it lives
-    result.push_back({session, file, std::move(lock)});
+    result.push_back({session, file, places, std::move(lock)});
   }
   settings.endGroup();
   return result;
@@ -167,14 +186,14 @@ void Recovery::recover(const LeftBehind& left, const UnsavedWork& work) {
   }
   clear();  // what was here before has been asked for
   session_ = left.session;
-  kept_ = true;
+  places_ = left.places;
   pool_.start([this, left] { place_ = {left.file, left.lock}; });
   parts_.teach.addTeaching(work.teaching);
   onChange();
 }
 
 void Recovery::forget(const LeftBehind& left) {
-  QFile::remove(left.file);
+  for (const QString& file : left.places) QFile::remove(file);
   parts_.settings.remove(keyOf(left.session));
   parts_.settings.sync();
 }

@@ -23,6 +23,7 @@ class TeachPanel;
 struct LeftBehind {
   QString session;
   QString file;
+  QStringList places;  ///< where it may have been written
   std::shared_ptr<QLockFile> lock;
 };
 
@@ -68,7 +69,6 @@ class Recovery : public QObject {
     std::shared_ptr<QLockFile> lock;
   };
   struct Outcome {
-    QString session;
     QString file;  ///< empty: nowhere
     QString problem;
   };
@@ -77,6 +77,7 @@ class Recovery : public QObject {
   void onChange();
   void write();
   QStringList candidates() const;
+  void tellSettings();
   Outcome writeTo(const QStringList& files, const UnsavedWork& work);
   void onWritten(const Outcome& outcome);
 
@@ -84,7 +85,7 @@ class Recovery : public QObject {
   RecoveryOptions options_;
   QString session_;
   QTimer timer_;
-  bool kept_ = false;  ///< there is, or will soon be, a file of this session
+  QStringList places_;  ///< in the settings: where a file of this session is or may soon be
   bool told_instead_ = false;
   bool told_nowhere_ = false;
   Place place_;

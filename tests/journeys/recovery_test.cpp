@@ -39,7 +39,8 @@ struct Session {
   bool hasKept() {
     settings.sync();
     const auto is_there = [this](const QString& key) {
-      return QFile::exists(settings.value(key).toString());
+      return std::ranges::any_of(settings.value(key).toStringList(),
+                                 [](const QString& file) { return QFile::exists(file); });
     };
     return QTest::qWaitFor(
         [&] {
@@ -172,11 +173,42 @@ TEST_F(RecoveryTest, AnotherFolderIsTriedAndSaidOnce) {
 }
 
 TEST_F(RecoveryTest, IsInTheSettingsBeforeItsFileIsThere) {
-  const auto crashing = session();
-  crashing->document.addBuilding(house(0.0));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !recoveryFiles(path("kept")).isEmpty(); }, kPatienceMs));
-  crashing->settings.sync();
-  EXPECT_FALSE(crashing->settings.allKeys().filter("recovery_sessions").isEmpty());
+  QFile in_the_way(path("no-folder"));
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  const auto here = session({path("no-folder") + "/below"});
+  QSignalSpy lost(&here->recovery, &Recovery::cannotKeep);
+  here->document.addBuilding(house(0.0));
+  ASSERT_TRUE(lost.wait(kPatienceMs)) << "there is never a file";
+  here->settings.sync();
+  EXPECT_EQ(here->settings.allKeys().filter("recovery_sessions").size(), 1);
+  EXPECT_TRUE(session()->recovery.takeLeftBehind().empty());
+}
+
+TEST_F(RecoveryTest, TheSettingsKnowAllPlacesOfAFileThatMoves) {
+  writePng(cv::Mat(48, 64, CV_8UC3, cv::Scalar(9, 9, 9)), path("photo.png").toStdString());
+  const auto here = session();
+  here->teach.resize(900, 700);
+  here->teach.openImages({path("photo.png")});
+  const auto paint = [&](int row) {
+    QTest::mouseClick(&here->teach.view(), Qt::LeftButton, {},
+                      here->teach.view().centreOf(row, 1).toPoint());
+  };
+  paint(1);
+  ASSERT_TRUE(here->hasKept());
+  ASSERT_TRUE(QDir().mkdir(path("project")));
+  here->document.reset({}, path("project/street.handmap"));  // what was painted is still to be kept
+  paint(2);
+  const auto places = [&] {
+    here->settings.sync();
+    const QStringList keys = here->settings.allKeys().filter("recovery_sessions");
+    return keys.size() == 1 ? here->settings.value(keys.front()).toStringList() : QStringList();
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return places().size() == 3; }, kPatienceMs));
+  EXPECT_EQ(places().filter("untitled").size(), 1);
+  EXPECT_EQ(places().filter("street").size(), 2) << "beside its project, else in the usual folder";
+  here->recovery.clear();
+  EXPECT_TRUE(places().isEmpty());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return recoveryFiles(path("kept")).isEmpty(); }, kPatienceMs));
 }
 
 TEST_F(RecoveryTest, AFolderThatIsGoneIsNotMadeAnew) {
