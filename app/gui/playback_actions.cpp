@@ -36,11 +36,11 @@ PlaybackActions::PlaybackActions(const Parts& parts, QObject* parent)
 }
 
 void PlaybackActions::begin() {
-  parts_.transport.clearProgress();
-  playback_.setHistory(parts_.run.history());
   last_report_.reset();
   usual_step_s_ = 0.0;
   done_ = 0;
+  parts_.transport.clearProgress();
+  playback_.setHistory(parts_.run.history());  // updates the actions
 }
 
 void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, int count) {

@@ -59,6 +59,15 @@ TEST_F(LookingBack, PausesShowsThePastAndGoesOnFromThere) {
   EXPECT_TRUE(window_->runs().stateInWords().startsWith("Done"));
 }
 
+TEST_F(LookingBack, ANewDrawingHasNoPast) {
+  ASSERT_TRUE(waitForPast(3));
+  ASSERT_TRUE(action(*window_, "run.back")->isEnabled());
+  action(*window_, "file.new")->trigger();
+  for (const char* id : {"run.back", "run.newest", "run.bookmark"}) {
+    EXPECT_FALSE(action(*window_, id)->isEnabled()) << id;
+  }
+}
+
 TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
   ASSERT_TRUE(waitForPast(2));
   action(*window_, "run.pause")->trigger();
