@@ -3,6 +3,8 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
+#include <QStyle>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <cmath>
@@ -23,11 +25,22 @@ constexpr Speed kSpeeds[] = {{0.1, "0.1\u00d7"}, {0.25, "0.25\u00d7"}, {0.5, "0.
                              {10.0, "10\u00d7"}, {20.0, "20\u00d7"},   {0.0, "max"}};
 constexpr int kUsual = 3;  // of kSpeeds
 
+/// What does not fit ends in an ellipsis.
+class ElidedLabel : public QLabel {
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    style()->drawItemText(
+        &painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
+        fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()), foregroundRole());
+  }
+};
+
 }  // namespace
 
 TransportBar::TransportBar(QWidget* parent)
     : QWidget(parent),
-      source_(new QLabel),
+      source_(new ElidedLabel),
       tool_bar_(new QToolBar),
       speed_(new QComboBox),
       timeline_(new Timeline),
@@ -72,9 +85,7 @@ void TransportBar::setSpeed(double speed) {
 }
 
 void TransportBar::setSource(const QString& name) {
-  const int widest = fontMetrics().horizontalAdvance("Simulator: demonstration__");
-  source_->setText(name.isEmpty() ? tr("No robot yet")
-                                  : fontMetrics().elidedText(name, Qt::ElideRight, widest));
+  source_->setText(name.isEmpty() ? tr("No robot yet") : name);
   source_->setToolTip(tr("Where the observations come from") + QLatin1Char('\n') + name);
 }
 
