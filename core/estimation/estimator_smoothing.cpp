@@ -60,7 +60,6 @@ bool HandmapEstimator::State::smoothPeriodically(const std::stop_token& stop) {
   if (iterations_due == 0) return false;
   --iterations_due;
   smoothAll(kPeriodicSlacks, 1, {}, stop);
-  if (iterations_due == 0) evidence.reinsertAll(stop);
   return true;
 }
 

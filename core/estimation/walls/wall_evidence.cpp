@@ -12,8 +12,10 @@ namespace {
 
 constexpr double kGrazing = 0.05;  // sine of the angle below which a ray tells nothing; choice: 3°
 
+/// std::lround() without a call.
 std::int32_t fixedPoint(float ratio) {
-  return static_cast<std::int32_t>(std::lround(ratio * WallImage::kScale));
+  const double units = ratio * WallImage::kScale;
+  return static_cast<std::int32_t>(units + std::copysign(0.5, units));
 }
 
 /// std::floor() without a call.
