@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -52,9 +53,8 @@ float ReturnTable::operator()(Likeness likeness, float z, float sigma_m) const {
   const auto ratio = static_cast<float>(kStopped * rates.of_walls / rates.of_others) / sigma_m;
   static const auto kPerRatio =
       static_cast<float>((kRatios - 1.0) / std::log2(kMostRatio / kLeastRatio));
-  static const auto kLow = static_cast<float>(std::log2(kLeastRatio));
-  const int k =
-      std::clamp(static_cast<int>((std::log2(ratio) - kLow) * kPerRatio + 0.5F), 0, kRatios - 1);
+  static const auto kLow = static_cast<float>(std::log2(kLeastRatio)) - 0.5F / kPerRatio;
+  const int k = std::clamp(static_cast<int>((std::log2(ratio) - kLow) * kPerRatio), 0, kRatios - 1);
   const int i =
       std::clamp(static_cast<int>((z / kMostSigmas + 1.0F) * 0.5F * kSteps), 0, kSteps - 1);
   return table_[static_cast<std::size_t>(k * kSteps + i)];
@@ -78,53 +78,69 @@ OutlineScorer::OutlineScorer(const PlacedRays& placed, double range_limit_m,
       if (aside > reach || along < -reach || along - reach > ray.range + 2.0F) continue;
       const bool owned = !owners.empty() && owners[i] != kNobody && owners[i] != building;
       rays_.push_back({ray, i, owned});
-      lines_.push_back({ray.x, ray.y, ray.dx, ray.dy});
+      directions_.push_back({ray.dx, ray.dy});
     }
-    robots_.emplace_back(static_cast<double>(first.x), static_cast<double>(first.y));
+    frames_.push_back(
+        {Vec2(static_cast<double>(first.x), static_cast<double>(first.y)), rays_.size()});
   }
 }
 
+/// All rays of a frame begin at one point, so that what a wall is to them is the same for all: a
+/// ray meets a wall that faces the robot where it passes between its ends.
 template <typename Use>
 void OutlineScorer::forMet(const Polygon& outline, std::size_t stride, Use use) const {
   struct Wall {
-    float x, y, ax, ay, nx, ny;
+    float from_x, from_y, to_x, to_y;  // ends, as the robot has them
+    float along_x, along_y;
+    float area;  // twice that of the triangle with the robot; negative
+    std::size_t index;
   };
   std::vector<Wall> walls;
   walls.reserve(outline.size());
   Vec2 middle = Vec2::Zero();
   for (const Vec2& corner : outline) middle += corner / static_cast<double>(outline.size());
   double radius = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2& a = outline[(i + outline.size() - 1) % outline.size()];
-    const Vec2 along = outline[i] - a;
-    const Vec2 normal = -perpendicular(along.normalized());
-    walls.push_back({static_cast<float>(a.x()), static_cast<float>(a.y()),
-                     static_cast<float>(along.x()), static_cast<float>(along.y()),
-                     static_cast<float>(normal.x()), static_cast<float>(normal.y())});
-    radius = std::max(radius, (outline[i] - middle).norm());
+  std::vector<Eigen::Vector2f> corners;
+  corners.reserve(outline.size());
+  for (const Vec2& corner : outline) {
+    radius = std::max(radius, (corner - middle).norm());
+    corners.push_back(corner.cast<float>());
   }
-  const auto mx = static_cast<float>(middle.x());
-  const auto my = static_cast<float>(middle.y());
   const auto within = static_cast<float>(radius);
-  for (std::size_t i = 0; i < rays_.size(); i += stride) {
-    const Line& ray = lines_[i];
-    if (std::abs((mx - ray.x) * ray.dy - (my - ray.y) * ray.dx) > within) continue;
-    Met met{-1.0F, 0.0F, 0.0F, 0.0F, 0};
-    for (std::size_t w = 0; w < walls.size(); ++w) {
-      const Wall& wall = walls[w];
-      const float facing = ray.dx * wall.nx + ray.dy * wall.ny;
-      if (facing >= 0.0F) continue;
-      const float tx = wall.x - ray.x;
-      const float ty = wall.y - ray.y;
-      const float distance = (tx * wall.nx + ty * wall.ny) / facing;
-      if (distance < 0.0F || (met.distance >= 0.0F && distance >= met.distance)) continue;
-      const float px = distance * ray.dx - tx;
-      const float py = distance * ray.dy - ty;
-      const float at = px * wall.ax + py * wall.ay;
-      if (at < 0.0F || at > wall.ax * wall.ax + wall.ay * wall.ay) continue;
-      met = {distance, -facing, wall.nx, wall.ny, w};
+  std::size_t ray = 0;
+  for (const Frame& frame : frames_) {
+    if (ray >= frame.end) continue;
+    const Eigen::Vector2f robot = frame.robot.cast<float>();
+    const Eigen::Vector2f there = middle.cast<float>() - robot;
+    walls.clear();
+    Eigen::Vector2f from = corners.back() - robot;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector2f to = corners[i] - robot;
+      const float area = from.x() * to.y() - from.y() * to.x();
+      if (area < 0.0F) {
+        walls.push_back(
+            {from.x(), from.y(), to.x(), to.y(), to.x() - from.x(), to.y() - from.y(), area, i});
+      }
+      from = to;
     }
-    if (met.distance >= 0.0F) use(rays_[i], met);
+    for (; ray < frame.end; ray += stride) {
+      const Direction& d = directions_[ray];
+      if (std::abs(there.x() * d.y - there.y() * d.x) > within) continue;
+      const Wall* met = nullptr;
+      float nearest = std::numeric_limits<float>::max();
+      for (const Wall& wall : walls) {
+        if (d.x * wall.to_y > d.y * wall.to_x || d.x * wall.from_y < d.y * wall.from_x) continue;
+        const float distance = wall.area / (d.x * wall.along_y - d.y * wall.along_x);
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        met = &wall;
+      }
+      if (met == nullptr) continue;
+      const float length = std::sqrt(met->along_x * met->along_x + met->along_y * met->along_y);
+      const float nx = met->along_y / length;
+      const float ny = -met->along_x / length;
+      use(rays_[ray], Met{nearest, -(d.x * nx + d.y * ny), nx, ny, met->index});
+    }
   }
 }
 
@@ -163,7 +179,8 @@ double OutlineScorer::operator()(const Polygon& outline, double slack_m, std::si
   });
   score *= kTemper * static_cast<double>(stride);
   const Bounds bounds = boundsOf(outline);
-  for (const Vec2& robot : robots_) {
+  for (const Frame& frame : frames_) {
+    const Vec2& robot = frame.robot;
     if ((robot.array() > bounds.low.array()).all() && (robot.array() < bounds.high.array()).all() &&
         contains(outline, robot)) {
       score -= kInside;

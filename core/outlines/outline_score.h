@@ -68,13 +68,16 @@ class OutlineScorer {
   void forMet(const Polygon& outline, std::size_t stride, Use use) const;
   float ratioOf(const Asked& asked, const Met& met, float slack_m) const;
 
-  /// Of a ray: most pass an outline by, and this is all that need be read to see it.
-  struct Line {
-    float x, y, dx, dy;
+  struct Direction {
+    float x, y;
   };
-  std::vector<Asked> rays_;
-  std::vector<Line> lines_;   ///< of the rays
-  std::vector<Vec2> robots_;  ///< where the rays come from
+  struct Frame {
+    Vec2 robot;       ///< where its rays come from
+    std::size_t end;  ///< of its rays
+  };
+  std::vector<Asked> rays_;            ///< frame by frame
+  std::vector<Direction> directions_;  ///< of the rays: most pass an outline by, which these tell
+  std::vector<Frame> frames_;
   RayNoise noise_;
   float range_limit_m_;
   ReturnTable table_;

@@ -8,7 +8,7 @@ namespace handmap {
 
 namespace {
 
-constexpr int kSamples = 600;
+constexpr int kSamples = 1500;
 constexpr std::size_t kAsked = 2500;  // rays that samples are weighed by
 constexpr std::size_t kAskedLater = 8000;
 constexpr double kWidest = 2.5;        // σ

@@ -60,19 +60,19 @@ Polygon unseenAsDrawn(const Building& found, const Building& drawn, const Drawin
   const Rectangle box = found.box();
   const double radius = 0.5 * std::hypot(box.width, box.depth);
   const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, box.centre, radius + 1.0);
-  const auto normalOf = [&](std::size_t side) {
+  const auto normal_of = [&](std::size_t side) {
     return unitVector(box.heading + static_cast<double>(side) * kPi / 2.0);
   };
   const std::vector<HalfWall> walls = halfWalls(outline, scorer);
   std::array<double, 4> of_side{};
   for (const HalfWall& wall : walls) {
     for (std::size_t side = 0; side < 4; ++side) {
-      if (wall.normal.dot(normalOf(side)) > kFacing) of_side[side] += wall.returns;
+      if (wall.normal.dot(normal_of(side)) > kFacing) of_side[side] += wall.returns;
     }
   }
   const auto front =
       static_cast<std::size_t>(std::max_element(of_side.begin(), of_side.end()) - of_side.begin());
-  const Vec2 outwards = normalOf(front);
+  const Vec2 outwards = normal_of(front);
   const bool deep = std::any_of(walls.begin(), walls.end(), [&](const HalfWall& wall) {
     return wall.returns >= kSeenToEndReturns && std::abs(wall.normal.dot(outwards)) < kFacing &&
            outwards.dot(wall.middle - box.centre) < 0.0;

@@ -197,13 +197,13 @@ void shareOut(std::vector<PlacedRay>& rays) {
   constexpr double kPlace_m = 0.5;
   constexpr float kEnough = 30.0F;  // looks
   std::unordered_map<std::int64_t, float> looks;
-  const auto placeOf = [&](const PlacedRay& ray) {
+  const auto place_of = [&](const PlacedRay& ray) {
     const Vec2 end = ray.end() / kPlace_m;
     return 4 * keyOf(static_cast<int>(std::floor(end.x())), static_cast<int>(std::floor(end.y()))) +
            static_cast<std::int64_t>(ray.echo);
   };
-  for (const PlacedRay& ray : rays) looks[placeOf(ray)] += ray.share;
-  for (PlacedRay& ray : rays) ray.share *= std::min(1.0F, kEnough / looks[placeOf(ray)]);
+  for (const PlacedRay& ray : rays) looks[place_of(ray)] += ray.share;
+  for (PlacedRay& ray : rays) ray.share *= std::min(1.0F, kEnough / looks[place_of(ray)]);
 }
 
 }  // namespace
