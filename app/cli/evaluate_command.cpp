@@ -232,18 +232,18 @@ void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen) {
       add("--shard", shardOf, a.shard, "Run each Nth trial from the Ith, no report");
   shard->option_text("I/N");
   command->add_flag("--merge", a.merge, "Run none, report on what is there")->excludes(shard);
-  const auto addRepeated = [&](const char* name, auto& values, const std::string& text,
-                               const std::string& kind) -> CLI::Option* {
+  const auto repeated = [&](const char* name, auto& values, const std::string& text,
+                            const std::string& kind) -> CLI::Option* {
     return command->add_option(name, values, text)
         ->option_text(kind)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
-  addRepeated("--recording", a.recordings,
-              "reliability: a real run too, with truth.tum; repeatable", "DIR");
-  addRepeated("--map", a.maps, "Its drawing, one each", "M.handmap");
-  addRepeated("--truth", a.truths, "Its true map, one each", "T.handmap");
-  addRepeated("--from", a.from, "Its first frame, one each or none", "N")
+  repeated("--recording", a.recordings, "reliability: a real run too, with truth.tum; repeatable",
+           "DIR");
+  repeated("--map", a.maps, "Its drawing, one each", "M.handmap");
+  repeated("--truth", a.truths, "Its true map, one each", "T.handmap");
+  repeated("--from", a.from, "Its first frame, one each or none", "N")
       ->check(CLI::Range(0, 2147483647));
   addChoice(
       *command, "--source", a.source,

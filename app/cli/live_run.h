@@ -38,6 +38,8 @@ class LiveDrive {
   /// `seed`: of the world of a virtual rig, which is what `drawing` might be in truth.
   LiveDrive(const LiveArguments& arguments, const Map& drawing, std::uint64_t seed);
   ~LiveDrive();
+  LiveDrive(const LiveDrive&) = delete;
+  LiveDrive& operator=(const LiveDrive&) = delete;
 
   /// Waits for the first observation; nullptr when the drive was ended before it. What the devices
   /// have to say is told through `progress` until this object goes; `interrupt` ends the drive.

@@ -31,7 +31,7 @@ QString inWords(BoardNeed need) {
 }
 
 QString inWords(BoardVerdict verdict, const std::vector<BoardNeed>& missing) {
-  const QString next = missing.empty() ? QObject::tr("Move or tilt it: any new view helps.")
+  QString next = missing.empty() ? QObject::tr("Move or tilt it: any new view helps.")
                                        : QObject::tr("Next: %1.").arg(inWords(missing.front()));
   switch (verdict) {
     case BoardVerdict::NotSeen:

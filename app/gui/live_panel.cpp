@@ -81,7 +81,7 @@ QString stateInWords(const DeviceStatus& device) {
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "ready"),
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "degraded"),
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "lost")};
-  const QString state = LivePanel::tr(kWords[static_cast<int>(device.state)]);
+  QString state = LivePanel::tr(kWords[static_cast<int>(device.state)]);
   if (device.detail.empty()) return state;
   return state + QStringLiteral(": ") + QString::fromStdString(device.detail);
 }

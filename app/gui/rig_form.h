@@ -20,6 +20,7 @@ class Dialogs;
 
 class RigForm : public QWidget {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RigForm)
  public:
   /// `dialogs` must outlive it.
   explicit RigForm(Dialogs& dialogs, QWidget* parent = nullptr);

@@ -48,10 +48,10 @@ double upperEnd(std::vector<double> values) {
 }  // namespace
 
 const std::vector<Combination>& publishedCombinations() {
-  static const std::vector<Combination> combinations = {{10, 50, 26.0},   {10, 100, 46.0},
-                                                        {10, 150, 64.0},  {20, 50, 50.0},
-                                                        {20, 100, 106.0}, {20, 150, 126.0}};
-  return combinations;
+  static const std::vector<Combination> kCombinations = {{10, 50, 26.0},   {10, 100, 46.0},
+                                                         {10, 150, 64.0},  {20, 50, 50.0},
+                                                         {20, 100, 106.0}, {20, 150, 126.0}};
+  return kCombinations;
 }
 
 std::vector<FrameTimes> measureTimes(std::uint64_t seed, int drives, int threads,

@@ -111,7 +111,7 @@ class Search {
       const Bounds around{leg.a.cwiseMin(leg.b).array() - 1e-9,
                           leg.a.cwiseMax(leg.b).array() + 1e-9};
       if (!around.overlaps(outline.bounds)) continue;
-      if (const auto at = crossing(leg, outline.polygon)) return at;
+      if (auto at = crossing(leg, outline.polygon)) return at;
     }
     return std::nullopt;
   }

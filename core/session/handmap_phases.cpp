@@ -45,7 +45,7 @@ void HandmapPhases::operator()(EstimatorPhase step) {
   now.trajectory = method_.trajectory();
   if (kind == PhaseKind::Evidence) {
     const LocalMap evidence = estimator_.evidence();
-    now.local_map = LazyLocalMap(evidence.range(), [evidence] { return evidence; });
+    now.local_map = LazyLocalMap(evidence.range(), [map = evidence] { return map; });
   }
   Lazy<Map> map_before = now.map;
   if (kind == PhaseKind::Correction) now.map = Lazy<Map>(method_.refinedMap());

@@ -21,6 +21,8 @@ class ScanTrajectory {
  public:
   explicit ScanTrajectory(const TrajectoryOptions& options);
   ~ScanTrajectory();
+  ScanTrajectory(const ScanTrajectory&) = delete;
+  ScanTrajectory& operator=(const ScanTrajectory&) = delete;
   ScanTrajectory(ScanTrajectory&&) noexcept;
   ScanTrajectory& operator=(ScanTrajectory&&) noexcept;
 

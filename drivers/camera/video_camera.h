@@ -17,6 +17,7 @@ namespace handmap {
 
 class VideoCamera : public PairCamera {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(VideoCamera)
  public:
   /// How one of its devices is opened; `begin_s`: when the camera was.
   using Devices = std::function<OpenImageDevice(const std::string& source, double begin_s)>;

@@ -26,6 +26,7 @@ struct WireFaults {
 
 class EmulatedPort : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(EmulatedPort)
  public:
   enum class Kind { PseudoTerminal, Tcp };
 

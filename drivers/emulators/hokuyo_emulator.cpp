@@ -48,9 +48,7 @@ void HokuyoEmulator::obey(const std::string& command) {
   const auto answer = [&](const std::string& status) {
     port_.write(command + '\n' + withSum(status) + '\n');
   };
-  if (command == "SCIP2.0") {
-    answer("0E");  // it speaks nothing else
-  } else if (command == "QT") {
+  if (command == "QT") {
     timer_.stop();
     laser_on_ = false;
     answer("00");
@@ -64,7 +62,7 @@ void HokuyoEmulator::obey(const std::string& command) {
     laser_on_ = true;
     timer_.start(60'000 / parameters_.turns_a_minute);
   } else {
-    answer("0E");
+    answer("0E");  // also to "SCIP2.0": it speaks nothing else
   }
 }
 

@@ -13,6 +13,7 @@ namespace handmap {
 
 class RosbridgeEmulator : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RosbridgeEmulator)
  public:
   /// Listens. Throws RunFailed.
   RosbridgeEmulator();

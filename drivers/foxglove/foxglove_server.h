@@ -18,6 +18,7 @@ namespace handmap {
 
 class FoxgloveServer : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(FoxgloveServer)
  public:
   static constexpr quint16 kPort = 8765;
 

@@ -9,6 +9,7 @@ namespace handmap {
 
 class LineOdometry : public PortDevice<OdometrySensor> {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(LineOdometry)
  public:
   static constexpr std::int32_t kBaud = 115200;
 

@@ -10,6 +10,7 @@ namespace handmap {
 
 class PtuHead : public PortDevice<PanTiltHead> {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(PtuHead)
  public:
   static constexpr std::int32_t kBaud = 9600;
 

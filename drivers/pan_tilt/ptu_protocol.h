@@ -34,6 +34,7 @@ class PtuProtocol {
   enum class State { Closed, Probing, Ready, Moving, LimitHit, Resetting, Failed };
 
   explicit PtuProtocol(PtuOptions options = {}) : options_(options) {}
+  ~PtuProtocol() = default;
   PtuProtocol(const PtuProtocol&) = delete;
   PtuProtocol& operator=(const PtuProtocol&) = delete;
 
@@ -51,7 +52,8 @@ class PtuProtocol {
   std::optional<Look> takeArrival();  ///< confirmed by the head
   State state() const { return state_; }
   const std::string& detail() const { return detail_; }  ///< of LimitHit and Failed
-  /// What the head last did not answer, until it answers again; empty where all is well.
+  /// What the head last did not answer, or refused, until it answers again; empty where all is
+  /// well.
   const std::string& trouble() const { return trouble_; }
   const PtuAxis& pan() const { return pan_; }
   const PtuAxis& tilt() const { return tilt_; }

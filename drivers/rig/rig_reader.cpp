@@ -58,7 +58,7 @@ void readAngle(const JsonValue& json, const char* key, double& radians) {
 }
 
 std::string neededText(const JsonValue& json, const char* key) {
-  const std::string text = json.at(key).text(kMaxTextBytes);
+  std::string text = json.at(key).text(kMaxTextBytes);
   if (trimmed(text).empty()) json.at(key).fail(phrase("some text"));
   return text;
 }

@@ -71,8 +71,9 @@ RosCamera::RosCamera(std::shared_ptr<RosbridgeClient> client, const QString& lef
             [this](const RosValue& message, double arrival_s) {
               return take(left_images_, right_images_, message, arrival_s);
             }),
-      right_(client, right, {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")},
-             clock, [this](const RosValue& message, double arrival_s) {
+      right_(std::move(client), right,
+             {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")}, std::move(clock),
+             [this](const RosValue& message, double arrival_s) {
                return take(right_images_, left_images_, message, arrival_s);
              }) {
   connect(&left_, &RosTopic::stateChanged, this, [this](DeviceState state, const QString& detail) {

@@ -14,6 +14,7 @@ namespace handmap {
 /// nav_msgs/Odometry, and a std_msgs/Empty by which the robot asks its head to look around.
 class RosOdometry : public OdometrySensor {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RosOdometry)
  public:
   /// `look`: the topic of the Empty; empty: none.
   RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic, QString look,

@@ -18,6 +18,7 @@ struct RosTopics {
 /// but for poses: the map is sent again when there is one.
 class RosPublisher : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RosPublisher)
  public:
   explicit RosPublisher(std::shared_ptr<RosbridgeClient> client, RosTopics topics = {});
   ~RosPublisher() override;

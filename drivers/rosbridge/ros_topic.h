@@ -15,6 +15,7 @@ namespace handmap {
 
 class RosTopic : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RosTopic)
  public:
   /// What comes; throws Error for what cannot be used. Returns a remark, empty where all is well.
   using Take = std::function<QString(const RosValue& message, double arrival_s)>;

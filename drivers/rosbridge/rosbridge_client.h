@@ -37,6 +37,7 @@ struct RosbridgeOptions {
 
 class RosbridgeClient : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RosbridgeClient)
  public:
   /// May throw Error: the message is counted as damaged then.
   using Take = std::function<void(const RosValue& message)>;

@@ -12,6 +12,7 @@ namespace handmap {
 
 class HokuyoScanner : public PortDevice<RangeSensor> {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(HokuyoScanner)
  public:
   static constexpr std::int32_t kBaud = 115200;  ///< USB has none, older serial ones this
 

@@ -8,6 +8,7 @@ namespace handmap {
 
 class RplidarScanner : public PortDevice<RangeSensor> {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RplidarScanner)
  public:
   static constexpr std::int32_t kBaud = 115200;  ///< A1, A2; A3 and S1 have 256000, S2 1000000
 

@@ -18,6 +18,7 @@ namespace handmap {
 
 class BytePort : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(BytePort)
  public:
   /// `seed`: of the waiting between attempts.
   BytePort(PortAddress address, std::uint64_t seed, QObject* parent = nullptr);

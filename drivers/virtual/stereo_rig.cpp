@@ -138,8 +138,8 @@ MakeDevices virtualStereoDevices(VirtualDrive drive) {
   return [drive = std::move(drive)](const Rig& rig, RigMonitor& monitor) {
     const RigClock& clock = monitor.clock();
     auto robot = std::make_unique<StereoRobot>(drive, clock);
-    const auto open = renderedDevice({drive.world, cameraOptions(), drive.seed, 4.0, drive.faults},
-                                     robot->place(), clock);
+    auto open = renderedDevice({drive.world, cameraOptions(), drive.seed, 4.0, drive.faults},
+                               robot->place(), clock);
     RigDevices devices;
     devices.head = std::make_unique<PtuHead>(parsePortAddress(robot->headPort(), PtuHead::kBaud),
                                              clock, PtuOptions{}, drive.seed);

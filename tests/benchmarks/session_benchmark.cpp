@@ -32,7 +32,8 @@ Map rows(int buildings) {
   for (int i = 0; i < buildings; ++i) {
     Building building;
     building.id = std::to_string(i);
-    building.shape = Rectangle{{30.0 * (i / 2), i % 2 == 0 ? 15.0 : -15.0}, 20.0, 10.0, 0.0};
+    const int column = i / 2;
+    building.shape = Rectangle{{30.0 * column, i % 2 == 0 ? 15.0 : -15.0}, 20.0, 10.0, 0.0};
     map.buildings.push_back(building);
   }
   return map;
@@ -185,7 +186,7 @@ void stopping(benchmark::State& state) {
   std::mt19937 random(1);
   Latencies latencies_ms;
   for (auto _ : state) {
-    for (const std::uint64_t seed : {1, 2}) {
+    for (const std::uint64_t seed : {1U, 2U}) {
       RunSession session = driveAround(seed, 2.0);
       measureLatencies(session, random, latencies_ms);
     }

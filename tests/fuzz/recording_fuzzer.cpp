@@ -11,9 +11,8 @@ using namespace handmap;
 namespace {
 
 /// A recording of one frame without its recording.json.
-const test::TemporaryFolder& exampleFolder() {
-  static const test::TemporaryFolder folder;
-  static const bool written = [] {
+struct Example {
+  Example() {
     StereoCalibration small = test::exampleCalibration();
     small.size = {64, 48};
     for (LensCalibration* lens : {&small.left, &small.right}) {
@@ -23,19 +22,17 @@ const test::TemporaryFolder& exampleFolder() {
     folder.write("calib.txt", "P0: 70 0 16 0 0 71 8 0 0 0 1 0\nP1: 70 0 16 -35 0 71 8 0 0 0 1 0\n");
     folder.write("calib.yml", formatStereoCalibration(small));
     folder.write("odometry.tum", "0 0 0 0 0 0 0 1\n");
-    return true;
-  }();
-  (void)written;
-  return folder;
-}
+  }
+  test::TemporaryFolder folder;
+};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const test::TemporaryFolder& folder = exampleFolder();
-  folder.write("recording.json", fuzz::textOf(data, size));
+  static const Example kExample;
+  kExample.folder.write("recording.json", fuzz::textOf(data, size));
   return fuzz::takenOrRefused([&] {
-    const Recording recording = openRecording(folder.path());
+    const Recording recording = openRecording(kExample.folder.path());
     fuzz::require(recording.range_limit_m >= 1.0 && recording.range_limit_m <= 200.0);
     fuzz::require(recording.camera && recording.camera->baseline > 0.0);
   });

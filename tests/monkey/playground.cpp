@@ -49,7 +49,8 @@ Map largeMap() {
   for (int i = 0; i < kLarge; ++i) {
     Building building;
     building.id = std::to_string(i);
-    building.shape = Rectangle{{20.0 * (i % 50), 15.0 + 30.0 * (i / 50)}, 15.0, 10.0, 0.0};
+    const int row = i / 50;
+    building.shape = Rectangle{{20.0 * (i % 50), 15.0 + 30.0 * row}, 15.0, 10.0, 0.0};
     map.buildings.push_back(building);
   }
   return map;

@@ -100,7 +100,7 @@ QList<QKeySequence> ActionSet::keys(const QString& id) const { return (*this)[id
 
 QString ActionSet::ownerOf(const QList<QKeySequence>& keys, const QString& id) const {
   for (const ActionSpec& spec : actionTable()) {
-    const QString other = QLatin1String(spec.id);
+    QString other = QLatin1String(spec.id);
     if (other == id) continue;
     for (const QKeySequence& theirs : this->keys(other))
       if (keys.contains(theirs)) return other;

@@ -30,12 +30,11 @@ void paintLines(QPainter& painter, const QTransform& to_device, const QRectF& ar
   for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i) {
     const double metres = i * step;
     const QPointF at = deviceAt(to_device, axis, metres);
-    // A rectangle of one pixel takes a quarter of the time of a line.
     if (isTurned(to_device)) {
       painter.drawLine(to_device.map(axis.vertical_lines
                                          ? QLineF(metres, other.low, metres, other.high)
                                          : QLineF(other.low, metres, other.high, metres)));
-    } else if (axis.vertical_lines) {
+    } else if (axis.vertical_lines) {  // a rectangle takes a quarter of the time of a line
       painter.fillRect(QRectF(std::floor(at.x()), area.top(), 1.0, area.height()), colour);
     } else {
       painter.fillRect(QRectF(area.left(), std::floor(at.y()), area.width(), 1.0), colour);

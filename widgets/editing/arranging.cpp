@@ -66,7 +66,7 @@ Vec2 offsetTo(const Bounds& all, const Bounds& one, Alignment alignment) {
   return Vec2::Zero();
 }
 
-Building turnedBy(Building building, double angle) {
+Building turnedBy(const Building& building, double angle) {
   Rectangle box = building.box();
   box.heading = normalizedAngle(box.heading + angle);
   return building.fitted(box);

@@ -1,6 +1,7 @@
 #include "widgets/run/frame_budget.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace handmap {
@@ -9,7 +10,7 @@ namespace {
 
 /// The value that a share of all is not above; `values` must not be empty.
 double quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  const auto at = std::lround(share * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, values.begin() + at);
   return values[static_cast<std::size_t>(at)];
 }

@@ -43,7 +43,7 @@ QImage imageOf(const cv::Mat1f& cells, const QColor& colour) {
     const float* from = cells[row];
     auto* to = reinterpret_cast<QRgb*>(image.scanLine(row));
     for (int column = 0; column < cells.cols; ++column) {
-      to[column] = shades[static_cast<std::size_t>(std::min(from[column] * scale, 255.0F))];
+      to[column] = shades[static_cast<std::size_t>(std::clamp(from[column] * scale, 0.0F, 255.0F))];
     }
   }
   return image;
@@ -77,7 +77,8 @@ void LocalMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   const double pixels_a_cell =
       map.cell() * painter->device()->devicePixelRatioF() *
       QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
-  const int by = std::clamp(static_cast<int>(1.0 / pixels_a_cell), 1, map.cells().cols);
+  const int by =
+      static_cast<int>(std::clamp(1.0 / pixels_a_cell, 1.0, static_cast<double>(map.cells().cols)));
   if (image_.isNull() || by != cells_a_pixel_) {
     image_ = imageOf(shrunk(map.cells(), by), (*colours_)[Role::LocalMap]);
     cells_a_pixel_ = by;

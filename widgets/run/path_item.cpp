@@ -54,7 +54,6 @@ void PathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
       QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setPen(colours_->pen(role_));
-  painter->setBrush(Qt::NoBrush);
   painter->drawLines(outlines_);
   painter->drawPolyline(thinned(way_, kApartPx / std::max(pixels_per_metre, 1e-6)));
 }

@@ -44,7 +44,7 @@ PoseCertainty certaintyOf(const FrameReport& report) {
 }
 
 QString Words::nameOf(const Building& building) {
-  const QString id = QString::fromStdString(building.id);
+  QString id = QString::fromStdString(building.id);
   if (building.name.empty() || building.name == building.id) return id;
   return id + QStringLiteral(" · ") + QString::fromStdString(building.name);
 }

@@ -9,7 +9,7 @@ namespace handmap {
 namespace {
 
 QString seenOn(const QWidget& widget) {
-  const QString hint = widget.toolTip().section(u'\n', 0, 0);
+  QString hint = widget.toolTip().section(u'\n', 0, 0);
   if (!hint.isEmpty()) return hint;
   const auto* line = qobject_cast<const QLineEdit*>(&widget);
   return line ? line->placeholderText() : QString();

@@ -21,7 +21,8 @@ Map town(std::int64_t buildings) {
   Map map;
   const auto side = static_cast<std::int64_t>(std::ceil(std::sqrt(buildings)));
   for (std::int64_t i = 0; i < buildings; ++i) {
-    const Vec2 at(static_cast<double>(i % side) * kPitch, static_cast<double>(i / side) * kPitch);
+    const std::int64_t row = i / side;
+    const Vec2 at(static_cast<double>(i % side) * kPitch, static_cast<double>(row) * kPitch);
     const double heading = 0.37 * static_cast<double>(i);
     Building building;
     building.id = "H" + std::to_string(i);

@@ -27,8 +27,9 @@ Map street(double off_m) {
   for (int i = 0; i < kBuildings; ++i) {
     Building building;
     building.id = "L" + std::to_string(i);
+    const int column = i / 2;
     building.shape =
-        Rectangle{{15.0 * (i / 2) + off_m, i % 2 == 0 ? 15.0 : -15.0}, 12.0, 9.0, 0.05 * i};
+        Rectangle{{15.0 * column + off_m, i % 2 == 0 ? 15.0 : -15.0}, 12.0, 9.0, 0.05 * i};
     map.buildings.push_back(building);
   }
   return map;
@@ -136,16 +137,16 @@ class Shown {
   QImage image_{kCanvas, QImage::Format_RGB32};
 };
 
-void BM_Paint(benchmark::State& state) {
+void painting(benchmark::State& state) {
   Shown shown(static_cast<std::size_t>(state.range(0)));
   shown.paint();
   for (auto _ : state) shown.paint();
   state.counters["layers"] = static_cast<double>(kLayersPainted);
 }
-BENCHMARK(BM_Paint)->Arg(100)->Arg(10'000)->Arg(50'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(painting)->Arg(100)->Arg(10'000)->Arg(50'000)->Unit(benchmark::kMillisecond);
 
 /// The ground, the drawing and one layer of the panel.
-void BM_PaintLayer(benchmark::State& state) {
+void paintingOfALayer(benchmark::State& state) {
   const LayerSpec& spec = kLayers.at(static_cast<std::size_t>(state.range(0)));
   Shown shown(10'000);
   shown.showOnly(spec.layer);
@@ -153,16 +154,16 @@ void BM_PaintLayer(benchmark::State& state) {
   for (auto _ : state) shown.paint();
   state.SetLabel(spec.text);
 }
-BENCHMARK(BM_PaintLayer)
+BENCHMARK(paintingOfALayer)
     ->DenseRange(0, static_cast<int>(kLayers.size()) - 1)
     ->Unit(benchmark::kMillisecond);
 
 /// What a new snapshot costs before it is painted.
-void BM_Show(benchmark::State& state) {
+void showing(benchmark::State& state) {
   Shown shown(static_cast<std::size_t>(state.range(0)));
   for (auto _ : state) shown.show();
 }
-BENCHMARK(BM_Show)->Arg(100)->Arg(10'000)->Arg(50'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(showing)->Arg(100)->Arg(10'000)->Arg(50'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace handmap

@@ -48,10 +48,10 @@ struct Odometry {
 /// Sends odometry while it waits.
 bool movesUntil(RosbridgeEmulator& server, const std::function<bool()>& holds,
                 RosVersion ros = RosVersion::Ros2) {
-  static const RigClock clock = startedRigClock();
+  static const RigClock kClock = startedRigClock();
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, &server, [&] {
-    const double stamp_s = 1.7e9 + clock();
+    const double stamp_s = 1.7e9 + kClock();
     server.publish(QStringLiteral("/odom"), emulated::odometry(stamp_s, {1.5, -2.0, 0.5}, ros));
   });
   timer.start(20);

@@ -59,7 +59,7 @@ TEST(LayersPanel, ALayerWithNothingToShowIsGrey) {
 TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {
   const QTemporaryDir folder;
   QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
-  const auto sliderOf = [](LayersPanel& panel, const QString& layer) {
+  const auto slider_of = [](LayersPanel& panel, const QString& layer) {
     for (auto* slider : panel.findChildren<QSlider*>()) {
       if (slider->accessibleName().startsWith(layer)) return slider;
     }
@@ -68,7 +68,7 @@ TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {
   {
     LayersPanel panel;
     panel.setOn(Layer::Points, false);
-    sliderOf(panel, "Swarms")->setValue(35);
+    slider_of(panel, "Swarms")->setValue(35);
     panel.save(settings);
   }
   LayersPanel again;
@@ -78,7 +78,7 @@ TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {
   again.restore(settings);
   EXPECT_FALSE(again.isOn(Layer::Points));
   EXPECT_TRUE(again.isOn(Layer::Sight));
-  EXPECT_EQ(sliderOf(again, "Swarms")->value(), 35);
+  EXPECT_EQ(slider_of(again, "Swarms")->value(), 35);
   EXPECT_DOUBLE_EQ(heard.at(Layer::Swarms), 0.35);
   EXPECT_EQ(heard.size(), 1U);
 }

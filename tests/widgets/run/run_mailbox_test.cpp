@@ -90,11 +90,16 @@ struct Gate {
   }
 };
 
+/// Posts a first snapshot and waits until it is being prepared.
+void postTo(RunMailbox& mailbox, Gate& gate) {
+  mailbox.setPrepare(gate.prepare());
+  mailbox.post(snapshotOf(1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+}
+
 TEST_F(RunMailboxTest, WhatIsPreparedIsWhatArrives) {
   Gate gate;
-  mailbox_.setPrepare(gate.prepare());
-  mailbox_.post(snapshotOf(1));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+  ASSERT_NO_FATAL_FAILURE(postTo(mailbox_, gate));
   mailbox_.post(snapshotOf(2));
   mailbox_.post(snapshotOf(3));
   QTest::qWait(50);
@@ -108,9 +113,7 @@ TEST_F(RunMailboxTest, WhatIsPreparedIsWhatArrives) {
 
 TEST_F(RunMailboxTest, FlushDoesNotWaitForThePreparation) {
   Gate gate;
-  mailbox_.setPrepare(gate.prepare());
-  mailbox_.post(snapshotOf(1));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+  ASSERT_NO_FATAL_FAILURE(postTo(mailbox_, gate));
   mailbox_.post(snapshotOf(2));
   mailbox_.flush();
   EXPECT_EQ(indices_, std::vector{2});
@@ -133,9 +136,7 @@ TEST_F(RunMailboxTest, APreparationThatFailsHoldsNothingBack) {
 TEST(RunMailboxEndTest, MayGoWhileItPrepares) {
   Gate gate;
   auto mailbox = std::make_unique<RunMailbox>();
-  mailbox->setPrepare(gate.prepare());
-  mailbox->post(snapshotOf(1));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return gate.entered() == 1; }));
+  ASSERT_NO_FATAL_FAILURE(postTo(*mailbox, gate));
   mailbox.reset();
   gate.open(1);
   EXPECT_TRUE(waitForBackground(std::chrono::seconds(5)));

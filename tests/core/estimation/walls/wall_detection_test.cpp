@@ -35,7 +35,8 @@ std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle
           sum = peak = 0.0;
         };
         for (int column = low; column < high; ++column) {
-          const double off = std::tan(tilt) * (column - (low + high) / 2);
+          const int centre = (low + high) / 2;
+          const double off = std::tan(tilt) * (column - centre);
           const double value = image.at(column, row + static_cast<int>(std::lround(off)));
           if (sum == 0.0 && value <= 0.0) continue;
           if (sum == 0.0) begin = column;
