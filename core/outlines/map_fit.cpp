@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/parallel.h"
 #include "core/map/certainty.h"
+#include "core/outlines/joint_places.h"
 
 namespace handmap {
 
@@ -13,9 +13,6 @@ namespace {
 
 constexpr double kLeastEvidence = 10.0;  // nats
 constexpr double kLeastGain = 3.0;
-constexpr std::size_t kMostRivals = 3;
-constexpr double kOwnedWithin_m = 0.5;
-constexpr double kOverlap = 400.0;  // nats for all of a building on another
 // How people draw what they know: sizes, turns, skews and single walls are off by no more, one σ,
 // however uncertain the drawing says it is; and by so much however certain.
 constexpr double kMostScale = 0.3;
@@ -61,10 +58,6 @@ OutlinePrior priorOf(const OutlineTask& task) {
   return prior;
 }
 
-double sharedArea(const Polygon& outline, const Polygon& other) {
-  return boundsOf(outline).overlaps(boundsOf(other)) ? intersectionArea(outline, other) : 0.0;
-}
-
 double priorShift(const OutlineTask& task) {
   return std::hypot(task.drawn_shift_m, 0.5 * task.size_m);
 }
@@ -100,36 +93,40 @@ Estimate estimateOf(const Polygon& outline, const OutlineTask& task, const Outli
           scorer.framesStandingFor(outline, kOwnedWithin_m)};
 }
 
-/// The work on all buildings, and what of it is settled.
-class Fitting {
+/// The buildings one after the other, each beside all others.
+class Settling {
  public:
-  Fitting(const std::vector<OutlineTask>& tasks, const PlacedRays& placed, double range_limit_m,
-          std::uint64_t seed, std::stop_token stop)
+  Settling(const std::vector<OutlineTask>& tasks, const PlacedRays& placed, double range_limit_m,
+           std::uint64_t seed, std::stop_token stop)
       : tasks_(tasks),
         placed_(placed),
         range_limit_m_(range_limit_m),
         seed_(seed),
         stop_(std::move(stop)),
         owners_(placed.rays.size(), kNobody),
-        settled_(tasks.size()),
-        worth_(tasks.size()) {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      priors_.push_back(priorOf(tasks[i]));
-      if (stop_.stop_requested()) continue;
-      if (tasks[i].labelled) own(i, tasks[i].start, scorerFor(i));
+        settled_(tasks.size()) {
+    for (const OutlineTask& task : tasks) priors_.push_back(priorOf(task));
+  }
+
+  /// Where they are, as far as they do not disturb each other. Returns their order: the surest
+  /// first, those last that have no place.
+  std::vector<std::size_t> begin() {
+    places_ = placesTogether(priors_, placed_, range_limit_m_, seed_, stop_);
+    std::vector<std::size_t> order(tasks_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [&](std::size_t i) { return places_[i] ? places_[i]->total() : 0.0; });
+    for (const std::size_t i : order) {
+      if (places_[i]) own(i, places_[i]->outline, scorerOf(i));
     }
+    return order;
   }
 
-  FittedOutline search(std::size_t i) const {
-    return searchOutline(priors_[i], scorerFor(i),
-                         RandomStream(seed_, static_cast<std::uint32_t>(i)), stop_);
-  }
-
-  /// After the surer ones. `first`: where it was found before these were settled.
-  OutlineResult settle(std::size_t i, const FittedOutline& first) {
+  OutlineResult settle(std::size_t i) {
     const OutlineTask& task = tasks_[i];
-    const OutlineScorer scorer = scorerFor(i);
-    const FittedOutline fitted = isDisturbed(first.outline, task) ? search(i) : first;
+    letGo(i);
+    const OutlineScorer scorer = scorerOf(i);
+    const FittedOutline fitted = fittedBesideOthers(i, scorer);
     if (stop_.stop_requested()) return {};
     OutlineResult result;
     result.evidence = fitted.score - kOverlap * overlap(i, fitted.outline);
@@ -139,50 +136,31 @@ class Fitting {
     if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
-      worth_[i] = result.evidence + fitted.prior;
     } else {
       result.outline = start >= drawn ? task.start : task.drawn;
-      worth_[i] = std::max({start, drawn, 0.0});
     }
-    letGo(i);
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
       result.estimate = estimateOf(result.outline, task, scorer);
       result.sides = sidesOf(result.outline, task, scorer);
       own(i, result.outline, scorer);
-      settled_[i] = result.outline;
     }
     return result;
   }
 
-  /// A building of which the rays tell more than of what was left of them has lost its walls to
-  /// surer neighbours: whether all together are worth more where it chooses before them.
-  void settleAgain(std::size_t i, const FittedOutline& first, std::vector<OutlineResult>& results) {
-    if (results[i].verdict == Verdict::Moved || first.score < kLeastEvidence) return;
-    std::vector<std::size_t> group;
-    for (std::size_t k = 0; k < settled_.size(); ++k) {
-      if (k != i && settled_[k] && sharedArea(first.outline, *settled_[k]) > 0.0)
-        group.push_back(k);
+ private:
+  FittedOutline fittedBesideOthers(std::size_t i, const OutlineScorer& scorer) const {
+    const RandomStream random(seed_, static_cast<std::uint32_t>(i));
+    if (places_[i]) {
+      if (!isDisturbed(i, places_[i]->outline)) return *places_[i];
+      return searchNear(places_[i]->move, priors_[i], scorer, random, stop_);
     }
-    if (group.empty() || group.size() > kMostRivals) return;
-    const Fitting before = *this;
-    const std::vector<OutlineResult> results_before = results;
-    group.insert(group.begin(), i);
-    for (const std::size_t k : group) letGo(k);
-    for (const std::size_t k : group) {
-      results[k] = settle(k, search(k));
-      if (stop_.stop_requested()) return;
-    }
-    double gain = -kLeastGain;
-    for (const std::size_t k : group) gain += worth_[k] - before.worth_[k];
-    if (gain > 0.0) return;
-    owners_ = before.owners_;
-    settled_ = before.settled_;
-    worth_ = before.worth_;
-    results = results_before;
+    const auto worth = [&](const FittedOutline& place) {
+      return place.total() - kOverlap * overlap(i, place.outline);
+    };
+    return std::ranges::max(searchOutlines(priors_[i], scorer, random, stop_), {}, worth);
   }
 
- private:
-  /// Share of the area that settled ones have.
+  /// Share of the area that others have.
   double overlap(std::size_t i, const Polygon& outline) const {
     double shared = 0.0;
     for (std::size_t k = 0; k < settled_.size(); ++k) {
@@ -190,28 +168,24 @@ class Fitting {
     }
     return shared / std::max(1.0, std::abs(signedArea(outline)));
   }
+  /// With the returns there that nobody has yet.
+  void own(std::size_t i, const Polygon& outline, const OutlineScorer& scorer) {
+    settled_[i] = outline;
+    for (const auto& [ray, nats] : scorer.standingFor(outline, kOwnedWithin_m)) {
+      if (owners_[ray] == kNobody) owners_[ray] = static_cast<int>(i);
+    }
+  }
   void letGo(std::size_t i) {
     std::replace(owners_.begin(), owners_.end(), static_cast<int>(i), kNobody);
     settled_[i].reset();
   }
-  OutlineScorer scorerFor(std::size_t i) const {
-    const Bounds bounds = boundsOf(tasks_[i].start);
-    const double radius = 0.5 * (bounds.high - bounds.low).norm();
-    return {placed_,
-            range_limit_m_,
-            owners_,
-            static_cast<int>(i),
-            0.5 * (bounds.low + bounds.high),
-            1.4 * radius + 2.5 * priors_[i].shift_m};
+  OutlineScorer scorerOf(std::size_t i) const {
+    return scorerFor(priors_[i], placed_, range_limit_m_, owners_, static_cast<int>(i));
   }
-  void own(std::size_t i, const Polygon& outline, const OutlineScorer& scorer) {
-    for (const std::size_t ray : scorer.standingFor(outline, kOwnedWithin_m)) {
-      owners_[ray] = static_cast<int>(i);
-    }
-  }
-  bool isDisturbed(const Polygon& outline, const OutlineTask& task) const {
+  bool isDisturbed(std::size_t i, const Polygon& outline) const {
+    const double size = sizeOf(tasks_[i].drawn);
     return std::any_of(settled_.begin(), settled_.end(), [&](const auto& other) {
-      return other && distanceTo(*other, centroid(outline)) < sizeOf(task.drawn);
+      return other && distanceTo(*other, centroid(outline)) < size;
     });
   }
 
@@ -222,8 +196,8 @@ class Fitting {
   std::stop_token stop_;
   RayOwners owners_;
   std::vector<OutlinePrior> priors_;
+  std::vector<std::optional<FittedOutline>> places_;
   std::vector<std::optional<Polygon>> settled_;
-  std::vector<double> worth_;  ///< nats, of what is settled
 };
 
 }  // namespace
@@ -232,31 +206,17 @@ std::vector<OutlineResult> fitOutlines(const std::vector<OutlineTask>& tasks,
                                        const PlacedRays& placed, double range_limit_m,
                                        std::uint64_t seed, const std::stop_token& stop,
                                        const std::function<void(double)>& progress) {
-  Fitting fitting(tasks, placed, range_limit_m, seed, stop);
-  std::vector<FittedOutline> first(tasks.size());
-  parallelFor(tasks.size(), [&](std::size_t i) {
-    if (!stop.stop_requested()) first[i] = fitting.search(i);
-  });
+  Settling settling(tasks, placed, range_limit_m, seed, stop);
+  const std::vector<std::size_t> order = settling.begin();
   if (stop.stop_requested()) return {};
   if (progress) progress(0.5);
-
-  // The surest first: what it stands for is no longer there for the others.
-  std::vector<std::size_t> order(tasks.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return first[a].total() > first[b].total();
-  });
   std::vector<OutlineResult> results(tasks.size());
   std::size_t done = 0;
   for (const std::size_t i : order) {
-    results[i] = fitting.settle(i, first[i]);
+    results[i] = settling.settle(i);
     if (stop.stop_requested()) return {};
     const double share = static_cast<double>(++done) / static_cast<double>(tasks.size());
     if (progress) progress(0.5 + 0.5 * share);
-  }
-  for (const std::size_t i : order) {
-    fitting.settleAgain(i, first[i], results);
-    if (stop.stop_requested()) return {};
   }
   return results;
 }

@@ -201,13 +201,16 @@ std::vector<double> OutlineScorer::returnsOf(const Polygon& outline, double slac
   return returns;
 }
 
-std::vector<std::size_t> OutlineScorer::standingFor(const Polygon& outline, double near_m) const {
-  std::vector<std::size_t> indices;
+std::vector<OutlineScorer::Standing> OutlineScorer::standingFor(const Polygon& outline,
+                                                                double near_m) const {
+  std::vector<Standing> standing;
   forMet(outline, 1, [&](const Asked& asked, const Met& met) {
     const double error = static_cast<double>((asked.ray.range - met.distance) * met.cosine);
-    if (asked.ray.echo == Echo::Tall && std::abs(error) < near_m) indices.push_back(asked.index);
+    if (asked.ray.echo != Echo::Tall || std::abs(error) >= near_m) return;
+    const float ratio = ratioOf(asked, met, static_cast<float>(near_m));
+    standing.push_back({asked.index, kTemper * static_cast<double>(asked.ray.share * ratio)});
   });
-  return indices;
+  return standing;
 }
 
 int OutlineScorer::framesStandingFor(const Polygon& outline, double near_m) const {

@@ -46,8 +46,13 @@ class OutlineScorer {
   double operator()(const Polygon& outline, double slack_m, std::size_t stride = 1) const;
   /// Tempered number of returns that are from each wall (i: from corner i − 1 to corner i).
   std::vector<double> returnsOf(const Polygon& outline, double slack_m) const;
-  /// Indices of the returns within `near_m` of the walls that their rays enter by.
-  std::vector<std::size_t> standingFor(const Polygon& outline, double near_m) const;
+  /// A return that is near a wall which its ray enters by.
+  struct Standing {
+    std::size_t ray;  ///< index of PlacedRays
+    double nats;      ///< what it says for the outline, tempered
+  };
+  /// Those within `near_m`; by ray.
+  std::vector<Standing> standingFor(const Polygon& outline, double near_m) const;
   /// How many frames have such returns.
   int framesStandingFor(const Polygon& outline, double near_m) const;
   std::size_t size() const { return rays_.size(); }

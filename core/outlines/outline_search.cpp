@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/outlines/evolution.h"
+
 namespace handmap {
 
 namespace {
@@ -17,22 +19,22 @@ struct Stage {
   double slack_m;
   std::size_t tries;
   double step_m;
+  double least_step_m;
 };
-constexpr Stage kStages[] = {{0.8, 8, 1.0}, {0.3, 4, 0.5}};
-constexpr std::size_t kFinalists = 2;
-constexpr double kLastSlack = 0.15;
-constexpr double kLastStep = 0.25;
-constexpr double kLeastStep = 0.06;
+constexpr Stage kStages[] = {{0.8, 12, 1.0, 0.3}, {0.3, 8, 0.5, 0.15}};
+constexpr Stage kLast = {0.15, 4, 0.25, 0.03};
+constexpr double kLeastWallStep = 0.06;
+constexpr double kAnother_m = 1.0;  // places of which no corner is farther apart are the same
 
-/// Shift, turn, logs of two scales, shear.
-using Move = std::array<double, 6>;
+using Move = OutlineMove;
 
 class Shape {
  public:
   explicit Shape(const OutlinePrior& prior) : prior_(prior) {
     const Rectangle box = boundingRectangle(prior.start, prior.heading);
     centre_ = box.centre;
-    half_ = {0.5 * box.width, 0.5 * box.depth};
+    const double longer = 0.5 * std::max(box.width, box.depth);
+    levers_ = {1.0, 1.0, longer, 0.5 * box.width, 0.5 * box.depth, longer};
     const Vec2 u = unitVector(prior.heading);
     for (const Vec2& corner : prior.start) {
       own_.emplace_back(u.dot(corner - centre_), perpendicular(u).dot(corner - centre_));
@@ -76,46 +78,29 @@ class Shape {
             draw(prior_.shear)};
   }
 
-  /// What a pattern search tries: each part alone, and one side with the other staying. `step_m`
-  /// at the walls.
-  std::vector<Move> moves(const Move& at, double step_m) const {
-    const double size = std::max(half_.x(), half_.y());
-    std::vector<Move> moves;
-    for (const double step : {step_m, -step_m}) {
-      const auto changed = [&](std::size_t k, double by) {
-        Move m = at;
-        m[k] += by;
-        return m;
-      };
-      const Vec2 u = unitVector(prior_.heading + at[2]);
-      const Vec2 v = perpendicular(u);
-      for (const auto& [direction, k] :
-           {std::pair{u, std::size_t{3}}, std::pair{v, std::size_t{4}}}) {
-        Move shifted = at;
-        shifted[0] += step * direction.x();
-        shifted[1] += step * direction.y();
-        moves.push_back(shifted);
-        const double half = std::exp(at[k]) * (k == 3 ? half_.x() : half_.y());
-        if (half + 0.5 * step < 0.5) continue;
-        const double longer = std::log((half + 0.5 * step) / half);
-        for (const double side : {0.5, -0.5}) {
-          Move stretched = changed(k, longer);
-          stretched[0] += side * step * direction.x();
-          stretched[1] += side * step * direction.y();
-          moves.push_back(stretched);
-        }
-        moves.push_back(changed(k, longer));
-      }
-      moves.push_back(changed(2, step / size));
-      if (prior_.shear > 0.0) moves.push_back(changed(5, step / size));
+  /// Metres at the walls, all of them: so that steps of all matter alike. Without the shear of
+  /// what has none.
+  Eigen::VectorXd metresOf(const Move& m) const {
+    Eigen::VectorXd metres(prior_.shear > 0.0 ? 6 : 5);
+    for (Eigen::Index k = 0; k < metres.size(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      metres[k] = m[i] * levers_[i];
     }
-    return moves;
+    return metres;
+  }
+  Move moveOf(const Eigen::VectorXd& metres) const {
+    Move m{};
+    for (Eigen::Index k = 0; k < metres.size(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      m[i] = metres[k] / levers_[i];
+    }
+    return m;
   }
 
  private:
   const OutlinePrior& prior_;
   Vec2 centre_;
-  Vec2 half_;
+  Move levers_;
   std::vector<Vec2> own_;  ///< corners along and across the axes
 };
 
@@ -124,31 +109,38 @@ struct Candidate {
   double total = -1e300;
 };
 
-void improve(Candidate& best, const Shape& shape, const OutlineScorer& scorer, double slack_m,
-             double step_m, double least_step_m, std::size_t stride, const std::stop_token& stop) {
-  const auto value = [&](const Move& m) {
-    return scorer(shape(m), slack_m, stride) + shape.logPrior(m);
+void improve(Candidate& candidate, const Shape& shape, const OutlineScorer& scorer,
+             const Stage& stage, std::size_t stride, RandomStream& random,
+             const std::stop_token& stop) {
+  const auto value = [&](const Eigen::VectorXd& metres) {
+    const Move m = shape.moveOf(metres);
+    return scorer(shape(m), stage.slack_m, stride) + shape.logPrior(m);
   };
-  best.total = value(best.move);
-  for (double step = step_m; step >= least_step_m; step *= 0.5) {
-    constexpr int kMostRounds = 12;
-    for (int round = 0; round < kMostRounds; ++round) {
-      if (stop.stop_requested()) return;
-      Candidate next = best;
-      for (const Move& m : shape.moves(best.move, step)) {
-        const double total = value(m);
-        if (total > next.total) next = {m, total};
-      }
-      if (next.total <= best.total) break;
-      best = next;
-    }
-  }
+  const Evolved evolved =
+      evolve(value, shape.metresOf(candidate.move),
+             {.step = stage.step_m, .least_step = stage.least_step_m}, random, stop);
+  candidate = {shape.moveOf(evolved.parameters), evolved.value};
 }
 
-void keepBest(std::vector<Candidate>& candidates, std::size_t most) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.total > b.total; });
-  candidates.resize(std::min(candidates.size(), most));
+double farthestCorner(const Polygon& a, const Polygon& b) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
+  return most;
+}
+
+/// Of places that are the same the best alone.
+void keepBest(std::vector<Candidate>& candidates, std::size_t most, const Shape& shape) {
+  std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::total);
+  std::vector<Candidate> kept;
+  for (const Candidate& candidate : candidates) {
+    if (kept.size() == most) break;
+    const Polygon outline = shape(candidate.move);
+    const bool is_new = std::ranges::none_of(kept, [&](const Candidate& better) {
+      return farthestCorner(shape(better.move), outline) < kAnother_m;
+    });
+    if (is_new) kept.push_back(candidate);
+  }
+  candidates = std::move(kept);
 }
 
 /// The outline with one wall moved along its normal; the walls beside it end where it is now.
@@ -175,13 +167,13 @@ void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineSc
                std::size_t stride, const std::stop_token& stop) {
   std::vector<double> moved(fitted.outline.size(), 0.0);
   const auto penalty = [&](double by) { return -0.5 * std::pow(by / prior.corner_m, 2); };
-  for (double step = 0.8; step >= kLeastStep; step *= 0.5) {
+  for (double step = 0.8; step >= kLeastWallStep; step *= 0.5) {
     for (std::size_t wall = 0; wall < moved.size(); ++wall) {
       if (stop.stop_requested()) return;
       for (const double by : {step, -step}) {
         Polygon outline = withWallMoved(fitted.outline, wall, by);
         if (!isSimple(outline) || signedArea(outline) <= 0.0) continue;
-        const double score = scorer(outline, kLastSlack, stride);
+        const double score = scorer(outline, kLast.slack_m, stride);
         const double changed = penalty(moved[wall] + by) - penalty(moved[wall]);
         if (score + changed <= fitted.score) continue;
         fitted.outline = std::move(outline);
@@ -194,42 +186,64 @@ void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineSc
   }
 }
 
+FittedOutline finished(const Candidate& candidate, const Shape& shape, const OutlinePrior& prior,
+                       const OutlineScorer& scorer, std::size_t stride,
+                       const std::stop_token& stop) {
+  const Move& move = candidate.move;
+  FittedOutline fitted{shape(move), move, 0.0, shape.logPrior(move)};
+  fitted.score = scorer(fitted.outline, kLast.slack_m, stride);
+  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, stride, stop);
+  return fitted;
+}
+
+std::size_t fineStride(const OutlineScorer& scorer) { return 1 + scorer.size() / kAskedLater; }
+
 }  // namespace
 
-FittedOutline searchOutline(const OutlinePrior& prior, const OutlineScorer& scorer,
-                            RandomStream random, const std::stop_token& stop) {
+std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
+                                          RandomStream random, const std::stop_token& stop) {
   const Shape shape(prior);
   const std::size_t coarse = 1 + scorer.size() / kAsked;
-  const std::size_t fine = 1 + scorer.size() / kAskedLater;
   std::vector<Candidate> candidates(1);
   for (int i = 0; i < kSamples; ++i) candidates.push_back({shape.sample(random)});
   for (Candidate& candidate : candidates) {
-    if (stop.stop_requested()) return {prior.start};
+    if (stop.stop_requested()) return {{prior.start}};
     candidate.total =
         scorer(shape(candidate.move), kSlackAtFirst, coarse) + shape.logPrior(candidate.move);
   }
   const Candidate start = candidates.front();
   for (const Stage& stage : kStages) {
-    keepBest(candidates, stage.tries);
+    keepBest(candidates, stage.tries, shape);
     for (Candidate& candidate : candidates) {
-      if (stop.stop_requested()) return {prior.start};
-      improve(candidate, shape, scorer, stage.slack_m, stage.step_m, 0.3 * stage.step_m, coarse,
-              stop);
+      improve(candidate, shape, scorer, stage, coarse, random, stop);
+      if (stop.stop_requested()) return {{prior.start}};
     }
   }
   // Narrow walls are found near where they are only: the start may be right as it is.
-  keepBest(candidates, kFinalists);
+  keepBest(candidates, kLast.tries, shape);
   candidates.push_back(start);
+  const std::size_t fine = fineStride(scorer);
   for (Candidate& candidate : candidates) {
-    if (stop.stop_requested()) return {prior.start};
-    improve(candidate, shape, scorer, kLastSlack, kLastStep, kLeastStep, fine, stop);
+    improve(candidate, shape, scorer, kLast, fine, random, stop);
+    if (stop.stop_requested()) return {{prior.start}};
   }
-  keepBest(candidates, 1);
-  const Move& best = candidates.front().move;
-  FittedOutline fitted{shape(best), 0.0, shape.logPrior(best)};
-  fitted.score = scorer(fitted.outline, kLastSlack, fine);
-  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, fine, stop);
+  keepBest(candidates, candidates.size(), shape);
+  std::vector<FittedOutline> fitted;
+  for (const Candidate& candidate : candidates) {
+    fitted.push_back(finished(candidate, shape, prior, scorer, fine, stop));
+  }
+  std::ranges::stable_sort(fitted, std::ranges::greater{}, &FittedOutline::total);
   return fitted;
+}
+
+FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
+                         const OutlineScorer& scorer, RandomStream random,
+                         const std::stop_token& stop) {
+  const Shape shape(prior);
+  const std::size_t fine = fineStride(scorer);
+  Candidate candidate{start};
+  improve(candidate, shape, scorer, kLast, fine, random, stop);
+  return finished(candidate, shape, prior, scorer, fine, stop);
 }
 
 double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,
@@ -250,7 +264,7 @@ double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_
     for (Vec2& corner : moved) {
       corner += (corner.dot(direction) - low) / (high - low) * by * direction;
     }
-    return scorer(moved, kLastSlack, stride) - 0.5 * std::pow(by / prior_sigma_m, 2);
+    return scorer(moved, kLast.slack_m, stride) - 0.5 * std::pow(by / prior_sigma_m, 2);
   };
   const double best = value(0.0);
   double sigma = kFirst;

@@ -1,7 +1,9 @@
-// The outline near a given one that explains the rays best.
+// The outlines near a given one that explain the rays best.
 #pragma once
 
+#include <array>
 #include <stop_token>
+#include <vector>
 
 #include "core/base/random.h"
 #include "core/outlines/outline_score.h"
@@ -21,18 +23,28 @@ struct OutlinePrior {
   Vec2 expected_log_size = Vec2::Zero();
 };
 
+/// Shift (m), turn, logs of both scales, shear.
+using OutlineMove = std::array<double, 6>;
+
 struct FittedOutline {
   Polygon outline;
+  OutlineMove move{};  ///< of the prior's start, before single walls were moved
   double score = 0.0;  ///< log ratio against nothing there, without what the prior says
   double prior = 0.0;  ///< log density of the prior, at most 0
   double total() const { return score + prior; }
 };
 
-/// Samples of the prior, the best of them by pattern searches with ever narrower walls, then wall
-/// by wall. The same random numbers give the same outline. Comes back at once, with any outline,
-/// where `stop` is requested.
-FittedOutline searchOutline(const OutlinePrior& prior, const OutlineScorer& scorer,
-                            RandomStream random, const std::stop_token& stop = {});
+/// Samples of the prior, the best of them by CMA-ES with ever narrower walls, then wall by wall.
+/// Places that differ and explain the rays nearly as well, the best first: which of them is right
+/// may depend on the neighbours. The same random numbers give the same outlines. Comes back at
+/// once, with any outline, where `stop` is requested.
+std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
+                                          RandomStream random, const std::stop_token& stop = {});
+
+/// From a place near by, with the narrow walls alone.
+FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
+                         const OutlineScorer& scorer, RandomStream random,
+                         const std::stop_token& stop = {});
 
 /// How far the side of the outline that lies farthest along a direction may be moved, the opposite
 /// one staying, before rays and prior make it less probable by what one σ does; metres.

@@ -1,0 +1,180 @@
+#include "core/outlines/joint_places.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+#include "core/outlines/mode_choice.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kRivals = 3.0;  // nats that two buildings both want; less is no matter
+constexpr double kSlack_m = 0.15;
+
+using Standing = std::vector<OutlineScorer::Standing>;
+
+/// What returns that both claim say for the one for which they say less; both by ray.
+double sharedNats(const Standing& one, const Standing& other) {
+  double shared = 0.0;
+  auto b = other.begin();
+  for (const auto& [ray, nats] : one) {
+    while (b != other.end() && b->ray < ray) ++b;
+    if (b == other.end()) break;
+    if (b->ray == ray) shared += std::max(0.0, std::min(nats, b->nats));
+  }
+  return shared;
+}
+
+/// Of the smaller one's area.
+double overlapCost(const Polygon& one, const Polygon& other) {
+  const double least = std::min(std::abs(signedArea(one)), std::abs(signedArea(other)));
+  return kOverlap * sharedArea(one, other) / std::max(1.0, least);
+}
+
+struct Region {
+  Vec2 centre;
+  double reach_m;
+};
+
+Region regionOf(const OutlinePrior& prior) {
+  const Bounds bounds = boundsOf(prior.start);
+  const double radius = 0.5 * (bounds.high - bounds.low).norm();
+  return {0.5 * (bounds.low + bounds.high), 1.4 * radius + 2.5 * prior.shift_m};
+}
+
+class Places {
+ public:
+  Places(const std::vector<OutlinePrior>& priors, const PlacedRays& placed, double range_limit_m,
+         std::uint64_t seed, std::stop_token stop)
+      : priors_(priors),
+        placed_(placed),
+        range_limit_m_(range_limit_m),
+        seed_(seed),
+        stop_(std::move(stop)),
+        modes_(priors.size()) {}
+
+  void search() {
+    parallelFor(priors_.size(), [&](std::size_t i) {
+      if (stop_.stop_requested()) return;
+      const OutlineScorer scorer = scorerOf(i, {});
+      for (FittedOutline& place : searchOutlines(priors_[i], scorer, random(i), stop_)) {
+        add(i, std::move(place), scorer);
+      }
+    });
+  }
+
+  void searchBesideRivals() {
+    struct Beside {
+      std::size_t building, rival;
+      FittedOutline place;
+    };
+    std::vector<Beside> beside;
+    for (const auto& [i, m, k, n, cost] : conflicts(1)) {
+      if (cost < kRivals) continue;
+      beside.push_back({i, k, {}});
+      beside.push_back({k, i, {}});
+    }
+    parallelFor(beside.size(), [&](std::size_t b) {
+      auto& [i, rival, place] = beside[b];
+      if (!stop_.stop_requested()) place = bestBeside(i, rival);
+    });
+    if (stop_.stop_requested()) return;
+    for (auto& [i, rival, place] : beside) add(i, std::move(place), scorerOf(i, {}));
+  }
+
+  std::vector<std::optional<FittedOutline>> choose() const {
+    std::vector<std::vector<double>> worth(priors_.size());
+    for (std::size_t i = 0; i < priors_.size(); ++i) {
+      for (const Mode& mode : modes_[i]) worth[i].push_back(mode.place.total());
+    }
+    const std::vector<int> chosen = chooseModes(worth, conflicts(kAll));
+    std::vector<std::optional<FittedOutline>> places(priors_.size());
+    for (std::size_t i = 0; i < priors_.size(); ++i) {
+      if (chosen[i] != kNoMode) places[i] = modes_[i][static_cast<std::size_t>(chosen[i])].place;
+    }
+    return places;
+  }
+
+ private:
+  static constexpr std::size_t kAll = 1000;
+  struct Mode {
+    FittedOutline place;
+    Standing standing;  ///< as if nobody else had any
+  };
+
+  RandomStream random(std::size_t i) const {
+    return RandomStream(seed_, static_cast<std::uint32_t>(i));
+  }
+  OutlineScorer scorerOf(std::size_t i, const RayOwners& owners) const {
+    return scorerFor(priors_[i], placed_, range_limit_m_, owners, static_cast<int>(i));
+  }
+  void add(std::size_t i, FittedOutline place, const OutlineScorer& scorer) {
+    Standing standing = scorer.standingFor(place.outline, kOwnedWithin_m);
+    modes_[i].push_back({std::move(place), std::move(standing)});
+  }
+
+  /// Where the best place of the rival has the returns of its own.
+  FittedOutline bestBeside(std::size_t i, std::size_t rival) const {
+    RayOwners owners(placed_.rays.size(), kNobody);
+    for (const auto& [ray, nats] : modes_[rival].front().standing) {
+      owners[ray] = static_cast<int>(rival);
+    }
+    FittedOutline best = searchOutlines(priors_[i], scorerOf(i, owners), random(i), stop_).front();
+    best.score = scorerOf(i, {})(best.outline, kSlack_m);
+    return best;
+  }
+
+  /// Of the first so many modes of each.
+  std::vector<ModeConflict> conflicts(std::size_t most) const {
+    std::vector<ModeConflict> conflicts;
+    for (std::size_t i = 0; i < priors_.size() && !stop_.stop_requested(); ++i) {
+      const Region here = regionOf(priors_[i]);
+      for (std::size_t k = i + 1; k < priors_.size(); ++k) {
+        const Region there = regionOf(priors_[k]);
+        if ((here.centre - there.centre).norm() > here.reach_m + there.reach_m) continue;
+        for (std::size_t m = 0; m < std::min(most, modes_[i].size()); ++m) {
+          for (std::size_t n = 0; n < std::min(most, modes_[k].size()); ++n) {
+            const Mode& one = modes_[i][m];
+            const Mode& other = modes_[k][n];
+            const double cost = sharedNats(one.standing, other.standing) +
+                                overlapCost(one.place.outline, other.place.outline);
+            if (cost > 0.0) conflicts.push_back({i, m, k, n, cost});
+          }
+        }
+      }
+    }
+    return conflicts;
+  }
+
+  const std::vector<OutlinePrior>& priors_;
+  const PlacedRays& placed_;
+  double range_limit_m_;
+  std::uint64_t seed_;
+  std::stop_token stop_;
+  std::vector<std::vector<Mode>> modes_;  ///< by building
+};
+
+}  // namespace
+
+double sharedArea(const Polygon& outline, const Polygon& other) {
+  return boundsOf(outline).overlaps(boundsOf(other)) ? intersectionArea(outline, other) : 0.0;
+}
+
+OutlineScorer scorerFor(const OutlinePrior& prior, const PlacedRays& placed, double range_limit_m,
+                        const RayOwners& owners, int building) {
+  const auto [centre, reach_m] = regionOf(prior);
+  return {placed, range_limit_m, owners, building, centre, reach_m};
+}
+
+std::vector<std::optional<FittedOutline>> placesTogether(const std::vector<OutlinePrior>& priors,
+                                                         const PlacedRays& placed,
+                                                         double range_limit_m, std::uint64_t seed,
+                                                         const std::stop_token& stop) {
+  Places places(priors, placed, range_limit_m, seed, stop);
+  places.search();
+  places.searchBesideRivals();
+  return places.choose();
+}
+
+}  // namespace handmap
