@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/estimation/estimator_state.h"
 
@@ -28,6 +29,7 @@ void HandmapEstimator::startFrom(const Pose2& odometry) {
 
 void HandmapEstimator::reviseOdometry(const std::vector<Pose2>& odometry, double noise) {
   State& state = *state_;
+  state.workToTheEnd({});
   state.odometry_noise = noise;
   std::vector<Pose2> before;
   for (const Frame& frame : state.frames) before.push_back(frame.pose);
@@ -49,12 +51,18 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   const Pose2 motion = between(last.odometry, odometry);
   const bool moved = std::hypot(motion.x, motion.y) >= state.options.key_step_m ||
                      std::abs(motion.heading) >= state.options.key_turn;
+  if (moved) state.workToTheEnd(stop);
   state.pose = last.pose * state.smoother.scaled(motion);
   if (!moved && state.observations.empty()) {
     state.frames.pop_back();
   } else if (!moved) {
     state.addObservation(time_s, motion);
     state.reached(EstimatorPhase::Way);
+    state.between_frames = true;
+    if (state.due == State::Due::Nothing) return;
+    state.workOn(stop, progress);
+    state.pose = state.newestPose();
+    state.updateTrajectory();
     return;
   }
   state.addFrame(time_s, odometry, state.pose, scan);
@@ -62,12 +70,14 @@ void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& sc
   state.reached(EstimatorPhase::Way);
   state.smoothWindow();
   state.process(stop, progress);
+  state.between_frames = false;
   state.pose = state.frames.back().pose;
   state.updateTrajectory();
 }
 
-/// What the newest key frame tells. Once a stop is requested all that can wait is left out: no
-/// frame is needed for the next one to be processed.
+/// What the newest key frame tells. Where observations come oftener than key frames the next ones
+/// do a part of it. Once a stop is requested all that can wait is left out: no frame is needed for
+/// the next one to be processed.
 void HandmapEstimator::State::process(const std::stop_token& stop,
                                       const std::function<void(double)>& progress) {
   reached(EstimatorPhase::Poses);
@@ -79,14 +89,28 @@ void HandmapEstimator::State::process(const std::stop_token& stop,
   updateDirections();
   if (stop.stop_requested()) return;
   reached(EstimatorPhase::Evidence);
-  const bool looked_for_new_ones = findBuildings();
-  followBuildings();
-  reached(EstimatorPhase::Detection);
-  if (!stop.stop_requested()) updateNoise();
-  if (progress) progress(0.9);
-  // They are labelled by their places among those that were found.
-  if (looked_for_new_ones) labelBuildings(nearM());
-  reached(EstimatorPhase::Labels);
+  due = Due::Buildings;
+  if (!between_frames) workToTheEnd(stop, progress);
+}
+
+/// A part of what is due: an observation does one, so that none takes long, and all are done before
+/// the next key frame.
+void HandmapEstimator::State::workOn(const std::stop_token& stop,
+                                     const std::function<void(double)>& progress) {
+  const Due part = std::exchange(due, Due::Nothing);
+  if (part == Due::Nothing || stop.stop_requested()) return;
+  if (part == Due::Buildings) {
+    const bool looked_for_new_ones = findBuildings();
+    followBuildings();
+    reached(EstimatorPhase::Detection);
+    if (!stop.stop_requested()) updateNoise();
+    if (progress) progress(0.9);
+    // They are labelled by their places among those that were found.
+    if (looked_for_new_ones) labelBuildings(nearM());
+    reached(EstimatorPhase::Labels);
+    due = Due::Whole;
+    return;
+  }
   if (closeLoop(stop) || smoothPeriodically(stop)) labelBuildings(nearM());
   if (stop.stop_requested()) return;
   if (fitOutlines()) labelBuildings(nearM());
@@ -94,10 +118,16 @@ void HandmapEstimator::State::process(const std::stop_token& stop,
   reached(EstimatorPhase::Correction);
 }
 
+void HandmapEstimator::State::workToTheEnd(const std::stop_token& stop,
+                                           const std::function<void(double)>& progress) {
+  while (due != Due::Nothing) workOn(stop, progress);
+}
+
 void HandmapEstimator::finish(const std::stop_token& stop) {
   constexpr std::size_t kMostLabelled = 60;  // buildings all together; choice
   State& state = *state_;
   if (state.frames.empty()) return;
+  state.workToTheEnd(stop);
   state.smoothToTheEnd(stop);
   state.updateTrajectory();
   if (stop.stop_requested()) return;

@@ -38,11 +38,16 @@ struct HandmapEstimator::State {
   /// Who looks sees the pose as it is by then; a step sets it at its end anyway.
   void reached(EstimatorPhase phase) {
     if (!watch) return;
-    if (phase != EstimatorPhase::Way) pose = frames.back().pose;
+    if (phase != EstimatorPhase::Way) pose = newestPose();
     watch(phase);
   }
   void process(const std::stop_token& stop, const std::function<void(double)>& progress);
+  void workOn(const std::stop_token& stop, const std::function<void(double)>& progress);
+  void workToTheEnd(const std::stop_token& stop, const std::function<void(double)>& progress = {});
   void addObservation(double time_s, const Pose2& offset);
+  Pose2 newestPose() const {
+    return frames.back().pose * smoother.scaled(observations.back().offset);
+  }
   void updateTrajectory();
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
@@ -73,6 +78,9 @@ struct HandmapEstimator::State {
   bool isInSight(const FoundBox& found) const;
   MapCorrection::HasReached hasReached() const;
 
+  /// What is still to be done of a key frame, first the one, then the other.
+  enum class Due { Nothing, Buildings, Whole };
+
   Map drawing;
   EstimatorOptions options;
   std::uint64_t seed;
@@ -94,6 +102,8 @@ struct HandmapEstimator::State {
   std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
   int iterations_due = 0;       ///< of smoothing them all
   bool detected_last = false;   ///< walls, at the last key frame
+  Due due = Due::Nothing;       ///< of the newest key frame
+  bool between_frames = false;  ///< whether the last observation was no key frame
   struct Observed {             ///< an observation: its pose relative to a key frame
     double time_s;
     std::size_t frame;

@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/geometry/to_outer.h"
+
 namespace handmap {
 
 namespace {
@@ -141,9 +143,9 @@ std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points) {
 std::vector<ScanPoint> moved(const std::vector<ScanPoint>& points, const Pose2& pose) {
   std::vector<ScanPoint> result;
   result.reserve(points.size());
-  const Pose2 turn{0.0, 0.0, pose.heading};
+  const ToOuter outer(pose);
   for (const ScanPoint& p : points) {
-    result.push_back({pose.toOuter(p.at), p.straight() ? turn.toOuter(p.normal) : p.normal});
+    result.push_back({outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal});
   }
   return result;
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/geometry/to_outer.h"
+
 namespace handmap {
 
 namespace {
@@ -33,11 +35,11 @@ struct NormalEquations {
 NormalEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& map,
                            const Pose2& pose, double gate_m) {
   NormalEquations sums;
-  const Pose2 turn{0.0, 0.0, pose.heading};
+  const ToOuter moved(pose);
   const std::size_t stride = scan.size() / kMostPoints + 1;
   for (std::size_t i = 0; i < scan.size(); i += stride) {
     const ScanPoint& p = scan[i];
-    const ScanPoint outer{pose.toOuter(p.at), p.straight() ? turn.toOuter(p.normal) : p.normal};
+    const ScanPoint outer{moved(p.at), p.straight() ? moved.turned(p.normal) : p.normal};
     const ScanPoint* near = map.nearest(outer, gate_m);
     if (!near) continue;
     ++sums.matched;

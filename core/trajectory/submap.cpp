@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/to_outer.h"
+
 namespace handmap {
 
 namespace {
@@ -49,10 +51,10 @@ struct Placement {
 std::vector<CellOf> placed(const std::vector<ScanPoint>& points, const Pose2& pose) {
   std::vector<CellOf> cells;
   const std::size_t stride = points.size() / kMostPoints + 1;
-  const Pose2 turn{0.0, 0.0, pose.heading};
+  const ToOuter outer(pose);
   for (std::size_t i = 0; i < points.size(); i += stride) {
-    const Vec2 at = pose.toOuter(points[i].at);
-    const auto face = static_cast<std::uint8_t>(1U << nearestFace(turn.toOuter(points[i].normal)));
+    const Vec2 at = outer(points[i].at);
+    const auto face = static_cast<std::uint8_t>(1U << nearestFace(outer.turned(points[i].normal)));
     cells.push_back({cellOf(at.x()), cellOf(at.y()), face});
   }
   return cells;

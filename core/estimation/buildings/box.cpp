@@ -22,12 +22,13 @@ Box Box::renumbered(std::size_t quarters) const {
 
 Polygon Box::polygon() const {
   Polygon corners;
-  for (std::size_t i = 0; i < walls(); ++i) corners.push_back(corner(i));
+  corners.reserve(walls());
+  const Vec2 u = unitVector(heading);
+  for (std::size_t i = 0; i < walls(); ++i) corners.push_back(at(share(i), u));
   return corners;
 }
 
-Vec2 Box::shareAt(const Vec2& point) const {
-  const Vec2 u = unitVector(heading);
+Vec2 Box::shareAt(const Vec2& point, const Vec2& u) const {
   return {(u.dot(point - pivot) + reach[2]) / (reach[0] + reach[2]),
           (perpendicular(u).dot(point - pivot) + reach[3]) / (reach[1] + reach[3])};
 }

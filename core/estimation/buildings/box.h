@@ -34,6 +34,11 @@ struct Box {
   }
   /// Of the box: between side k and side k + 1.
   Vec2 boxCorner(std::size_t side) const { return at(kBoxCorners[side]); }
+  std::array<Vec2, 4> boxCorners() const {
+    const Vec2 u = unitVector(heading);
+    return {at(kBoxCorners[0], u), at(kBoxCorners[1], u), at(kBoxCorners[2], u),
+            at(kBoxCorners[3], u)};
+  }
 
   std::size_t walls() const { return outline ? outline->size() : 4; }
   /// Wall i runs from corner i − 1 to corner i.
@@ -48,16 +53,21 @@ struct Box {
   }
   Polygon polygon() const;
 
-  Vec2 at(const Vec2& share) const {
-    const Vec2 u = unitVector(heading);
+  Vec2 at(const Vec2& share) const { return at(share, unitVector(heading)); }
+  // The same, and others, with unitVector(heading) told by who asks for many.
+  Vec2 at(const Vec2& share, const Vec2& u) const {
     return pivot + (share.x() * (reach[0] + reach[2]) - reach[2]) * u +
            (share.y() * (reach[1] + reach[3]) - reach[3]) * perpendicular(u);
   }
-  Vec2 shareAt(const Vec2& point) const;
+  Vec2 shareAt(const Vec2& point) const { return shareAt(point, unitVector(heading)); }
+  Vec2 shareAt(const Vec2& point, const Vec2& u) const;
   /// How a point with these shares moves along `direction` with each reach.
   std::array<double, 4> slopes(const Vec2& share, const Vec2& direction) const {
-    const double x = direction.dot(unitVector(heading));
-    const double y = direction.dot(perpendicular(unitVector(heading)));
+    return slopes(share, direction, unitVector(heading));
+  }
+  std::array<double, 4> slopes(const Vec2& share, const Vec2& direction, const Vec2& u) const {
+    const double x = direction.dot(u);
+    const double y = direction.dot(perpendicular(u));
     return {x * share.x(), y * share.y(), -x * (1.0 - share.x()), -y * (1.0 - share.y())};
   }
 

@@ -11,10 +11,6 @@ constexpr double kRobotInside = -1e6;  // nats
 constexpr double kAround = 2.0;  // metres that corners may move before rays are sought anew; choice
 constexpr double kMostMargin = 1.6;  // radians; choice: a quarter turn
 
-std::array<Vec2, 4> cornersOf(const Box& box) {
-  return {box.boxCorner(0), box.boxCorner(1), box.boxCorner(2), box.boxCorner(3)};
-}
-
 }  // namespace
 
 BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
@@ -24,7 +20,7 @@ BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
 }
 
 void BoxScorer::lookAt(const Box& box) {
-  around_ = cornersOf(box);
+  around_ = box.boxCorners();
   turned_to_ = box.frame();
   looking_.clear();
   for (const Frame* frame : frames_) {
@@ -54,7 +50,7 @@ void BoxScorer::turnTo(const Box& box) {
 }
 
 double BoxScorer::operator()(const Box& box) {
-  const std::array<Vec2, 4> corners = cornersOf(box);
+  const std::array<Vec2, 4> corners = box.boxCorners();
   const bool near =
       std::equal(corners.begin(), corners.end(), around_.begin(),
                  [](const Vec2& a, const Vec2& b) { return (a - b).norm() <= kAround; });

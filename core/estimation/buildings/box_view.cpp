@@ -62,8 +62,8 @@ BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
   const double direction = std::atan2(middle.y(), middle.x());
   double low = 0.0;
   double high = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 corner = robot.toOwn(box.boxCorner(k));
+  for (const Vec2& outer : box.boxCorners()) {
+    const Vec2 corner = robot.toOwn(outer);
     const double turn = normalizedAngle(std::atan2(corner.y(), corner.x()) - direction);
     low = std::min(low, turn);
     high = std::max(high, turn);

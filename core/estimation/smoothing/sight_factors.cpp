@@ -49,7 +49,8 @@ ReturnFactors::ReturnFactors(const Pose2& pose, const Box& box, const SensorMode
       sensor_(sensor),
       errors_(errors),
       cos_(std::cos(pose.heading)),
-      sin_(std::sin(pose.heading)) {
+      sin_(std::sin(pose.heading)),
+      along_(unitVector(box.heading)) {
   for (std::size_t k = 0; k < box.walls(); ++k) normals_[k] = box.normal(k);
 }
 
@@ -71,7 +72,8 @@ std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(
   const Vec2 from_pivot = pose_.position() + turned - box_.pivot;
   ScalarFactor<SightEquations::kSize> factor;
   factor.slope.head<kPoseSize>() << n.x(), n.y(), n.dot(perpendicular(turned));
-  const std::array<double, 4> slopes = box_.slopes(box_.shareAt(box_.pivot + from_pivot), n);
+  const std::array<double, 4> slopes =
+      box_.slopes(box_.shareAt(box_.pivot + from_pivot, along_), n, along_);
   for (std::size_t k = 0; k < 4; ++k) {
     factor.slope[SightEquations::kBox + static_cast<int>(k)] = -slopes[k];
   }

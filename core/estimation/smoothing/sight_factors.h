@@ -38,6 +38,7 @@ class ReturnFactors {
   const SightErrors& errors_;
   double cos_;
   double sin_;
+  Vec2 along_;  ///< of the box, its heading
   std::array<Vec2, kMostWalls> normals_;
 };
 

@@ -19,27 +19,26 @@ bool EvidenceWindow::isOutdated(const ActiveFrame& active) const {
 }
 
 void EvidenceWindow::add(Frame& frame) {
+  std::vector<ActiveFrame> out;
+  std::vector<ActiveFrame> in;
   std::vector<ActiveFrame> kept;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const ActiveFrame& old = frames_[i];
     const bool far = (old.frame->pose.position() - frame.pose.position()).norm() > reach_m_;
-    if (far || frames_.size() - i >= most_) {
-      evidence_.remove(old);
-    } else {
-      kept.push_back(old);
-    }
+    (far || frames_.size() - i >= most_ ? out : kept).push_back(old);
   }
   frames_ = std::move(kept);
   int anew = 0;
   for (auto it = frames_.rbegin(); it != frames_.rend() && anew < kMostAnew; ++it) {
     if (!isOutdated(*it)) continue;
-    evidence_.remove(*it);
+    out.push_back(*it);
     *it = {it->frame, it->frame->pose, sensor_};
-    evidence_.add(*it);
+    in.push_back(*it);
     ++anew;
   }
   frames_.push_back({&frame, frame.pose, sensor_});
-  evidence_.add(frames_.back());
+  in.push_back(frames_.back());
+  evidence_.change(out, in);
 }
 
 void EvidenceWindow::reinsertAll(const std::stop_token& stop) {

@@ -1,7 +1,10 @@
 #include "core/estimation/walls/wall_detection.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "core/base/parallel.h"
 
@@ -28,75 +31,105 @@ struct Tilt {
   int shiftAt(int column) const { return static_cast<int>(std::lround(slope * (column - middle))); }
 };
 
-/// What there is at most for a wall along any row, tilted by little: sums of what is positive over
-/// blocks of columns, so short that a tilted row meets two neighbouring cells of each at most.
+/// What a wall along a row, tilted by little, has at most: of blocks of columns, so short that a
+/// tilted row meets two neighbouring cells of each column at most, and the larger counts.
 class WallBounds {
  public:
-  /// Cells count up to `most`: enough for a wall by themselves.
-  WallBounds(const WallImage& image, const Window& window, double most_slope, std::int32_t most)
+  WallBounds(const WallImage& image, const Window& window, double most_slope)
       : window_(window),
         block_(most_slope > 0.0 ? std::max(1, static_cast<int>(0.99 / most_slope))
                                 : window.column_high - window.column_low) {
     const int half = (window.column_high - window.column_low) / 2 + 1;
     margin_ = static_cast<int>(std::ceil(most_slope * half)) + 2;
-    row_count_ = window.rows() + 2 * margin_;
-    const int mask = image.size() - 1;
+    const auto rows = static_cast<std::size_t>(window.rows() + 2 * margin_);
+    std::vector<std::int32_t> wrapped(rows + 1);
     for (int begin = window.column_low; begin < window.column_high; begin += block_) {
-      std::vector<std::int32_t> sums(static_cast<std::size_t>(row_count_));
+      Block block{std::vector<std::int32_t>(rows), std::vector<std::int32_t>(rows)};
       for (int column = begin; column < endOf(begin); ++column) {
-        const std::int32_t* cells = image.column(column);
-        const int first = window.row_low - margin_;
-        for (int i = 0; i < row_count_;) {  // up to where the image is wrapped around
-          const int row = (first + i) & mask;
-          const int count = std::min(row_count_ - i, image.size() - row);
-          for (int k = 0; k < count; ++k) {
-            sums[static_cast<std::size_t>(i + k)] += std::clamp(cells[row + k], 0, most);
-          }
-          i += count;
+        const std::int32_t* cells = image.cells(column, window.row_low - margin_, wrapped);
+        for (std::size_t i = 0; i < rows; ++i) {
+          const std::int32_t larger = std::max(cells[i], cells[i + 1]);
+          block.whole[i] += larger;
+          block.part[i] += std::max(larger, 0);
         }
       }
-      for (std::size_t i = 0; i + 1 < sums.size(); ++i) sums[i] += sums[i + 1];
-      blocks_.push_back(std::move(sums));
+      blocks_.push_back(std::move(block));
     }
   }
 
   /// The rows that may hold so much, counted from the first of the window.
   std::vector<int> rowsWith(std::int32_t least, const Tilt& tilt) const {
-    std::vector<std::int32_t> bounds(static_cast<std::size_t>(window_.rows()));
+    const auto count = static_cast<std::size_t>(window_.rows());
+    std::vector<std::int32_t> open(count);  // of walls that go on from block to block
+    std::vector<std::int32_t> most(count);
     int begin = window_.column_low;
-    for (const std::vector<std::int32_t>& sums : blocks_) {
-      const int shift = std::min(tilt.shiftAt(begin), tilt.shiftAt(endOf(begin) - 1));
-      const std::int32_t* first = sums.data() + margin_ + shift;
-      for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i] += first[i];
+    for (const Block& block : blocks_) {
+      const int shift = margin_ + std::min(tilt.shiftAt(begin), tilt.shiftAt(endOf(begin) - 1));
+      const std::int32_t* part = block.part.data() + shift;
+      const std::int32_t* whole = block.whole.data() + shift;
+      for (std::size_t i = 0; i < count; ++i) {
+        most[i] = std::max(most[i], open[i] + part[i]);
+        open[i] = std::max(open[i] + whole[i], part[i]);
+      }
       begin += block_;
     }
     std::vector<int> rows;
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      if (bounds[i] >= least) rows.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (most[i] >= least) rows.push_back(static_cast<int>(i));
     }
     return rows;
   }
 
  private:
+  struct Block {
+    std::vector<std::int32_t> whole;  ///< of a wall that goes through it, by row
+    std::vector<std::int32_t> part;   ///< of one that begins or ends in it
+  };
   int endOf(int begin) const { return std::min(begin + block_, window_.column_high); }
 
   Window window_;
   int block_;   ///< columns
   int margin_;  ///< rows beyond the window that tilted ones reach
-  int row_count_;
-  std::vector<std::vector<std::int32_t>> blocks_;  ///< of a row and the next
+  std::vector<Block> blocks_;
 };
 
-/// The running sum along one row.
-struct Run {
-  int row = 0;  ///< from the first of the window
-  std::int32_t sum = 0;
-  std::int32_t peak = 0;
-  int begin = 0;
-  int peak_at = 0;
+constexpr std::size_t kLanes = 4;  // what any processor does at once
+/// Numbers of neighbouring rows, worked on at once; comparisons give −1 or 0.
+using Lanes [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
+
+Lanes load(const std::int32_t* cells) {
+  Lanes lanes;
+  std::memcpy(&lanes, cells, sizeof(lanes));
+  return lanes;
+}
+
+bool any(const Lanes& mask) {
+  const auto parts = std::bit_cast<std::array<std::uint64_t, kLanes / 2>>(mask);
+  return (parts[0] | parts[1]) != 0;
+}
+
+/// The running sums along neighbouring rows.
+struct Runs {
+  int row = 0;  ///< the first, from the first of the window
+  Lanes sum{};
+  Lanes peak{};
+  Lanes begin{};
+  Lanes peak_at{};
+  Lanes closed{};  ///< peaks of the runs that the last column has closed, else 0
+
+  void advance(const Lanes& cells, int column, std::int32_t drop) {
+    begin = sum == 0 ? Lanes{} + column : begin;
+    sum += cells;
+    peak_at = sum > peak ? Lanes{} + column : peak_at;
+    peak = sum > peak ? sum : peak;
+    const Lanes ends = (sum <= 0) | (sum < peak - drop);
+    closed = peak & ends;
+    sum &= ~ends;
+    peak &= ~ends;
+  }
 };
 
-/// Runs along tilted rows of one image, side by side.
+/// Runs along tilted rows of one image.
 class RowScan {
  public:
   RowScan(const WallImage& image, const Window& window, const Tilt& tilt,
@@ -113,40 +146,35 @@ class RowScan {
     return static_cast<std::int32_t>(options.least_score * WallImage::kScale);
   }
 
+  /// Ascending rows.
   void operator()(const std::vector<int>& rows) {
     runs_.clear();
-    for (const int row : rows) runs_.push_back({row});
-    const int mask = image_.size() - 1;
+    for (const int row : rows) {
+      if (runs_.empty() || row >= runs_.back().row + static_cast<int>(kLanes))
+        runs_.push_back({row});
+    }
+    std::array<std::int32_t, kLanes> wrapped;
     for (int column = window_.column_low; column < window_.column_high; ++column) {
-      const std::int32_t* cells = image_.column(column);
       const int shift = window_.row_low + tilt_.shiftAt(column);
-      for (Run& run : runs_) {
-        const std::int32_t value = cells[(shift + run.row) & mask];
-        if (value != 0) advance(run, value, column);
+      for (Runs& runs : runs_) {
+        runs.advance(load(image_.cells(column, shift + runs.row, wrapped)), column, drop_);
+        close(runs, runs.closed);
       }
     }
-    for (Run& run : runs_) close(run);
+    for (const Runs& runs : runs_) close(runs, runs.peak);
   }
 
  private:
-  void advance(Run& run, std::int32_t value, int column) {
-    if (run.sum == 0 && value < 0) return;
-    if (run.sum == 0) run.begin = column;
-    run.sum += value;
-    if (run.sum > run.peak) {
-      run.peak = run.sum;
-      run.peak_at = column;
-    } else if (run.sum <= 0 || run.sum < run.peak - drop_) {
-      close(run);
+  void close(const Runs& runs, const Lanes& peaks) {
+    if (!any(peaks >= least_score_)) return;
+    const int count = std::min(static_cast<int>(kLanes), window_.rows() - runs.row);
+    for (int i = 0; i < count; ++i) {
+      const int begin = runs.begin[i];
+      const int last = runs.peak_at[i];
+      if (peaks[i] < least_score_ || last - begin < least_length_) continue;
+      walls_.push_back({pointAt(begin, runs.row + i), pointAt(last + 1, runs.row + i),
+                        peaks[i] / WallImage::kScale});
     }
-  }
-
-  void close(Run& run) {
-    const Run done = run;
-    run = {done.row};
-    if (done.peak < least_score_ || done.peak_at - done.begin < least_length_) return;
-    walls_.push_back({pointAt(done.begin, done.row), pointAt(done.peak_at + 1, done.row),
-                      done.peak / WallImage::kScale});
   }
 
   Vec2 pointAt(int column, int i) const {
@@ -162,20 +190,46 @@ class RowScan {
   double least_length_;
   std::int32_t drop_;
   std::vector<FoundWall>& walls_;
-  std::vector<Run> runs_;
+  std::vector<Runs> runs_;
 };
 
-bool same(const FoundWall& wall, const FoundWall& surer) {
-  const Vec2 along = (surer.b - surer.a).normalized();
-  if (along.dot(wall.b - wall.a) < 0.7 * wall.length()) return false;
-  const double begin = along.dot(wall.a - surer.a);
-  const double end = along.dot(wall.b - surer.a);
-  const double common = std::min(end, surer.length()) - std::max(begin, 0.0);
-  if (common < 0.3 * std::min(wall.length(), surer.length())) return false;
-  const double at = (std::max(begin, 0.0) + std::min(end, surer.length())) / 2.0;
-  const double share = (at - begin) / (end - begin);
-  const Vec2 there = wall.a + share * (wall.b - wall.a);
-  return std::abs(cross(along, there - surer.a)) < kSameWall;
+/// A wall that is kept: what others are compared with.
+class KeptWall {
+ public:
+  explicit KeptWall(const FoundWall& wall)
+      : a_(wall.a), along_((wall.b - wall.a).normalized()), length_(wall.length()) {}
+
+  bool isSame(const FoundWall& wall, double length) const {
+    if (along_.dot(wall.b - wall.a) < 0.7 * length) return false;
+    const double begin = along_.dot(wall.a - a_);
+    const double end = along_.dot(wall.b - a_);
+    const double common = std::min(end, length_) - std::max(begin, 0.0);
+    if (common < 0.3 * std::min(length, length_)) return false;
+    const double at = (std::max(begin, 0.0) + std::min(end, length_)) / 2.0;
+    const double share = (at - begin) / (end - begin);
+    const Vec2 there = wall.a + share * (wall.b - wall.a);
+    return std::abs(cross(along_, there - a_)) < kSameWall;
+  }
+
+ private:
+  Vec2 a_;
+  Vec2 along_;
+  double length_;
+};
+
+/// Of walls that lie on one another the surest, which comes first.
+std::vector<FoundWall> withoutRepeats(const std::vector<FoundWall>& walls) {
+  std::vector<FoundWall> single;
+  std::vector<KeptWall> kept;
+  for (const FoundWall& wall : walls) {
+    const double length = wall.length();
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const KeptWall& surer) { return surer.isSame(wall, length); })) {
+      single.push_back(wall);
+      kept.emplace_back(wall);
+    }
+  }
+  return single;
 }
 
 }  // namespace
@@ -196,7 +250,7 @@ std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& mid
     const Window window{at(along - reach_m), at(along + reach_m), at(across - reach_m),
                         at(across + reach_m)};
     const std::int32_t least = RowScan::leastScore(options);
-    const WallBounds bounds(image, window, most_slope, least);
+    const WallBounds bounds(image, window, most_slope);
     for (const double angle : options.tilts) {
       const Tilt tilt{std::tan(angle), window.middle()};
       RowScan(image, window, tilt, options, found[i])(bounds.rowsWith(least, tilt));
@@ -206,14 +260,7 @@ std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& mid
   for (const auto& some : found) walls.insert(walls.end(), some.begin(), some.end());
   std::stable_sort(walls.begin(), walls.end(),
                    [](const FoundWall& a, const FoundWall& b) { return a.score > b.score; });
-  std::vector<FoundWall> kept;
-  for (const FoundWall& wall : walls) {
-    if (std::none_of(kept.begin(), kept.end(),
-                     [&](const FoundWall& surer) { return same(wall, surer); })) {
-      kept.push_back(wall);
-    }
-  }
-  return kept;
+  return withoutRepeats(walls);
 }
 
 }  // namespace handmap

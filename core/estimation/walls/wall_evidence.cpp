@@ -34,14 +34,11 @@ WallImage::WallImage(double heading_rad, double cell_m, double window_m)
       across_(perpendicular(along_)),
       cells_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)) {}
 
-std::int32_t& WallImage::cellAt(double column, int row) {
-  const auto index = static_cast<std::ptrdiff_t>(wholeBelow(column) & (size_ - 1));
-  return cells_[static_cast<std::size_t>(index * size_ + (row & (size_ - 1)))];
-}
-
 void WallImage::clear() { std::fill(cells_.begin(), cells_.end(), 0); }
 
-void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& sensor, int sign) {
+void WallImage::apply(const ActiveFrame& held, int sign) {
+  const Pose2& pose = held.held_at;
+  const SensorModel& sensor = *held.held_by;
   // Half a cell is what the grid itself is off.
   const double slack = 0.5 * cell_;
   const double along = along_.dot(pose.position());
@@ -50,9 +47,14 @@ void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& 
   const double c = std::cos(turn);
   const double s = std::sin(turn);
   const double first = std::ceil(across / cell_ - 0.5);
+  std::int32_t* const cells = cells_.data();
+  const auto cell_at = [cells, size = size_](double column, int row) -> std::int32_t& {
+    const auto index = static_cast<std::ptrdiff_t>(wholeBelow(column) & (size - 1));
+    return cells[index * size + (row & (size - 1))];
+  };
   const std::int32_t passed = sign * fixedPoint(sensor.passed());
   const std::int32_t silent = sign * fixedPoint(sensor.silent());
-  for (const FrameRay& ray : frame.rays) {
+  for (const FrameRay& ray : held.frame->rays) {
     const double rise = s * ray.x + c * ray.y;
     if (rise < kGrazing) continue;
     const double run = c * ray.x - s * ray.y;
@@ -71,11 +73,11 @@ void WallImage::apply(const Frame& frame, const Pose2& pose, const SensorModel& 
     double distance = ((first + 0.5) * cell_ - across) / rise;
     double column = (along + distance * run) / cell_;
     for (; distance < clear; distance += step, column += column_step, ++row) {
-      cellAt(column, row) += is_silent ? silent : passed;
+      cell_at(column, row) += is_silent ? silent : passed;
     }
     for (; distance < reach; distance += step, column += column_step, ++row) {
       const float ratio = sensor(ray.sight, static_cast<float>(distance), ray_slack);
-      cellAt(column, row) += sign * fixedPoint(ratio);
+      cell_at(column, row) += sign * fixedPoint(ratio);
     }
   }
 }
@@ -87,7 +89,7 @@ void WallEvidence::include(double heading, std::span<const ActiveFrame> held) {
   }
   parallelFor(images_.size() - first, [&](std::size_t i) {
     for (const ActiveFrame& active : held) {
-      images_[first + i].apply(*active.frame, active.held_at, *active.held_by, 1);
+      images_[first + i].apply(active, 1);
     }
   });
 }
@@ -105,14 +107,15 @@ void WallEvidence::putAnew(std::span<const ActiveFrame> held) {
   parallelFor(images_.size(), [&](std::size_t i) {
     images_[i].clear();
     for (const ActiveFrame& active : held) {
-      images_[i].apply(*active.frame, active.held_at, *active.held_by, 1);
+      images_[i].apply(active, 1);
     }
   });
 }
 
-void WallEvidence::apply(const ActiveFrame& held, int sign) {
+void WallEvidence::change(std::span<const ActiveFrame> out, std::span<const ActiveFrame> in) {
   parallelFor(images_.size(), [&](std::size_t i) {
-    images_[i].apply(*held.frame, held.held_at, *held.held_by, sign);
+    for (const ActiveFrame& active : out) images_[i].apply(active, -1);
+    for (const ActiveFrame& active : in) images_[i].apply(active, 1);
   });
 }
 

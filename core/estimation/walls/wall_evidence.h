@@ -10,6 +10,13 @@
 
 namespace handmap {
 
+/// A frame that is worked on, and how the evidence holds it: from this pose, weighed by this model.
+struct ActiveFrame {
+  Frame* frame;
+  Pose2 held_at;
+  std::shared_ptr<const SensorModel> held_by;
+};
+
 /// Evidence for walls along `heading`, seen from below: walls whose outward normal is
 /// −perpendicular(unitVector(heading)). A cell holds the summed log ratio of the rays that cross
 /// the row of the cell there, so that the evidence for a wall is the sum of its cells. The plane is
@@ -31,31 +38,33 @@ class WallImage {
   const std::int32_t* column(int index) const {
     return cells_.data() + static_cast<std::ptrdiff_t>(index & (size_ - 1)) * size_;
   }
+  /// So many cells of one column, from `row` on, one behind the other: copied to `wrapped` where
+  /// the plane is wrapped around in between.
+  const std::int32_t* cells(int column_index, int row, std::span<std::int32_t> wrapped) const {
+    const std::int32_t* const first = column(column_index);
+    const int begin = row & (size_ - 1);
+    const auto until_end = static_cast<std::size_t>(size_ - begin);
+    if (wrapped.size() <= until_end) return first + begin;
+    std::copy_n(first + begin, until_end, wrapped.begin());
+    std::copy_n(first, wrapped.size() - until_end, wrapped.begin() + (size_ - begin));
+    return wrapped.data();
+  }
   double at(int column_index, int row) const {
     return column(column_index)[row & (size_ - 1)] / kScale;
   }
 
-  /// Adds (sign 1) or takes out (sign −1) what the rays of a frame say from `pose`.
-  void apply(const Frame& frame, const Pose2& pose, const SensorModel& sensor, int sign);
+  /// Adds (sign 1) or takes out (sign −1) what the rays of a frame say from where it is held.
+  void apply(const ActiveFrame& held, int sign);
   /// Takes all out.
   void clear();
 
  private:
-  std::int32_t& cellAt(double column, int row);
-
   double heading_;
   double cell_;
   int size_;
   Vec2 along_;
   Vec2 across_;
   std::vector<std::int32_t> cells_;
-};
-
-/// A frame that is worked on, and how the evidence holds it: from this pose, weighed by this model.
-struct ActiveFrame {
-  Frame* frame;
-  Pose2 held_at;
-  std::shared_ptr<const SensorModel> held_by;
 };
 
 /// The images of the four sides of every direction, over the last frames.
@@ -66,15 +75,15 @@ class WallEvidence {
   /// Looks for walls of one more direction (modulo π/2); `held`: the frames that it holds.
   void include(double heading, std::span<const ActiveFrame> held);
   void exclude(double heading);
-  void add(const ActiveFrame& held) { apply(held, 1); }
-  void remove(const ActiveFrame& held) { apply(held, -1); }
+  void add(const ActiveFrame& held) { change({}, {&held, 1}); }
+  void remove(const ActiveFrame& held) { change({&held, 1}, {}); }
+  /// Takes some out and puts others in: one image after the other, for they are large.
+  void change(std::span<const ActiveFrame> out, std::span<const ActiveFrame> in);
   /// Takes all out and puts `held` in: half the work of taking out one by one.
   void putAnew(std::span<const ActiveFrame> held);
   const std::vector<WallImage>& images() const { return images_; }
 
  private:
-  void apply(const ActiveFrame& held, int sign);
-
   double cell_;
   double window_;
   std::vector<WallImage> images_;

@@ -164,6 +164,30 @@ TEST(HandmapEstimator, AnObservationIsWorkedInWholeWhenAStopIsRequested) {
   EXPECT_EQ(estimator.trajectory().size(), 1U);
 }
 
+TEST(HandmapEstimator, ObservationsBetweenKeyFramesDoAPartOfTheWork) {
+  using enum EstimatorPhase;
+  HandmapEstimator estimator(twoRowWorld(21).map, EstimatorOptions{}, 1);
+  std::vector<EstimatorPhase> reached;
+  estimator.watch([&](EstimatorPhase phase) { reached.push_back(phase); });
+  const auto phases_at = [&](double x) {
+    reached.clear();
+    estimator.step(x, Pose2{x, 0.0, 0.0}, Scan{});
+    EXPECT_NEAR(
+        (estimator.pose().position() - estimator.trajectory().back().pose.position()).norm(), 0.0,
+        1e-9);
+    return reached;
+  };
+  using Phases = std::vector<EstimatorPhase>;
+  EXPECT_EQ(phases_at(0.0), (Phases{Way, Poses, Evidence, Detection, Labels, Correction}));
+  EXPECT_EQ(phases_at(1.5), Phases{Way});
+  EXPECT_EQ(phases_at(3.0), (Phases{Way, Poses, Evidence}));
+  EXPECT_EQ(phases_at(4.0), (Phases{Way, Detection, Labels}));
+  EXPECT_EQ(phases_at(4.5), (Phases{Way, Correction}));
+  EXPECT_EQ(phases_at(5.5), (Phases{Way, Poses, Evidence}));
+  EXPECT_EQ(phases_at(7.5), (Phases{Detection, Labels, Correction, Way, Poses, Evidence, Detection,
+                                    Labels, Correction}));
+}
+
 TEST(HandmapEstimator, ParticlesSpreadAroundThePose) {
   const World world = twoRowWorld(22);
   HandmapEstimator estimator(world.map, EstimatorOptions{}, 1);

@@ -1,5 +1,7 @@
 #include "core/estimation/walls/wall_evidence.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "core/estimation/walls/wall_detection.h"
@@ -29,21 +31,21 @@ double plainEvidence(const Frame& frame, double from_x, double to_x, double y,
 
 TEST(WallImage, IsTheSumOverTheRaysThatCross) {
   RandomStream random(3);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
   for (int round = 0; round < 10; ++round) {
     const Box box = boxOf({{random.uniform(-5.0, 5.0), 20.0}, 20.0, 8.0, 0.0});
     const Pose2 pose{random.uniform(-8.0, 8.0), random.uniform(0.0, 6.0),
                      random.uniform(-3.0, 3.0)};
-    const Frame frame = seenFrom(pose, {box}, 0.2, random);
+    Frame frame = seenFrom(pose, {box}, 0.2, random);
     WallImage image(0.0, kEvidenceCell, kWindow);
-    image.apply(frame, pose, sensor, 1);
+    image.apply({&frame, pose, sensor}, 1);
     for (int row = 40; row < 90; row += 7) {
       const int from = -30;
       const int to = 25;
       double sum = 0.0;
       for (int column = from; column < to; ++column) sum += image.at(column, row);
       const double plain = plainEvidence(frame, from * kEvidenceCell, to * kEvidenceCell,
-                                         (row + 0.5) * kEvidenceCell, sensor);
+                                         (row + 0.5) * kEvidenceCell, *sensor);
       EXPECT_NEAR(sum, plain, 0.01 * std::abs(plain) + 1.0) << row;
     }
   }
@@ -78,6 +80,39 @@ TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
   EXPECT_NE(cells(), one_by_one);
   evidence.putAnew(held);
   EXPECT_EQ(cells(), one_by_one);
+}
+
+TEST(WallEvidence, SomeChangedForOthersItIsAsIfThoseHadBeenAddedAlone) {
+  RandomStream random(8);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  Frame frame = seenFrom({1.0, 2.0, 0.3}, {boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2})}, 0.2, random);
+  const std::vector<ActiveFrame> before{{&frame, frame.pose, sensor}, {&frame, {2.0, 1.0}, sensor}};
+  const std::vector<ActiveFrame> after{{&frame, {1.5, 2.0, 0.2}, sensor}};
+  WallEvidence changed(kEvidenceCell, kWindow);
+  changed.include(0.1, before);
+  changed.change(before, after);
+  WallEvidence alone(kEvidenceCell, kWindow);
+  alone.include(0.1, after);
+  for (int column = 0; column < alone.images()[0].size(); ++column) {
+    for (int row = 0; row < alone.images()[0].size(); ++row) {
+      ASSERT_EQ(changed.images()[0].at(column, row), alone.images()[0].at(column, row));
+    }
+  }
+}
+
+TEST(WallImage, CellsOfAColumnAreOneBehindTheOtherWhereThePlaneIsWrappedAround) {
+  RandomStream random(9);
+  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  Frame frame = seenFrom({0.0, -20.0, 0.0}, {boxOf({{0.0, 4.0}, 40.0, 8.0, 0.0})}, 0.2, random);
+  WallImage image(0.0, kEvidenceCell, kWindow);
+  image.apply({&frame, frame.pose, sensor}, 1);
+  std::array<std::int32_t, 40> wrapped{};
+  for (const int first : {-60, -20, -1, 3}) {
+    const std::int32_t* cells = image.cells(-7, first, wrapped);
+    for (int i = 0; i < 40; ++i) {
+      EXPECT_EQ(cells[i] / WallImage::kScale, image.at(-7, first + i)) << first << ' ' << i;
+    }
+  }
 }
 
 TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
