@@ -66,10 +66,13 @@ int train(const TrainArguments& arguments) {
   classifier->save(arguments.out);
 
   const Confusion& crossed = classifier->record().cross_validated;
-  fmt::print(
-      "{} windows, {} of buildings; {} features, {}; gamma {}, C {}\n", set.buildings().size(),
-      crossed.buildings(), arguments.family == FeatureFamily::Paper ? "paper" : "handmap",
-      arguments.grey ? "grey" : "colour", classifier->record().gamma, classifier->record().c);
+  const std::string method =
+      arguments.options.trees
+          ? "trees"
+          : fmt::format("gamma {}, C {}", classifier->record().gamma, classifier->record().c);
+  fmt::print("{} windows, {} of buildings; {} features, {}; {}\n", set.buildings().size(),
+             crossed.buildings(), arguments.family == FeatureFamily::Paper ? "paper" : "handmap",
+             arguments.grey ? "grey" : "colour", method);
   fmt::print("{:15} balanced accuracy  precision  recall     F1\n", "");
   printFigures("cross-validated", crossed);
   if (validates) printFigures("validation", validation);
@@ -116,6 +119,9 @@ void addTrainCommand(CLI::App& app, ChosenCommand& chosen) {
             "What is measured of a window");
   addNumber(*command, "--variations", a.training.variations, 0, 100,
             "Of each image, as other cameras would have taken it, to learn from too");
+  command->add_flag("--trees", a.options.trees,
+                    "Random trees in place of the support vector machine: better when real streets "
+                    "elsewhere are learnt from, worse when rendered ones are");
   command->add_flag("--grey", a.grey, "A model that needs no colours");
   addSeed(*command, a.options.seed, "Of the random numbers");
   command->add_option("--out", a.out, "The model (required)")->required()->option_text("MODEL");

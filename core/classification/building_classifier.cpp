@@ -11,10 +11,11 @@
 namespace handmap {
 
 BuildingClassifier::BuildingClassifier(FeatureSet features, Standardization standardization,
-                                       KernelSvm svm, Logistic logistic, TrainingRecord record)
+                                       Separator separator, Logistic logistic,
+                                       TrainingRecord record)
     : features_(features),
       standardization_(std::move(standardization)),
-      svm_(std::move(svm)),
+      separator_(std::move(separator)),
       logistic_(logistic),
       record_(record) {}
 
@@ -32,7 +33,9 @@ cv::Mat1f BuildingClassifier::probabilities(const cv::Mat& image, const cv::Mat1
   }
   cv::Mat1f result(grid.rows, grid.columns, 0.5F);
   if (judged.empty()) return result;
-  const Eigen::VectorXf distances = svm_.decide(standardization_(samples(judged, Eigen::all)));
+  const SampleMatrix standardized = standardization_(samples(judged, Eigen::all));
+  const Eigen::VectorXf distances =
+      std::visit([&](const auto& separator) { return separator.decide(standardized); }, separator_);
   for (std::size_t i = 0; i < judged.size(); ++i) {
     result.ptr<float>()[judged[i]] = logistic_(distances[static_cast<Eigen::Index>(i)]);
   }

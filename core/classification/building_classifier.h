@@ -3,29 +3,34 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 
 #include <opencv2/core/mat.hpp>
 
 #include "core/classification/confusion.h"
 #include "core/classification/kernel_svm.h"
 #include "core/classification/logistic.h"
+#include "core/classification/random_trees.h"
 #include "core/classification/standardization.h"
 #include "core/classification/window_classifier.h"
 #include "core/classification/window_features.h"
 
 namespace handmap {
 
+/// What parts buildings from the rest.
+using Separator = std::variant<KernelSvm, RandomTrees>;
+
 /// What a classifier was made from, kept in its file.
 struct TrainingRecord {
   std::uint64_t seed = 0;
-  double gamma = 0.0;  ///< SvmOptions
+  double gamma = 0.0;  ///< SvmOptions; 0 of trees
   double c = 0.0;
   Confusion cross_validated;
 };
 
 class BuildingClassifier : public WindowClassifier {
  public:
-  BuildingClassifier(FeatureSet features, Standardization standardization, KernelSvm svm,
+  BuildingClassifier(FeatureSet features, Standardization standardization, Separator separator,
                      Logistic logistic, TrainingRecord record);
 
   /// Throws BadInput "FILE: key: found …, expected …": not a model, of another version or window
@@ -49,7 +54,7 @@ class BuildingClassifier : public WindowClassifier {
  private:
   FeatureSet features_;
   Standardization standardization_;
-  KernelSvm svm_;
+  Separator separator_;
   Logistic logistic_;
   TrainingRecord record_;
 };

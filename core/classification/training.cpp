@@ -75,6 +75,18 @@ Samples thinned(const Eigen::Ref<const SampleMatrix>& features, const std::vecto
   return result;
 }
 
+/// Makes what parts the classes.
+using Trainer = std::function<Separator(const Samples&)>;
+
+Trainer machines(const SvmOptions& options) {
+  return [=](const Samples& s) { return KernelSvm::train(s.features, s.buildings, options); };
+}
+
+Trainer trees(std::uint64_t seed) {
+  return
+      [=](const Samples& s) { return RandomTrees::train(s.features, s.buildings, {.seed = seed}); };
+}
+
 /// Samples with the fold that each is held out in.
 class Folds {
  public:
@@ -87,10 +99,9 @@ class Folds {
     }
   }
 
-  /// Of every sample the distance by a machine that was trained without its fold, with at most
-  /// `enough` of each class.
-  Eigen::VectorXf heldOut(const SvmOptions& options, std::size_t enough,
-                          const std::stop_token& stop,
+  /// Of every sample the distance by what was trained without its fold, with at most `enough`
+  /// of each class.
+  Eigen::VectorXf heldOut(const Trainer& train, std::size_t enough, const std::stop_token& stop,
                           const std::function<void()>& fold_done) const {
     Eigen::VectorXf distances = Eigen::VectorXf::Zero(samples_.features.rows());
     for (int fold = 0; fold < count_ && !stop.stop_requested(); ++fold) {
@@ -102,8 +113,9 @@ class Folds {
         if (fold_of_[i] != fold) buildings.push_back(samples_.buildings[i]);
       }
       const Samples some = thinned(samples_.features(in, Eigen::all), buildings, enough);
-      const KernelSvm svm = KernelSvm::train(some.features, some.buildings, options);
-      distances(out) = svm.decide(samples_.features(out, Eigen::all));
+      const SampleMatrix others = samples_.features(out, Eigen::all);
+      distances(out) =
+          std::visit([&](const auto& separator) { return separator.decide(others); }, train(some));
       fold_done();
     }
     return distances;
@@ -134,7 +146,8 @@ SvmOptions chooseOptions(const Folds& folds, SvmOptions options, const std::stop
       options.gamma = gamma;
       options.c = c;
       const double accuracy =
-          folds.score(folds.heldOut(options, kEnoughToChoose, stop, fold_done)).balancedAccuracy();
+          folds.score(folds.heldOut(machines(options), kEnoughToChoose, stop, fold_done))
+              .balancedAccuracy();
       if (accuracy <= best_accuracy) continue;
       best_accuracy = accuracy;
       best = options;
@@ -190,23 +203,25 @@ std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
   // In the time of one fold while options are chosen.
   constexpr double kCost = static_cast<double>(kEnough * kEnough) /
                            static_cast<double>(kEnoughToChoose * kEnoughToChoose);
-  const double total = options.folds * (kGammas.size() * kCs.size() + kCost) + kCost;
+  const double choices = options.trees ? 0.0 : kGammas.size() * kCs.size();
+  const double total = options.folds * (choices + kCost) + kCost;
   double done = 0.0;
   const auto tell = [&](double cost) {
     done += cost;
     if (progress) progress(done / total);
   };
 
-  const SvmOptions chosen = chooseOptions(folds, {.vectors = options.vectors, .seed = options.seed},
-                                          stop, [&] { tell(1.0); });
-  const Eigen::VectorXf distances = folds.heldOut(chosen, kEnough, stop, [&] { tell(kCost); });
+  SvmOptions chosen{.vectors = options.vectors, .gamma = 0.0, .c = 0.0, .seed = options.seed};
+  if (!options.trees) chosen = chooseOptions(folds, chosen, stop, [&] { tell(1.0); });
+  const Trainer train = options.trees ? trees(options.seed) : machines(chosen);
+  const Eigen::VectorXf distances = folds.heldOut(train, kEnough, stop, [&] { tell(kCost); });
   if (stop.stop_requested()) return std::nullopt;
-  KernelSvm svm = KernelSvm::train(enough.features, enough.buildings, chosen);
+  Separator separator = train(enough);
   tell(kCost);
   const Logistic logistic = Logistic::fit(distances, buildings);
   Eigen::VectorXf probable(distances.size());
   for (Eigen::Index i = 0; i < distances.size(); ++i) probable[i] = logistic(distances[i]) - 0.5F;
-  return BuildingClassifier(set.features(), standardization, std::move(svm), logistic,
+  return BuildingClassifier(set.features(), standardization, std::move(separator), logistic,
                             {options.seed, chosen.gamma, chosen.c, folds.score(probable)});
 }
 

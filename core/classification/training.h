@@ -37,15 +37,20 @@ struct TrainingOptions {
   std::uint64_t seed = 1;
   int vectors = 240;  ///< of the support vector machine; the time of a window is proportional
   int folds = 5;
+  /// In place of the support vector machine: better in real streets when real streets elsewhere
+  /// are learnt from, worse when rendered ones are.
+  bool trees = false;
 };
 
-/// Standardizes, chooses γ and C by cross-validation, fits the probabilities to the distances of
-/// the folds that were held out, and trains with all. A fold is one stretch of the images of each
-/// class, so that windows are judged by what was learnt from other images, or other parts of the
-/// image. nullopt once `stop` was requested. `progress` is told the share done, from this thread.
-/// The same set and options give the same classifier.
+/// Standardizes, chooses γ and C by cross-validation (trees have neither), fits the probabilities
+/// to the distances of the folds that were held out, and trains with all. A fold is one stretch of
+/// the images of each class, so that windows are judged by what was learnt from other images, or
+/// other parts of the image. nullopt once `stop` was requested. `progress` is told the share done,
+/// from this thread. The same set and options give the same classifier.
+///
 /// Trained with about 3,000 windows of each class, evenly from all, judged by up to 30,000; a stop
 /// takes half a second then.
+///
 /// Throws BadInput where there are fewer windows of a class than folds.
 std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
                                                   const TrainingOptions& options,

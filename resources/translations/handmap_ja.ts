@@ -1339,6 +1339,14 @@
         <translation>{} または {}</translation>
     </message>
     <message>
+        <source>at least one tree</source>
+        <translation>一つ以上の木</translation>
+    </message>
+    <message>
+        <source>three a node</source>
+        <translation>節ごとに三つ</translation>
+    </message>
+    <message>
         <source>at least one vector</source>
         <translation>一つ以上のベクトル</translation>
     </message>

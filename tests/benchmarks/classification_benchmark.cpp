@@ -27,23 +27,25 @@ const cv::Mat3b& street() {
 }
 
 /// Of full size; what it says does not matter here.
-const BuildingClassifier& classifier(bool colour) {
-  const auto train = [](bool in_colour) {
+const BuildingClassifier& classifier(bool colour, bool trees) {
+  const auto train = [](bool in_colour, bool of_trees) {
     TrainingSet set({FeatureFamily::Handmap, in_colour});
     std::vector<WindowLabel> labels(1200);
     for (std::size_t i = 0; i < labels.size(); ++i) {
       labels[i] = i % 40 < 20 ? WindowLabel::Building : WindowLabel::Other;
     }
     set.add(street(), labels);
-    return trainClassifier(set, {}).value();
+    return trainClassifier(set, {.trees = of_trees}).value();
   };
-  static const BuildingClassifier kInColour = train(true);
-  static const BuildingClassifier kInGrey = train(false);
+  static const BuildingClassifier kInColour = train(true, false);
+  static const BuildingClassifier kInGrey = train(false, false);
+  static const BuildingClassifier kOfTrees = train(true, true);
+  if (trees) return kOfTrees;
   return colour ? kInColour : kInGrey;
 }
 
 void classify(benchmark::State& state) {
-  const BuildingClassifier& judge = classifier(state.range(0) != 0);
+  const BuildingClassifier& judge = classifier(state.range(0) != 0, state.range(2) != 0);
   cv::Mat1b wanted = noWindows(street().size());
   for (int i = 0; i < 1200; ++i) {
     wanted(i / 40, i % 40) = i % 100 < state.range(1) ? 1 : 0;
@@ -51,11 +53,12 @@ void classify(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(judge.probabilities(street(), wanted).data);
 }
 BENCHMARK(classify)
-    ->ArgNames({"colour", "wanted_%"})
-    ->Args({1, 100})
-    ->Args({0, 100})
-    ->Args({1, 40})
-    ->Args({0, 40})
+    ->ArgNames({"colour", "wanted_%", "trees"})
+    ->Args({1, 100, 0})
+    ->Args({0, 100, 0})
+    ->Args({1, 40, 0})
+    ->Args({0, 40, 0})
+    ->Args({1, 100, 1})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 

@@ -50,6 +50,18 @@ TEST(Training, TeachesWhatBuildingsLookLike) {
   }
 }
 
+TEST(Training, TeachesTrees) {
+  const auto classifier = trainClassifier(paintedSet({}), {.trees = true});
+  Confusion unseen;
+  for (const std::uint64_t seed : {101U, 102U, 103U, 104U}) {
+    const test::PaintedStreet street = test::paintStreet(seed);
+    judge(classifier.value(), street.image, labelsOf(street), unseen);
+  }
+  EXPECT_GT(unseen.balancedAccuracy(), 0.95);
+  EXPECT_NEAR(classifier->record().cross_validated.balancedAccuracy(), unseen.balancedAccuracy(),
+              0.05);
+}
+
 TEST(Training, DependsOnTheSeedAlone) {
   const std::string first = painted().toJson();
   EXPECT_TRUE(trainClassifier(paintedSet({}), kQuick)->toJson() == first);
@@ -151,6 +163,13 @@ struct Damage {
   std::vector<std::string> words;
 };
 
+void expectRefused(std::string text, const Damage& damage) {
+  const auto place = text.find(damage.from);
+  ASSERT_NE(place, std::string::npos) << damage.from;
+  text.replace(place, damage.from.size(), damage.to);
+  test::expectBadInput([&] { BuildingClassifier::parse(text, "model.json"); }, damage.words);
+}
+
 TEST(BuildingClassifier, RefusesDamagedModels) {
   const std::vector<Damage> damages = {
       {"handmap-building-classifier", "handmap", {"format: found", "handmap-building-classifier"}},
@@ -168,15 +187,40 @@ TEST(BuildingClassifier, RefusesDamagedModels) {
       {"]]}", "]]", {"model.json"}},
   };
   const std::string whole = painted().toJson();
-  for (const Damage& damage : damages) {
-    std::string text = whole;
-    const auto place = text.find(damage.from);
-    ASSERT_NE(place, std::string::npos) << damage.from;
-    text.replace(place, damage.from.size(), damage.to);
-    test::expectBadInput([&] { BuildingClassifier::parse(text, "model.json"); }, damage.words);
-  }
+  for (const Damage& damage : damages) expectRefused(whole, damage);
   test::expectBadInput([] { BuildingClassifier::parse("", "model.json"); }, {"model.json"});
   test::expectBadInput([] { BuildingClassifier::load("no-such.json"); }, {"no-such.json"});
+}
+
+const std::string& paintedTrees() {
+  static const std::string kText = trainClassifier(paintedSet({}), {.trees = true})->toJson();
+  return kText;
+}
+
+TEST(BuildingClassifier, OfTreesIsTheSameAfterReading) {
+  EXPECT_NE(paintedTrees().find("\"version\":3"), std::string::npos);
+  EXPECT_TRUE(BuildingClassifier::parse(paintedTrees(), "model.json").toJson() == paintedTrees());
+}
+
+TEST(BuildingClassifier, RefusesDamagedTrees) {
+  const std::string& whole = paintedTrees();
+  const auto trees = whole.find("\"trees\":[");
+  ASSERT_NE(trees, std::string::npos);
+  const std::string head = whole.substr(0, trees);
+  const auto with = [&](const std::string& nodes) { return head + "\"trees\":" + nodes + "}"; };
+  EXPECT_NO_THROW(BuildingClassifier::parse(with("[[0,1,2,-1,1,0,-1,-1,0]]"), "model.json"));
+  for (const auto& [nodes, words] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"[]", {"trees", "at least one tree"}},
+           {"[[]]", {"trees[0]: found 0 numbers"}},
+           {"[[-1,1]]", {"trees[0]: found 2 numbers"}},
+           {"[[77,1,2,-1,1,0,-1,-1,0]]", {"trees[0][0]"}},  // no such feature
+           {"[[0,1,3,-1,1,0,-1,-1,0]]", {"trees[0][2]"}},   // no such node
+           {"[[0,1,1,-1,1,0,-1,-1,0]]", {"trees[0][2]"}},   // both ways to one
+           {"[[0,1,0,-1,1,0,-1,-1,0]]", {"trees[0][2]"}},   // round in a circle
+           {"[[0,1,2,-1,1,0,0,-1,2]]", {"trees[0][8]"}},    // a branch at the end
+           {"[[0,1e99,2,-1,1,0,-1,-1,0]]", {"trees[0][1]"}}}) {
+    test::expectBadInput([&] { BuildingClassifier::parse(with(nodes), "model.json"); }, words);
+  }
 }
 
 }  // namespace
