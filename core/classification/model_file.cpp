@@ -65,13 +65,13 @@ KernelSvm readSvm(const JsonValue& json, Eigen::Index features) {
 }
 
 /// Three numbers a node.
-Tree readTree(const JsonValue& json, Eigen::Index features) {
+DecisionTree readTree(const JsonValue& json, Eigen::Index features) {
   const std::vector<JsonValue> numbers = json.items(3 * kMaxNodes);
   if (numbers.empty() || numbers.size() % 3 != 0) {
     json.fail(phrase("{} numbers", numbers.size()), phrase("three a node"));
   }
   const auto nodes = static_cast<std::int64_t>(numbers.size() / 3);
-  Tree tree;
+  DecisionTree tree;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     TreeNode node;
     node.feature = static_cast<int>(numbers[i].integer(TreeNode::kLeaf, features - 1));
@@ -88,7 +88,7 @@ Tree readTree(const JsonValue& json, Eigen::Index features) {
 RandomTrees readTrees(const JsonValue& json, Eigen::Index features) {
   const std::vector<JsonValue> items = json.items(kMaxVectors);
   if (items.empty()) json.fail(phrase("at least one tree"));
-  std::vector<Tree> trees;
+  std::vector<DecisionTree> trees;
   for (const JsonValue& item : items) trees.push_back(readTree(item, features));
   return RandomTrees(std::move(trees));
 }
@@ -127,7 +127,7 @@ std::string separatorJson(const KernelSvm& svm) {
 
 std::string separatorJson(const RandomTrees& trees) {
   std::vector<std::string> lines;
-  for (const Tree& tree : trees.trees()) {
+  for (const DecisionTree& tree : trees.trees()) {
     std::vector<std::string> nodes;
     for (const TreeNode& node : tree) {
       nodes.push_back(fmt::format("{},{},{}", node.feature, node.value, node.right));

@@ -53,7 +53,7 @@ class Grower {
     grow(rows.subspan(lower), depth + 1);
   }
 
-  Tree take() { return std::move(tree_); }
+  DecisionTree take() { return std::move(tree_); }
 
  private:
   Weights sumsOf(std::span<const Eigen::Index> rows) const {
@@ -97,10 +97,10 @@ class Grower {
   Weights weights_;
   int least_;
   RandomStream random_;
-  Tree tree_;
+  DecisionTree tree_;
 };
 
-float voteOf(const Tree& tree, const float* sample) {
+float voteOf(const DecisionTree& tree, const float* sample) {
   std::size_t at = 0;
   while (tree[at].feature != TreeNode::kLeaf) {
     at = sample[tree[at].feature] < tree[at].value ? at + 1
@@ -118,7 +118,7 @@ RandomTrees RandomTrees::train(const SampleMatrix& samples, const std::vector<bo
                            1.0 / positives};
   std::vector<Eigen::Index> rows(positive.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<Eigen::Index>(i);
-  std::vector<Tree> trees;
+  std::vector<DecisionTree> trees;
   for (int i = 0; i < options.trees; ++i) {
     Grower grower(samples, positive, weights, options.least,
                   RandomStream(options.seed, static_cast<std::uint32_t>(i)));
@@ -130,7 +130,7 @@ RandomTrees RandomTrees::train(const SampleMatrix& samples, const std::vector<bo
 
 Eigen::VectorXf RandomTrees::decide(const SampleMatrix& samples) const {
   Eigen::VectorXf sums = Eigen::VectorXf::Zero(samples.rows());
-  for (const Tree& tree : trees_) {  // outside: one tree stays in the cache
+  for (const DecisionTree& tree : trees_) {  // outside: one tree stays in the cache
     for (Eigen::Index i = 0; i < samples.rows(); ++i) {
       sums[i] += voteOf(tree, samples.row(i).data());
     }

@@ -28,12 +28,12 @@ struct TreeNode {
   int right = 0;       ///< of a branch: the node where to go else, behind its next one
 };
 
-using Tree = std::vector<TreeNode>;  ///< from its root
+using DecisionTree = std::vector<TreeNode>;  ///< from its root
 
 class RandomTrees {
  public:
   /// At least one; none is empty, branches go to later nodes that are there.
-  explicit RandomTrees(std::vector<Tree> trees) : trees_(std::move(trees)) {}
+  explicit RandomTrees(std::vector<DecisionTree> trees) : trees_(std::move(trees)) {}
 
   /// `positive[i]` is the class of row i; both are there. The classes weigh the same whatever their
   /// sizes.
@@ -43,10 +43,10 @@ class RandomTrees {
   /// Of every row the mean vote, from −1 to 1; > 0 is the positive class.
   Eigen::VectorXf decide(const SampleMatrix& samples) const;
 
-  const std::vector<Tree>& trees() const { return trees_; }
+  const std::vector<DecisionTree>& trees() const { return trees_; }
 
  private:
-  std::vector<Tree> trees_;
+  std::vector<DecisionTree> trees_;
 };
 
 }  // namespace handmap
