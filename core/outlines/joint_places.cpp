@@ -46,10 +46,11 @@ Region regionOf(const OutlinePrior& prior) {
 class Places {
  public:
   Places(const std::vector<OutlinePrior>& priors, const PlacedRays& placed, double range_limit_m,
-         std::uint64_t seed, std::stop_token stop)
+         const RayOwners& owners, std::uint64_t seed, std::stop_token stop)
       : priors_(priors),
         placed_(placed),
         range_limit_m_(range_limit_m),
+        owners_(owners),
         seed_(seed),
         stop_(std::move(stop)),
         modes_(priors.size()) {}
@@ -57,7 +58,7 @@ class Places {
   void search() {
     parallelFor(priors_.size(), [&](std::size_t i) {
       if (stop_.stop_requested()) return;
-      const OutlineScorer scorer = scorerOf(i, {});
+      const OutlineScorer scorer = scorerOf(i, owners_);
       for (FittedOutline& place : searchOutlines(priors_[i], scorer, random(i), stop_)) {
         add(i, std::move(place), scorer);
       }
@@ -80,7 +81,7 @@ class Places {
       if (!stop_.stop_requested()) place = bestBeside(i, rival);
     });
     if (stop_.stop_requested()) return;
-    for (auto& [i, rival, place] : beside) add(i, std::move(place), scorerOf(i, {}));
+    for (auto& [i, rival, place] : beside) add(i, std::move(place), scorerOf(i, owners_));
   }
 
   std::vector<std::optional<FittedOutline>> choose() const {
@@ -100,7 +101,7 @@ class Places {
   static constexpr std::size_t kAll = 1000;
   struct Mode {
     FittedOutline place;
-    Standing standing;  ///< as if nobody else had any
+    Standing standing;
   };
 
   RandomStream random(std::size_t i) const {
@@ -116,12 +117,12 @@ class Places {
 
   /// Where the best place of the rival has the returns of its own.
   FittedOutline bestBeside(std::size_t i, std::size_t rival) const {
-    RayOwners owners(placed_.rays.size(), kNobody);
+    RayOwners owners = owners_;
     for (const auto& [ray, nats] : modes_[rival].front().standing) {
       owners[ray] = static_cast<int>(rival);
     }
     FittedOutline best = searchOutlines(priors_[i], scorerOf(i, owners), random(i), stop_).front();
-    best.score = scorerOf(i, {})(best.outline, kSlack_m);
+    best.score = scorerOf(i, owners_)(best.outline, kSlack_m);
     return best;
   }
 
@@ -150,6 +151,7 @@ class Places {
   const std::vector<OutlinePrior>& priors_;
   const PlacedRays& placed_;
   double range_limit_m_;
+  const RayOwners& owners_;
   std::uint64_t seed_;
   std::stop_token stop_;
   std::vector<std::vector<Mode>> modes_;  ///< by building
@@ -167,11 +169,10 @@ OutlineScorer scorerFor(const OutlinePrior& prior, const PlacedRays& placed, dou
   return {placed, range_limit_m, owners, building, centre, reach_m};
 }
 
-std::vector<std::optional<FittedOutline>> placesTogether(const std::vector<OutlinePrior>& priors,
-                                                         const PlacedRays& placed,
-                                                         double range_limit_m, std::uint64_t seed,
-                                                         const std::stop_token& stop) {
-  Places places(priors, placed, range_limit_m, seed, stop);
+std::vector<std::optional<FittedOutline>> placesTogether(
+    const std::vector<OutlinePrior>& priors, const PlacedRays& placed, double range_limit_m,
+    const RayOwners& owners, std::uint64_t seed, const std::stop_token& stop) {
+  Places places(priors, placed, range_limit_m, owners, seed, stop);
   places.search();
   places.searchBesideRivals();
   return places.choose();

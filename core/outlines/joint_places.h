@@ -24,11 +24,10 @@ OutlineScorer scorerFor(const OutlinePrior& prior, const PlacedRays& placed, dou
 
 /// By building; nullopt: there is no place for it beside the others that the rays speak for. Each
 /// is looked for by itself, then once more beside each neighbour that wants the same returns; of
-/// all places those are taken that go together best (chooseModes()). Anything where `stop` was
-/// requested.
-std::vector<std::optional<FittedOutline>> placesTogether(const std::vector<OutlinePrior>& priors,
-                                                         const PlacedRays& placed,
-                                                         double range_limit_m, std::uint64_t seed,
-                                                         const std::stop_token& stop = {});
+/// all places those are taken that go together best (chooseModes()). `owners`: what is known
+/// before. Anything where `stop` was requested.
+std::vector<std::optional<FittedOutline>> placesTogether(
+    const std::vector<OutlinePrior>& priors, const PlacedRays& placed, double range_limit_m,
+    const RayOwners& owners, std::uint64_t seed, const std::stop_token& stop = {});
 
 }  // namespace handmap

@@ -111,7 +111,12 @@ class Settling {
   /// Where they are, as far as they do not disturb each other. Returns their order: the surest
   /// first, those last that have no place.
   std::vector<std::size_t> begin() {
-    places_ = placesTogether(priors_, placed_, range_limit_m_, seed_, stop_);
+    for (std::size_t i = 0; i < tasks_.size() && !stop_.stop_requested(); ++i) {
+      if (tasks_[i].labelled) own(i, tasks_[i].start, scorerOf(i));
+    }
+    places_ = placesTogether(priors_, placed_, range_limit_m_, owners_, seed_, stop_);
+    std::ranges::fill(owners_, kNobody);
+    std::ranges::fill(settled_, std::nullopt);
     std::vector<std::size_t> order(tasks_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{},

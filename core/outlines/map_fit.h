@@ -20,6 +20,7 @@ struct OutlineTask {
   double size_m = 0.0;         ///< how far its sizes may, one σ
   WholeUncertainty whole;      ///< of a drawing that it was not carried along with, where stated
   bool rectangle = false;      ///< stays one
+  bool labelled = false;       ///< something was found at the start that is taken for it
 };
 
 enum class Verdict { Moved, Kept };

@@ -7,8 +7,8 @@ namespace handmap {
 
 namespace {
 
-constexpr int kMostRounds = 20;  // choice; three settle what was tried
-constexpr double kLeastGain = 1e-9;
+constexpr int kMostPasses = 20;  // choice; three settle what was tried
+constexpr double kLeastWorth = 1e-9;
 
 class Choice {
  public:
@@ -23,7 +23,7 @@ class Choice {
 
   std::vector<int> solve() {
     begin();
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostPasses; ++round) {
       bool changed = false;
       for (std::size_t i = 0; i < worth_.size(); ++i) changed |= improveAround(i);
       if (!changed) break;
@@ -75,7 +75,7 @@ class Choice {
     std::vector<std::size_t> others;
     for (const ModeConflict& conflict : of_[i]) others.push_back(conflict.other);
     std::ranges::sort(others);
-    others.erase(std::ranges::unique(others).begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
     bool changed = false;
     for (const std::size_t other : others) {
       const int mode_before = chosen_[i];
@@ -83,7 +83,7 @@ class Choice {
       const double before = worthOf(i) + worthOf(other, i);
       int best = mode_before;
       int other_best = other_before;
-      double most = before + kLeastGain;
+      double most = before + kLeastWorth;
       for (int mode = kNoMode; mode < modesOf(i); ++mode) {
         for (int other_mode = kNoMode; other_mode < modesOf(other); ++other_mode) {
           chosen_[i] = mode;

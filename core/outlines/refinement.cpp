@@ -133,6 +133,7 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   if (!to_be_found) return task;
   const Building& now = found->map.buildings[b];
   if (!now.estimate || now.estimate->observations == 0) return task;
+  task.labelled = true;
   task.start = unseenAsDrawn(now, drawn, found->motion, placed, range_limit_m);
   task.shift_m = kLabelled_m;
   return task;
