@@ -219,7 +219,8 @@ TEST(BuildingClassifier, RefusesDamagedTrees) {
            {"[[0,1,0,-1,1,0,-1,-1,0]]", {"trees[0][2]"}},   // round in a circle
            {"[[0,1,2,-1,1,0,0,-1,2]]", {"trees[0][8]"}},    // a branch at the end
            {"[[0,1e99,2,-1,1,0,-1,-1,0]]", {"trees[0][1]"}}}) {
-    test::expectBadInput([&] { BuildingClassifier::parse(with(nodes), "model.json"); }, words);
+    test::expectBadInput(
+        [&, &nodes = nodes] { BuildingClassifier::parse(with(nodes), "model.json"); }, words);
   }
 }
 
