@@ -30,8 +30,7 @@ TEST(Evolution, IsNotHeldUpByRipples) {
     return -x.squaredNorm() + 0.3 * (20.0 * x).array().cos().sum();
   };
   RandomStream random(2);
-  const Evolved best =
-      evolve(rippled, Eigen::VectorXd::Constant(6, 1.5), {1.0, 1e-3, 200}, random);
+  const Evolved best = evolve(rippled, Eigen::VectorXd::Constant(6, 1.5), {1.0, 1e-3, 200}, random);
   EXPECT_LT(best.parameters.norm(), 0.8) << best.parameters.transpose();
 }
 
