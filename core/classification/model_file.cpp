@@ -93,14 +93,17 @@ RandomTrees readTrees(const JsonValue& json, Eigen::Index features) {
   return RandomTrees(std::move(trees));
 }
 
-TrainingRecord readRecord(const JsonValue& json) {
+/// Trees have neither gamma nor c.
+TrainingRecord readRecord(const JsonValue& json, bool of_trees) {
   const auto windows = [&](const char* key) {
     return static_cast<int>(json.at(key).integer(0, kMaxWindows));
   };
   TrainingRecord record;
   record.seed = static_cast<std::uint64_t>(json.at("seed").integer(0, INT64_MAX));
-  record.gamma = json.at("gamma").number(0.0, 1e6);
-  record.c = json.at("c").number(0.0, 1e6);
+  if (!of_trees) {
+    record.gamma = json.at("gamma").positive(1e6);
+    record.c = json.at("c").positive(1e6);
+  }
   record.cross_validated = {windows("building_as_building"), windows("building_as_other"),
                             windows("other_as_building"), windows("other_as_other")};
   return record;
@@ -161,7 +164,7 @@ BuildingClassifier BuildingClassifier::parse(std::string_view text, const std::s
   Separator separator = version == kVersion ? Separator(readSvm(json, features))
                                             : Separator(readTrees(json.at("trees"), features));
   return {set, std::move(standardization), std::move(separator), logistic,
-          readRecord(json.at("training"))};
+          readRecord(json.at("training"), version == kVersionWithTrees)};
 }
 
 BuildingClassifier BuildingClassifier::load(const std::filesystem::path& path) {
