@@ -34,8 +34,8 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
   const Labels::Label label = labels_.of(b, found);
   const Building& drawn = drawing_.buildings[b];
   if (drawn.fixed) return;
-  const RefinedBuilding refined =
-      refinedBuilding(drawn, drawing_.uncertaintyOf(drawn), labels_.motion(), label.found);
+  const RefinedBuilding refined = refinedBuilding(
+      drawn, drawing_.uncertaintyOf(drawn), label.found ? labels_.motion() : whole_, label.found);
   Building building = drawn.fitted(refined.box());
   building.estimate = refined.estimate;
   forgetCertainty(building);
@@ -47,6 +47,28 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
   corrected_.set(b, std::move(building));
 }
 
+/// As the drawing would have it without the other buildings.
+void MapCorrection::compare(std::size_t b, std::span<const FoundBox> found) {
+  constexpr double kLeast_m = 0.1;  // choice: no drawing is surer of its buildings
+  const FoundBox* box = labels_.of(b, found).found;
+  displaced_[b].reset();
+  if (!box) return;
+  const Building& drawn = drawing_.buildings[b];
+  const Uncertainty uncertainty = drawing_.uncertaintyOf(drawn);
+  const RefinedBuilding alone = refinedBuilding(drawn, uncertainty, labels_.expectedMotion(), box);
+  displaced_[b] = {drawn.box().centre, alone.box().centre,
+                   std::max(uncertainty.position, kLeast_m)};
+}
+
+void MapCorrection::predict() {
+  std::vector<Displaced> buildings;
+  for (const std::optional<Displaced>& building : displaced_) {
+    if (building) buildings.push_back(*building);
+  }
+  const DrawingMotion& expected = labels_.expectedMotion();
+  whole_ = predictedMotion(expected, labels_.motion(), predictiveShare(expected, buildings));
+}
+
 std::function<Map()> MapCorrection::mapLater() const {
   return [rest = rest_, buildings = buildings_] {
     Map map = *rest;
@@ -56,12 +78,16 @@ std::function<Map()> MapCorrection::mapLater() const {
 }
 
 void MapCorrection::correctAll(std::span<const FoundBox> found, const HasReached& has_reached) {
+  for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) compare(b, found);
+  predict();
   for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) correct(b, found, has_reached);
   buildings_ = corrected_.share();
 }
 
 void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReached& has_reached) {
   constexpr std::size_t kOthers = 100;  // a key frame; choice
+  for (const std::size_t b : labels_.nearby()) compare(b, found);
+  predict();
   for (const std::size_t b : labels_.nearby()) correct(b, found, has_reached);
   for (std::size_t i = 0; i < std::min(kOthers, drawing_.buildings.size()); ++i) {
     last_ = (last_ + 1) % drawing_.buildings.size();

@@ -3,9 +3,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/shared_list.h"
+#include "core/estimation/drawing/predicted_motion.h"
 #include "core/estimation/drawing/refined_building.h"
 #include "core/estimation/labels/labels.h"
 
@@ -20,7 +23,11 @@ class MapCorrection {
 
   /// Keeps references to the drawing and to its labels.
   MapCorrection(const Map& drawing, const Labels& labels)
-      : drawing_(drawing), labels_(labels), corrected_(drawing.buildings) {
+      : drawing_(drawing),
+        labels_(labels),
+        corrected_(drawing.buildings),
+        displaced_(drawing.buildings.size()),
+        whole_(labels.expectedMotion()) {
     auto rest = std::make_shared<Map>(drawing);
     rest->buildings.clear();
     rest_ = std::move(rest);
@@ -33,6 +40,8 @@ class MapCorrection {
   std::function<Map()> mapLater() const;
 
  private:
+  void compare(std::size_t building, std::span<const FoundBox> found);
+  void predict();
   void correct(std::size_t building, std::span<const FoundBox> found,
                const HasReached& has_reached);
 
@@ -40,8 +49,10 @@ class MapCorrection {
   const Labels& labels_;
   std::shared_ptr<const Map> rest_;  ///< the drawing without its buildings
   SharedListWriter<Building> corrected_;
-  SharedList<Building> buildings_;  ///< the same, to be shown
-  std::size_t last_ = 0;            ///< of the far buildings
+  SharedList<Building> buildings_;                   ///< the same, to be shown
+  std::vector<std::optional<Displaced>> displaced_;  ///< by building; of those that were found
+  DrawingMotion whole_;   ///< how the drawing lies where nothing of it was found
+  std::size_t last_ = 0;  ///< of the far buildings
 };
 
 }  // namespace handmap

@@ -30,6 +30,7 @@ Labels::Labels(const Map& drawing, const AssignmentOptions& options)
       nearby_at_(drawing.buildings.size(), kNowhere),
       missed_(drawing.buildings.size(), 0.0),
       roots_(rootHypotheses(drawing, options)) {
+  expected_ = roots_.front().motion;
   for (const Building& building : drawing.buildings) centres_.push_back(building.box().centre);
   nearby_drawing_.start = drawing.start;
   nearby_drawing_.uncertainty = drawing.uncertainty;
@@ -128,7 +129,7 @@ void Labels::setSettled(std::span<const FoundBox> boxes) {
 
 DrawingPrior Labels::prior(std::size_t most, std::span<const FoundBox> found) const {
   DrawingPrior prior;
-  prior.expected = rootHypotheses(drawing_, options_).front().motion;
+  prior.expected = expected_;
   prior.motion = motion();
   if (options_.free_scale || options_.free_turn) prior.expected.mean = prior.motion.mean;
   prior.turn = freeTurn();

@@ -35,6 +35,8 @@ class Labels {
   /// About the drawn buildings near the robot; the best first.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   const DrawingMotion& motion() const { return hypotheses_.front().motion; }
+  /// Before anything was found.
+  const DrawingMotion& expectedMotion() const { return expected_; }
   /// How the drawing is turned, where that is free. Otherwise 0: a turn that is made up from the
   /// way must not make up the way.
   double freeTurn() const { return options_.free_turn ? motion().turn() : 0.0; }
@@ -87,6 +89,7 @@ class Labels {
   std::vector<std::size_t> nearby_at_;  ///< by drawn building: in nearby_, or kNowhere
   std::vector<double> missed_;  ///< by drawn building: doubt when it was left behind unfound
   Map nearby_drawing_;
+  DrawingMotion expected_;
   std::vector<Hypothesis> roots_;
   std::vector<Hypothesis> hypotheses_;
 };

@@ -1,0 +1,59 @@
+#include "core/estimation/drawing/predicted_motion.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace handmap {
+
+namespace {
+
+using Slope = Eigen::Matrix<double, 2, 4>;
+
+/// Of a drawn place by (a, b, x, y).
+Slope slopeAt(const Vec2& drawn, const Vec2& origin) {
+  const Vec2 q = drawn - origin;
+  Slope slope;
+  slope << q.x(), -q.y(), 1.0, 0.0, q.y(), q.x(), 0.0, 1.0;
+  return slope;
+}
+
+}  // namespace
+
+double predictiveShare(const DrawingMotion& expected, std::span<const Displaced> buildings) {
+  std::vector<Slope> slopes;      // of the places, by how the drawing lies; in σ
+  std::vector<Vec2> differences;  // from what was expected; in σ
+  Eigen::Matrix4d information = expected.covariance.inverse();
+  Eigen::Vector4d pull = Eigen::Vector4d::Zero();
+  for (const Displaced& building : buildings) {
+    const Slope slope = slopeAt(building.drawn, expected.origin) / building.sigma;
+    const Vec2 difference = (building.found - expected(building.drawn)) / building.sigma;
+    information += slope.transpose() * slope;
+    pull += slope.transpose() * difference;
+    slopes.push_back(slope);
+    differences.push_back(difference);
+  }
+  // Least squares of the share, which is 0 ± 1 before.
+  double agreed = 0.0;
+  double squares = 1.0;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const Eigen::Matrix4d of_others = information - slopes[i].transpose() * slopes[i];
+    const Eigen::Vector4d by_others =
+        of_others.inverse() * (pull - slopes[i].transpose() * differences[i]);
+    const Vec2 predicted = slopes[i] * by_others;
+    agreed += predicted.dot(differences[i]);
+    squares += predicted.squaredNorm();
+  }
+  return std::clamp(agreed / squares, 0.0, 1.0);
+}
+
+DrawingMotion predictedMotion(const DrawingMotion& expected, const DrawingMotion& found,
+                              double share) {
+  DrawingMotion motion = found;
+  motion.mean = expected.mean + share * (found.mean - expected.mean);
+  motion.covariance = expected.covariance + share * (found.covariance - expected.covariance);
+  return motion;
+}
+
+}  // namespace handmap
