@@ -15,6 +15,9 @@ namespace {
 /// in gaps between houses of a real street, which look through.
 constexpr double kSeenToEndReturns = 2.0;
 constexpr double kRefinementSlack_m = 0.3;
+/// What found rear walls were off that hardly a return came from, real street and far rows:
+/// FIELD.md, part 2, 1.
+constexpr double kFoundRear_m = 2.7;
 // Of the start as it is drawn, one σ.
 constexpr double kStartTurn = toRadians(1.0);
 constexpr double kStart_m = 0.3;
@@ -51,10 +54,10 @@ std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& sco
 }
 
 /// The side opposite the one that was seen best keeps the drawn distance from it, unless it was
-/// seen too, or a wall that leads there was. The ends of what was seen best are where its returns
-/// stop.
-Polygon unseenAsDrawn(const Building& found, const Building& drawn, const DrawingMotion& motion,
-                      const PlacedRays& placed, double range_limit_m) {
+/// seen too, or a wall that leads there was, or the drawing knows its sizes, `size_m`, far
+/// worse than even a rear wall is found. The ends of what was seen best are where its returns stop.
+Polygon unseenAsDrawn(const Building& found, const Building& drawn, double size_m,
+                      const DrawingMotion& motion, const PlacedRays& placed, double range_limit_m) {
   constexpr double kFacing = 0.7;  // cosine between a wall and the side that it is of
   Polygon outline = found.footprint();
   const Rectangle box = found.box();
@@ -77,7 +80,9 @@ Polygon unseenAsDrawn(const Building& found, const Building& drawn, const Drawin
     return wall.returns >= kSeenToEndReturns && std::abs(wall.normal.dot(outwards)) < kFacing &&
            outwards.dot(wall.middle - box.centre) < 0.0;
   });
-  if (deep || of_side[front] < kSeenReturns || of_side[(front + 2) % 4] >= kSeenReturns) {
+  const SideEstimate rear = sidesOf(found)[(front + 2) % 4];
+  const bool known = rear.seen && std::hypot(rear.sigma, kFoundRear_m) < 0.5 * size_m;
+  if (deep || known || of_side[front] < kSeenReturns || of_side[(front + 2) % 4] >= kSeenReturns) {
     return outline;
   }
   // Not its box(): that of a crooked outline may lie along another wall.
@@ -123,18 +128,21 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   const bool to_be_found =
       found && (uncertainty.position > kLabelled_m || !placed.showsStructure());
   OutlineTask task;
-  task.drawn = to_be_found ? carried(drawn.footprint(), found->motion) : drawn.footprint();
+  task.drawn = drawn.footprint();
+  if (to_be_found) {
+    const Building& now = found->map.buildings[b];
+    task.labelled = now.estimate && now.estimate->observations > 0;
+    task.drawn = task.labelled ? carried(task.drawn, found->motion) : now.footprint();
+  }
   task.start = task.drawn;
   if (!to_be_found) task.whole = drawing.whole;
   task.shift_m = std::hypot(uncertainty.position, wholeShift(drawing, task));
   task.drawn_shift_m = task.shift_m;
   task.size_m = uncertainty.size;
   task.rectangle = std::holds_alternative<Rectangle>(drawn.shape);
-  if (!to_be_found) return task;
-  const Building& now = found->map.buildings[b];
-  if (!now.estimate || now.estimate->observations == 0) return task;
-  task.labelled = true;
-  task.start = unseenAsDrawn(now, drawn, found->motion, placed, range_limit_m);
+  if (!task.labelled) return task;
+  task.start = unseenAsDrawn(found->map.buildings[b], drawn, uncertainty.size, found->motion,
+                             placed, range_limit_m);
   task.shift_m = kLabelled_m;
   return task;
 }
@@ -198,8 +206,11 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     const Building& drawn = drawing.buildings[b];
     Building& building = refined.map.buildings[b];
     if (drawn.fixed) continue;
-    building.shape = agreement.isRight(b) ? drawn.shape : moved(building.shape, back);
-    if (!by_start || !building.estimate || building.estimate->observations == 0) continue;
+    const bool seen = building.estimate && building.estimate->observations > 0;
+    // A way that was told without the drawing says nothing of what nobody saw along it.
+    const bool as_drawn = agreement.isRight(b) || (by_start && !seen);
+    building.shape = as_drawn ? drawn.shape : moved(building.shape, back);
+    if (!by_start || !seen) continue;
     turnLessSure(building, agreement.sigmaAt(centroid(building.footprint()) - origin));
   }
   return refined;

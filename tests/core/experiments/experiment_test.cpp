@@ -58,6 +58,14 @@ TEST(Experiment, TrialsTellTheRunAndFollowFromTheSeed) {
   EXPECT_NE(next.buildings[3].drawn, paper.buildings[3].drawn);
 }
 
+TEST(Trial, DepthsDrawnManyTimesTooGreatAreFound) {
+  TrialSettings settings;
+  settings.seed = 7100;
+  for (const int number : {3, 29, 63}) {
+    EXPECT_TRUE(runTrial({Method::Handmap, 33.0, number}, settings, {}).value().strict()) << number;
+  }
+}
+
 TEST(Experiment, IsTheSameOnAnyNumberOfThreads) {
   const TemporaryFolder one;
   const TemporaryFolder three;

@@ -63,6 +63,29 @@ TEST(Refinement, KeepsTheDrawnDepthOfACrookedOutline) {
   EXPECT_NEAR(bounds.high.y() - bounds.low.y(), 12.0, 3.0);
 }
 
+TEST(Refinement, WhatNobodySawStaysAsDrawnWhereTheWayIsToldWithoutTheDrawing) {
+  // Ten houses are seen, four of them where they are drawn but for a turn of the way.
+  const double turn = toRadians(1.5);
+  Map drawing = drawingOf({{30.0, -150.0}, 14.0, 8.0, 0.0}, 3.0);
+  std::vector<Polygon> houses;
+  for (int i = 0; i < 10; ++i) {
+    Building house = drawing.buildings[0];
+    house.id = std::string(1, static_cast<char>('B' + i));
+    house.shape = Rectangle{{15.0 * (i / 2), i % 2 == 0 ? -11.0 : 11.0}, 9.0, 7.0, 0.0};
+    drawing.buildings.push_back(house);
+    Polygon outline = house.footprint();
+    const Vec2 own = i < 4 ? Vec2(0.0, 0.0) : Vec2(i % 2 == 0 ? 3.0 : -3.0, 2.0);
+    for (Vec2& corner : outline) corner = Pose2{0.0, 0.0, turn}.toOuter(corner) + own;
+    houses.push_back(outline);
+  }
+  const Drive drive = drivePast(houses);
+  const auto refined = refine(drawing, std::nullopt, placeRays(drive.seen, drive.way), 40.0, 1);
+  ASSERT_TRUE(refined);
+  EXPECT_GT(std::abs(refined->motion.heading), 0.2 * turn);
+  EXPECT_LT(refined->right, 0.45);
+  EXPECT_EQ(refined->map.buildings[0].shape, drawing.buildings[0].shape);
+}
+
 TEST(Refinement, LeavesADrawingThatIsRightAsItIs) {
   Map drawing = drawingOf(kDrawn, 3.0);
   std::vector<Polygon> houses;
