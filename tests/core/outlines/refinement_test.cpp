@@ -71,7 +71,8 @@ TEST(Refinement, WhatNobodySawStaysAsDrawnWhereTheWayIsToldWithoutTheDrawing) {
   for (int i = 0; i < 10; ++i) {
     Building house = drawing.buildings[0];
     house.id = std::string(1, static_cast<char>('B' + i));
-    house.shape = Rectangle{{15.0 * (i / 2), i % 2 == 0 ? -11.0 : 11.0}, 9.0, 7.0, 0.0};
+    const int column = i / 2;
+    house.shape = Rectangle{{15.0 * column, i % 2 == 0 ? -11.0 : 11.0}, 9.0, 7.0, 0.0};
     drawing.buildings.push_back(house);
     Polygon outline = house.footprint();
     const Vec2 own = i < 4 ? Vec2(0.0, 0.0) : Vec2(i % 2 == 0 ? 3.0 : -3.0, 2.0);
