@@ -24,11 +24,17 @@ struct DrawingMotion {
   /// What is known of it changes by a measured slope · (a, b, x, y) = value, with a variance.
   void correct(const Eigen::RowVector4d& slope, double value, double variance);
 
+  using Slope = Eigen::Matrix<double, 2, 4>;
+  /// Of where a drawn point is, by (a, b, x, y).
+  Slope slopeAt(const Vec2& p) const {
+    const Vec2 q = p - origin;
+    Slope slope;
+    slope << q.x(), -q.y(), 1.0, 0.0, q.y(), q.x(), 0.0, 1.0;
+    return slope;
+  }
   /// How well it is known where a drawn point is: the greatest σ of any direction, or more.
   double sigmaAt(const Vec2& p) const {
-    const Vec2 q = p - origin;
-    Eigen::Matrix<double, 2, 4> slope;
-    slope << q.x(), -q.y(), 1.0, 0.0, q.y(), q.x(), 0.0, 1.0;
+    const Slope slope = slopeAt(p);
     return std::sqrt((slope * covariance * slope.transpose()).trace());
   }
 

@@ -7,27 +7,15 @@
 
 namespace handmap {
 
-namespace {
-
-using Slope = Eigen::Matrix<double, 2, 4>;
-
-/// Of a drawn place by (a, b, x, y).
-Slope slopeAt(const Vec2& drawn, const Vec2& origin) {
-  const Vec2 q = drawn - origin;
-  Slope slope;
-  slope << q.x(), -q.y(), 1.0, 0.0, q.y(), q.x(), 0.0, 1.0;
-  return slope;
-}
-
-}  // namespace
-
 double predictiveShare(const DrawingMotion& expected, std::span<const Displaced> buildings) {
-  std::vector<Slope> slopes;      // of the places, by how the drawing lies; in σ
-  std::vector<Vec2> differences;  // from what was expected; in σ
-  Eigen::Matrix4d information = expected.covariance.inverse();
+  constexpr double kLeastVariance = 1e-9;    // a drawing may say that it is exact
+  std::vector<DrawingMotion::Slope> slopes;  // of the places, in σ
+  std::vector<Vec2> differences;             // from what was expected, in σ
+  Eigen::Matrix4d information =
+      (expected.covariance + kLeastVariance * Eigen::Matrix4d::Identity()).inverse();
   Eigen::Vector4d pull = Eigen::Vector4d::Zero();
   for (const Displaced& building : buildings) {
-    const Slope slope = slopeAt(building.drawn, expected.origin) / building.sigma;
+    const DrawingMotion::Slope slope = expected.slopeAt(building.drawn) / building.sigma;
     const Vec2 difference = (building.found - expected(building.drawn)) / building.sigma;
     information += slope.transpose() * slope;
     pull += slope.transpose() * difference;

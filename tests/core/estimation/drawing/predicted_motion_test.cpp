@@ -47,6 +47,14 @@ TEST(PredictedMotion, OneBuildingSaysNothingOfOthers) {
   EXPECT_EQ(predictiveShare(expectedMotion(), {}), 0.0);
 }
 
+TEST(PredictedMotion, ADrawingMayBeSureOfItsScaleTurnAndPlace) {
+  DrawingMotion whole;
+  whole.mean = {1.0, 0.0, 6.0, -4.0};
+  const double share = predictiveShare(DrawingMotion{}, street(whole, 1.0, 1));
+  EXPECT_GE(share, 0.0);
+  EXPECT_LT(share, 0.1);
+}
+
 TEST(PredictedMotion, GoesAShareOfTheWay) {
   DrawingMotion found = expectedMotion();
   found.mean = {1.2, 0.2, 8.0, 0.0};
