@@ -15,7 +15,7 @@ namespace handmap {
 
 namespace {
 
-enum class Scenery { TwoRows, Campus, Loop, Street };
+enum class Scenery { TwoRows, Campus, Loop, Street, Quarter };
 
 struct SimulateArguments {
   std::string world;
@@ -25,6 +25,7 @@ struct SimulateArguments {
   double view_deg = 360.0;
   bool laser = false;
   bool clutter = false;
+  bool rough = false;
   bool images = false;
   bool moving = false;
   double step_m = 1.0;
@@ -49,6 +50,8 @@ World worldOf(const SimulateArguments& arguments) {
       return loopWorld(arguments.seed);
     case Scenery::Street:
       return streetWorld(arguments.seed);
+    case Scenery::Quarter:
+      return quarterWorld(arguments.seed);
     case Scenery::TwoRows:
       break;
   }
@@ -61,6 +64,7 @@ std::unique_ptr<ObservationSource> sourceOf(const SimulateArguments& arguments,
     SimulationOptions options =
         arguments.laser ? laserOnTheMove(arguments.step_m) : SimulationOptions{};
     options.view_rad = toRadians(arguments.view_deg);
+    if (arguments.laser && !world.walls.empty()) options = losingReturns(options);
     return simulate(world, options, arguments.seed);
   }
   TruthListener listener;
@@ -101,6 +105,7 @@ int simulateCommand(const SimulateArguments& arguments) {
   if (arguments.clutter && world.things.empty()) {
     world = furnished(std::move(world), arguments.seed);
   }
+  if (arguments.rough && world.walls.empty()) world = rough(std::move(world), arguments.seed);
   const auto source = sourceOf(arguments, world);
   if (!record(*source, arguments.out)) return Interrupt::kExitStatus;
   const std::filesystem::path folder = arguments.out;
@@ -145,12 +150,15 @@ void addSimulateCommand(CLI::App& app, ChosenCommand& chosen) {
             {{"two-rows", Scenery::TwoRows},
              {"campus", Scenery::Campus},
              {"loop", Scenery::Loop},
-             {"street", Scenery::Street}},
+             {"street", Scenery::Street},
+             {"quarter", Scenery::Quarter}},
             "A made-up world, in place of --world")
       ->excludes(world);
   addSeed(*command, a.seed, "Of the world, its noise and the sketch");
   addNumber(*command, "--sigma", a.sigma_m, 0.01, 1000, "Error of the sketch, metres");
   command->add_flag("--clutter", a.clutter, "Parked cars and hedges; the street has them anyway");
+  command->add_flag("--rough", a.rough,
+                    "As real places: fences, bicycles, ragged plants, recesses; the quarter is so");
   CLI::Option* view = addNumber(*command, "--view", a.view_deg, 10, 360,
                                 "Of the range sensor, around straight ahead, degrees");
   command->add_flag("--laser", a.laser, "A planar laser on the move, as precise as real ones");

@@ -62,6 +62,10 @@ Demonstration loopSimulation(std::uint64_t seed) {
   return simulationOf(QObject::tr("around a campus"), loopWorld(seed), seed);
 }
 
+Demonstration quarterSimulation(std::uint64_t seed) {
+  return simulationOf(QObject::tr("a quarter"), quarterWorld(seed), seed);
+}
+
 Robot simulationOfDrawing(const Map& drawing, std::uint64_t seed) {
   const double sigma = drawing.uncertainty.position;
   // Once as it is: only a drawing that one can drive through can be made a world of.

@@ -20,6 +20,7 @@ inline constexpr double kDemonstrationSpeed = 10.0;
 Demonstration twoRowSimulation(std::uint64_t seed);
 Demonstration campusSimulation(std::uint64_t seed);
 Demonstration loopSimulation(std::uint64_t seed);
+Demonstration quarterSimulation(std::uint64_t seed);
 /// A live robot among two rows of buildings.
 Demonstration liveSimulation(std::uint64_t seed, VirtualRigKind kind);
 /// The robot drives through what the drawing might be in truth, according to its uncertainty.

@@ -95,6 +95,8 @@ void RunActions::addSimulatorMenu() {
   menu->addAction(tr("&Two rows of buildings"), this, &RunActions::openTwoRows);
   menu->addAction(tr("A &campus"), this, [this] { openSimulation(campusSimulation(seed())); });
   menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
+  menu->addAction(tr("A &quarter with fences and hedges"), this,
+                  [this] { openSimulation(quarterSimulation(seed())); });
   menu->addAction(tr("T&his drawing"), this, &RunActions::simulateDrawing);
   menu->addSeparator();
   menu->addAction(tr("A &live robot (virtual rig)"), this, [this] { openVirtualRig(); });

@@ -31,8 +31,9 @@ class BuildingModel {
     }
     frame_ = {box_.centre.x(), box_.centre.y(), box_.heading};
     rise_ = std::tan(look_.roof_pitch_rad) * box_.depth / 2.0;
-    corners_ = look_.roof == Appearance::Roof::Flat ? world.map.buildings[building].footprint()
-                                                    : box_.corners();
+    corners_ = look_.roof == Appearance::Roof::Flat || !world.walls.empty()
+                   ? world.wallsOf(building)
+                   : box_.corners();
   }
 
   void add() {
@@ -49,7 +50,7 @@ class BuildingModel {
     const double length = (b - a).norm();
     const double top = look_.eaves_m();
     std::vector<Vec3> outline{lifted(a, 0.0), lifted(b, 0.0), lifted(b, top)};
-    const bool gable = look_.roof == Appearance::Roof::Gable && i % 2 == 1;
+    const bool gable = look_.roof == Appearance::Roof::Gable && isEnd(a, b);
     if (gable) {
       outline.push_back(lifted((a + b) / 2.0, top + rise_));
     }
@@ -60,6 +61,13 @@ class BuildingModel {
     model_.surfaces.push_back(wall);
     model_.facades.push_back(facadeOf(length));
     model_.facades.back().gable = gable;
+  }
+
+  /// Whether the wall is the whole of a short side.
+  bool isEnd(const Vec2& a, const Vec2& b) const {
+    const Vec2 middle = frame_.toOwn((a + b) / 2.0);
+    return std::abs(std::abs(middle.x()) - box_.width / 2.0) < 1e-6 &&
+           std::abs((b - a).norm() - box_.depth) < 1e-6;
   }
 
   Facade facadeOf(double length) {

@@ -19,5 +19,8 @@ void addCar(const Thing& car, std::uint64_t seed, std::uint32_t number, Model& m
 void addPerson(const Thing& person, std::uint64_t seed, std::uint32_t number, Model& model);
 void addSign(const Thing& sign, std::uint64_t seed, std::uint32_t number, Model& model);
 void addLamp(const Thing& lamp, std::uint64_t seed, Model& model);
+/// Pickets, the wider the less of a ray passes; as close as wire where much does.
+void addFence(const Thing& fence, std::uint64_t seed, std::uint32_t number, Model& model);
+void addRack(const Thing& rack, std::uint64_t seed, std::uint32_t number, Model& model);
 
 }  // namespace handmap

@@ -11,8 +11,7 @@ namespace {
 constexpr std::uint32_t kPlantSize = 21;
 constexpr std::uint32_t kPlant = 22;
 constexpr std::uint32_t kHedge = 23;
-constexpr double kBush_m = 0.7;  // a wider obstacle is a bush: no trunk is like that
-constexpr int kBlobs = 5;        // a crown is a heap of balls
+constexpr int kBlobs = 5;  // a crown is a heap of balls
 
 struct Ball {
   Vec3 centre;
@@ -127,7 +126,7 @@ struct PlantSize {
 PlantSize sizeOf(const Obstacle& plant, double clear_m, std::uint64_t seed, std::uint32_t number) {
   RandomStream random(seed, number, 0, kPlantSize);
   PlantSize size{};
-  size.bush = plant.radius >= kBush_m;
+  size.bush = plant.radius >= Obstacle::kBush_m;
   if (size.bush) {
     size.crown_m = plant.radius;
     size.top_m = plant.radius * random.uniform(1.5, 3.5);

@@ -70,6 +70,10 @@ void addThing(const Thing& thing, std::uint64_t seed, std::uint32_t number, Mode
       return addSign(thing, seed, number, model);
     case Thing::Kind::Lamp:
       return addLamp(thing, seed, model);
+    case Thing::Kind::Fence:
+      return addFence(thing, seed, number, model);
+    case Thing::Kind::Rack:
+      return addRack(thing, seed, number, model);
   }
 }
 

@@ -1,8 +1,7 @@
 #include <algorithm>
 
 #include "core/base/random.h"
-#include "core/simulation/route.h"
-#include "core/simulation/world.h"
+#include "core/simulation/site.h"
 
 namespace handmap {
 
@@ -16,10 +15,8 @@ constexpr std::uint32_t kPeople = 13;
 
 constexpr double kCarSpacing_m = 6.5;
 constexpr double kCarOffset_m = 3.0;  // of its middle from the route: a wheel at the kerb
-constexpr double kWay_m = 1.8;        // half the width that stays free for the robot
-constexpr double kToWall_m = 0.4;
-constexpr double kPavement_m = 5.4;  // a hedge stands behind it
-constexpr double kPost_m = 4.35;     // of a sign or a lamp from the route: at the kerb
+constexpr double kPavement_m = 5.4;   // a hedge stands behind it
+constexpr double kPost_m = 4.35;      // of a sign or a lamp from the route: at the kerb
 constexpr double kLampSpacing_m = 26.0;
 constexpr double kSignSpacing_m = 28.0;
 constexpr double kPeopleSpacing_m = 8.0;
@@ -28,11 +25,7 @@ constexpr double kSquare_m = 14.0;  // people stand so far from the route, where
 class Furniture {
  public:
   Furniture(World& world, std::uint64_t seed)
-      : world_(world), route_(*routeOf(world.map)), seed_(seed) {
-    for (const Building& building : world.map.buildings) {
-      footprints_.push_back(building.footprint());
-    }
-  }
+      : world_(world), site_(world), route_(site_.route()), seed_(seed) {}
 
   void parkCars() {
     RandomStream random(seed_, 0, 0, kCars);
@@ -133,35 +126,23 @@ class Furniture {
   }
 
  private:
-  /// Where nothing stands yet and the robot does not pass.
-  void put(const Thing& thing) {
-    const Polygon own = thing.footprint.corners();
-    Rectangle grown = thing.footprint;
-    grown.width += 2.0 * kToWall_m;
-    grown.depth += 2.0 * kToWall_m;
-    const Polygon around = grown.corners();
-    const auto meets = [&](const Polygon& other) { return overlap(around, other); };
-    const auto near = [&](const Obstacle& obstacle) {
-      return distanceTo(own, obstacle.centre) < obstacle.radius + kToWall_m / 2.0;
-    };
-    if (route_.distanceTo(own) < kWay_m) return;
-    if (std::any_of(footprints_.begin(), footprints_.end(), meets)) return;
-    if (std::any_of(world_.obstacles.begin(), world_.obstacles.end(), near)) return;
-    footprints_.push_back(own);
-    world_.things.push_back(thing);
-  }
+  void put(const Thing& thing) { site_.put({thing}); }
 
   World& world_;
-  Route route_;
+  Site site_;
+  const Route& route_;
   std::uint64_t seed_;
-  std::vector<Polygon> footprints_;  ///< of buildings and things
 };
 
 }  // namespace
 
 World furnished(World world, std::uint64_t seed) {
+  Furniture(world, seed).parkCars();
+  return withoutCars(std::move(world), seed);
+}
+
+World withoutCars(World world, std::uint64_t seed) {
   Furniture furniture(world, seed);
-  furniture.parkCars();
   furniture.plantHedges();
   furniture.putUpLamps();
   furniture.putUpSigns();

@@ -20,9 +20,15 @@ class SimulatedSource : public ObservationSource {
         seed_(seed),
         obstacles_(world.obstacles),
         info_(infoOf(world, options, seed)) {
-    for (const Building& building : world.map.buildings) addEdges(building.footprint(), walls_);
+    for (std::size_t i = 0; i < world.map.buildings.size(); ++i) {
+      const Polygon corners = world.wallsOf(i);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        walls_.push_back({corners[k], corners[(k + 1) % corners.size()]});
+      }
+    }
     for (const Thing& thing : world.things) {
-      if (thing.height > options.sensor_height_m) addEdges(thing.footprint.corners(), sides_);
+      if (thing.height <= options.sensor_height_m) continue;
+      bodies_.push_back({thing.footprint.corners(), thing.free_path_m});
     }
   }
 
@@ -50,27 +56,34 @@ class SimulatedSource : public ObservationSource {
     bool wall = true;
   };
 
-  static void addEdges(const Polygon& corners, std::vector<Segment>& edges) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
-    }
-  }
+  /// A thing at the height of the sensor.
+  struct Body {
+    Polygon corners;
+    double free_path_m;
+  };
+
+  /// All that may be met from one place.
+  struct Surroundings {
+    std::vector<Segment> walls;
+    std::vector<Body> bodies;
+    std::vector<Obstacle> obstacles;
+  };
 
   std::vector<RangePoint> scan(const Pose2& pose, std::uint32_t frame) const {
-    const auto away = [&](const Segment& edge) { return distanceTo(edge, pose.position()); };
-    const std::vector<Segment> walls = near(walls_, away);
-    const std::vector<Segment> sides = near(sides_, away);
-    const std::vector<Obstacle> obstacles = near(obstacles_, [&](const Obstacle& obstacle) {
-      return (obstacle.centre - pose.position()).norm() - obstacle.radius;
-    });
+    const Vec2 eye = pose.position();
+    const Surroundings around{
+        near(walls_, [&](const Segment& wall) { return distanceTo(wall, eye); }),
+        near(bodies_, [&](const Body& body) { return distanceTo(body.corners, eye); }),
+        near(obstacles_, [&](const Obstacle& obstacle) {
+          return (obstacle.centre - eye).norm() - obstacle.radius;
+        })};
     RandomStream random(seed_, frame, 0, kRays);
     std::vector<RangePoint> points;
     for (int ray = 0; ray < options_.rays; ++ray) {
       const double bearing = 2.0 * kPi * ray / options_.rays;
       if (std::abs(normalizedAngle(bearing)) > options_.view_rad / 2.0) continue;
-      const Hit hit = measured(
-          cast(pose.position(), unitVector(pose.heading + bearing), walls, sides, obstacles),
-          random);
+      const Hit hit =
+          measured(cast(eye, unitVector(pose.heading + bearing), around, random), random);
       if (hit.distance < kLeastRange || hit.distance > options_.range_limit_m) continue;
       const Vec2 point = hit.distance * unitVector(bearing);
       const double recognised =
@@ -91,21 +104,31 @@ class SimulatedSource : public ObservationSource {
     return result;
   }
 
-  static Hit cast(const Vec2& origin, const Vec2& direction, const std::vector<Segment>& walls,
-                  const std::vector<Segment>& sides, const std::vector<Obstacle>& obstacles) {
+  static Hit cast(const Vec2& origin, const Vec2& direction, const Surroundings& around,
+                  RandomStream& random) {
     Hit hit;
-    for (const Segment& wall : walls) {
+    for (const Segment& wall : around.walls) {
       hit.distance = std::min(hit.distance, rayToSegment(origin, direction, wall));
     }
-    for (const Segment& side : sides) {
-      const double distance = rayToSegment(origin, direction, side);
+    const auto meet = [&](const Crossing& crossing, double free_path_m) {
+      if (crossing.in >= hit.distance) return;
+      const double distance = crossing.in + depthIn(free_path_m, random);
+      if (distance > crossing.out && free_path_m > 0.0) return;
       if (distance < hit.distance) hit = {distance, false};
+    };
+    for (const Body& body : around.bodies) {
+      meet(rayThrough(origin, direction, body.corners), body.free_path_m);
     }
-    for (const Obstacle& obstacle : obstacles) {
-      const double distance = rayToCircle(origin, direction, obstacle.centre, obstacle.radius);
-      if (distance < hit.distance) hit = {distance, false};
+    for (const Obstacle& obstacle : around.obstacles) {
+      meet(rayThroughCircle(origin, direction, obstacle.centre, obstacle.radius),
+           obstacle.free_path_m);
     }
     return hit;
+  }
+
+  /// Law of Beer and Lambert: what stops a ray is spread evenly.
+  static double depthIn(double free_path_m, RandomStream& random) {
+    return free_path_m > 0.0 ? -free_path_m * std::log(1.0 - random.uniform()) : 0.0;
   }
 
   /// An outlier looks like a wall: a false match is most likely where the texture repeats.
@@ -114,6 +137,8 @@ class SimulatedSource : public ObservationSource {
       return {random.uniform(kLeastRange, options_.range_limit_m), true};
     }
     if (hit.distance > options_.range_limit_m) return Hit{};
+    const double share = hit.distance / options_.range_limit_m;
+    if (options_.lost > 0.0 && random.uniform() < options_.lost * share * share) return Hit{};
     const double sigma =
         options_.sigma_offset_m + options_.sigma_quadratic * hit.distance * hit.distance;
     hit.distance += random.normal(0.0, sigma);
@@ -123,7 +148,7 @@ class SimulatedSource : public ObservationSource {
   SimulationOptions options_;
   std::uint64_t seed_;
   std::vector<Segment> walls_;
-  std::vector<Segment> sides_;  ///< of cars and hedges
+  std::vector<Body> bodies_;
   std::vector<Obstacle> obstacles_;
   SourceInfo info_;
   std::size_t next_ = 0;
@@ -140,6 +165,11 @@ SimulationOptions laserOnTheMove(double step_m) {
   options.outliers = 0.002;
   options.unrecognised = 0.0;
   options.obstacles_mistaken = 1.0;
+  return options;
+}
+
+SimulationOptions losingReturns(SimulationOptions options) {
+  options.lost = 0.4;
   return options;
 }
 

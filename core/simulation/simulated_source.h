@@ -19,6 +19,7 @@ struct SimulationOptions {
   double sigma_offset_m = 0.05;     ///< σ(d) = offset + quadratic · d²
   double sigma_quadratic = 0.0021;  ///< 1/m
   double outliers = 0.02;           ///< share of rays with a random range
+  double lost = 0.0;                ///< share of rays that do not return from the range limit
   double unrecognised = 0.15;       ///< share of the wall points with weight 0
   double obstacles_mistaken = 0.1;  ///< share of the points on obstacles with weight 1
   double sensor_height_m = 1.0;     ///< z of every point
@@ -29,6 +30,10 @@ struct SimulationOptions {
 /// A planar laser that does not know what it sees, on a robot that does not stop: noise and
 /// outliers of a SICK LMS 200 on a campus (0.03 m, to 60 m), all weights 1.
 SimulationOptions laserOnTheMove(double step_m);
+
+/// Where walls are dark and seen aslant: a share of the returns is missing, growing with the square
+/// of the distance (a third at 55 m on a campus).
+SimulationOptions losingReturns(SimulationOptions options);
 
 /// The same robot stepping differently: its odometry is as wrong after the same way.
 SimulationOptions atStep(SimulationOptions options, double step_m);

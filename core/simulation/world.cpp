@@ -19,6 +19,7 @@ constexpr std::uint32_t kTwoRows = 1;
 constexpr std::uint32_t kCampus = 2;
 constexpr std::uint32_t kFromMap = 3;
 constexpr std::uint32_t kLoop = 7;
+constexpr std::uint32_t kQuarter = 19;
 
 constexpr double kRobotRadius = 0.3;
 constexpr double kMaxLength = 20e3;  // of a route from a file
@@ -93,6 +94,44 @@ void checkClear(const Route& route, const Building& building) {
   }
 }
 
+/// Around blocks of buildings, with the second way begun; fronts `nearest` … `farthest` metres
+/// away.
+Map blocks(double nearest, double farthest, RandomStream& random) {
+  const double inset = farthest + 31.0;  // of a corner inside the loop: no depths meet
+  Map map;
+  map.start = Pose2{};
+  const double length = random.uniform(280.0, 320.0);
+  const double width = random.uniform(180.0, 220.0);
+  const std::array<Vec2, 5> corners{Vec2(0.0, 0.0), Vec2(length, 0.0), Vec2(length, width),
+                                    Vec2(0.0, width), Vec2(0.0, 0.0)};
+  map.route.assign(corners.begin(), corners.end());
+  map.route.emplace_back(length / 3.0, 0.0);
+  for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg) {
+    const Vec2 way = corners[leg + 1] - corners[leg];
+    const Pose2 frame{corners[leg].x(), corners[leg].y(), std::atan2(way.y(), way.x())};
+    for (const double side : {1.0, -1.0}) {  // the left is inside
+      const double end = way.norm() - (side > 0.0 ? inset : 0.0);
+      double at = side > 0.0 ? inset : 0.0;
+      while (true) {
+        Rectangle box;
+        box.width = random.uniform(18.0, 45.0);
+        box.depth = random.uniform(12.0, 24.0);
+        if (at + box.width > end) break;
+        const double away = random.uniform(nearest, farthest) + box.depth / 2.0;
+        box.centre = frame.toOuter({at + box.width / 2.0, side * away});
+        box.heading = normalizedAngle(frame.heading + (side > 0.0 ? 0.0 : kPi) +
+                                      random.normal(0.0, toRadians(2.0)));
+        at += box.width + random.uniform(6.0, 16.0);
+        Building building;
+        building.id = fmt::format("B{}", map.buildings.size() + 1);
+        building.shape = anyShape(box, random);
+        map.buildings.push_back(building);
+      }
+    }
+  }
+  return map;
+}
+
 }  // namespace
 
 World twoRowWorld(std::uint64_t seed) {
@@ -161,41 +200,17 @@ World campusWorld(std::uint64_t seed) {
 }
 
 World loopWorld(std::uint64_t seed) {
-  constexpr double kInset = 45.0;  // metres of a corner inside the loop that stay free
   RandomStream random(seed, 0, 0, kLoop);
-  Map map;
+  Map map = blocks(8.0, 14.0, random);
   map.name = fmt::format("Around a campus, {}", seed);
-  map.start = Pose2{};
-  const double length = random.uniform(280.0, 320.0);
-  const double width = random.uniform(180.0, 220.0);
-  const std::array<Vec2, 5> corners{Vec2(0.0, 0.0), Vec2(length, 0.0), Vec2(length, width),
-                                    Vec2(0.0, width), Vec2(0.0, 0.0)};
-  map.route.assign(corners.begin(), corners.end());
-  map.route.emplace_back(length / 3.0, 0.0);
-  for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg) {
-    const Vec2 way = corners[leg + 1] - corners[leg];
-    const Pose2 frame{corners[leg].x(), corners[leg].y(), std::atan2(way.y(), way.x())};
-    for (const double side : {1.0, -1.0}) {  // the left is inside
-      const double end = way.norm() - (side > 0.0 ? kInset : 0.0);
-      double at = side > 0.0 ? kInset : 0.0;
-      while (true) {
-        Rectangle box;
-        box.width = random.uniform(18.0, 45.0);
-        box.depth = random.uniform(12.0, 24.0);
-        if (at + box.width > end) break;
-        const double away = random.uniform(8.0, 14.0) + box.depth / 2.0;
-        box.centre = frame.toOuter({at + box.width / 2.0, side * away});
-        box.heading = normalizedAngle(frame.heading + (side > 0.0 ? 0.0 : kPi) +
-                                      random.normal(0.0, toRadians(2.0)));
-        at += box.width + random.uniform(6.0, 16.0);
-        Building building;
-        building.id = fmt::format("B{}", map.buildings.size() + 1);
-        building.shape = anyShape(box, random);
-        map.buildings.push_back(building);
-      }
-    }
-  }
   return worldOf(std::move(map), seed, random);
+}
+
+World quarterWorld(std::uint64_t seed) {
+  RandomStream random(seed, 0, 0, kQuarter);
+  Map map = blocks(5.0, 30.0, random);
+  map.name = fmt::format("Quarter, {}", seed);
+  return rough(worldOf(std::move(map), seed, random), seed);
 }
 
 World worldFromMap(const Map& map, std::uint64_t seed) {

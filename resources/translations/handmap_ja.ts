@@ -1068,6 +1068,10 @@
         <source>runs of windows such as %1</source>
         <translation>%1 のような窓の並び</translation>
     </message>
+    <message>
+        <source>a quarter</source>
+        <translation>街区</translation>
+    </message>
 </context>
 <context>
     <name>TimeLeft</name>
@@ -3265,6 +3269,18 @@
     <message>
         <source>{}; e.g. {}</source>
         <translation>{}。例: {}</translation>
+    </message>
+    <message>
+        <source>Along {:.0f} % of the way, none of the drawn buildings that were recognised is within the {:.0f} m that the sensor sees: there the way is the odometry&apos;s.</source>
+        <translation>経路の {:.0f} % では、見分けられた建物がセンサーの届く {:.0f} m 以内に描かれていません。そこでの経路はオドメトリのままです。</translation>
+    </message>
+    <message>
+        <source>{} If so, draw more of what stands along the way.</source>
+        <translation>{} その場合は、経路沿いの建物をもっと描いてください。</translation>
+    </message>
+    <message>
+        <source>the same scan again, though the robot has moved</source>
+        <translation>ロボットは動いたのに同じスキャンがまた来ました</translation>
     </message>
 </context>
 <context>
@@ -6353,6 +6369,10 @@ Corrected by a run.</source>
     <message>
         <source>pose within %1</source>
         <translation>位置の確率 %1</translation>
+    </message>
+    <message>
+        <source>A &amp;quarter with fences and hedges</source>
+        <translation>柵と生け垣のある街区(&amp;Q)</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "core/rendering/renderer.h"
 
+#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -119,6 +120,56 @@ TEST(Renderer, PeopleSignsAndLampsAreSeenAndLabelled) {
   EXPECT_EQ(at(2.0, 2.25), Label::Sign);
   EXPECT_EQ(at(2.0, 1.0), Label::Pole);
   EXPECT_EQ(at(-2.0, 2.5), Label::Pole);
+}
+
+TEST(Renderer, FencesAndBicyclesAreSeenAndSeenThrough) {
+  World world = wallAhead();
+  world.things = {{Thing::Kind::Fence, {{6.0, 1.6}, 2.2, 0.06, kPi / 2.0}, 1.4, 0.06},
+                  {Thing::Kind::Rack, {{7.0, -2.0}, 3.0, 1.8, kPi / 2.0}, 1.1, 2.0}};
+  const Renderer renderer(RenderOptions{}, 1);
+  const ImageTruth truth = renderer.truth(renderer.sceneAt(world, Pose2{}, 0.0), Pose2{}, 0.0);
+  const ViewCamera camera = viewCamera(renderer.camera(), 640, 480, Pose2{}, 0.0);
+  std::map<Label, int> before_fence;
+  std::map<Label, int> before_rack;
+  for (int row = 0; row < 480; ++row) {
+    for (int column = 0; column < 640; ++column) {
+      const Vec3 ray = camera.ray(column, row);
+      const Vec3 at_fence = camera.eye + 6.0 / ray.x() * ray;
+      const Vec3 at_rack = camera.eye + 7.0 / ray.x() * ray;
+      const auto label = static_cast<Label>(truth.labels(row, column));
+      if (std::abs(at_fence.y() - 1.6) < 1.0 && at_fence.z() > 0.3 && at_fence.z() < 1.15) {
+        ++before_fence[label];
+        const float depth = truth.depth(row, column);
+        if (label == Label::Fence) {
+          EXPECT_NEAR(depth, 6.0F, 0.1F);
+        }
+      }
+      if (std::abs(at_rack.y() + 2.0) < 1.4 && at_rack.z() > 0.1 && at_rack.z() < 0.9) {
+        ++before_rack[label];
+      }
+    }
+  }
+  const double seen = before_fence[Label::Fence];
+  const double behind = before_fence[Label::Building] + before_fence[Label::Pavement] +
+                        before_fence[Label::Road] + before_fence[Label::Tree];
+  EXPECT_NEAR(seen / (seen + behind), 1.0 - std::exp(-1.0), 0.1);  // what its free path says
+  EXPECT_GT(before_rack[Label::Bicyclist], 300);
+  EXPECT_GT(before_rack[Label::Building], before_rack[Label::Bicyclist]);
+}
+
+TEST(Renderer, ARecessIsAsDeepAsTheWallsSay) {
+  World world = wallAhead();
+  world.walls = {
+      Polygon{{12, 30}, {12, 1}, {13, 1}, {13, -1}, {12, -1}, {12, -30}, {18, -30}, {18, 30}}};
+  const Renderer renderer(test::smallCamera(), 1);
+  const ImageTruth truth = renderer.truth(renderer.sceneAt(world, Pose2{}, 0.0), Pose2{}, 0.0);
+  const ViewCamera camera = viewCamera(renderer.camera(), 160, 120, Pose2{}, 0.0);
+  const int row = static_cast<int>(std::lround(camera.cy));
+  const auto depthAt = [&](double y) {
+    return truth.depth(row, static_cast<int>(std::lround(camera.cx - camera.fx * y / 12.0)));
+  };
+  EXPECT_NEAR(depthAt(0.0), 13.0F, 1e-3F);
+  EXPECT_NEAR(depthAt(3.0), 12.0F, 1e-3F);
 }
 
 TEST(Renderer, AHouseShadesTheWallBehindIt) {

@@ -88,9 +88,20 @@ TEST(RayCast, MeetsWallsAndCircles) {
   EXPECT_EQ(rayToSegment({0, 0}, east, {{-5, -1}, {-5, 1}}), kNoHit);
   EXPECT_EQ(rayToSegment({0, 0}, east, {{5, 1}, {5, 2}}), kNoHit);
   EXPECT_EQ(rayToSegment({0, 0}, east, {{5, 0}, {6, 0}}), kNoHit);
-  EXPECT_DOUBLE_EQ(rayToCircle({0, 0}, east, {5, 0}, 2.0), 3.0);
-  EXPECT_EQ(rayToCircle({0, 0}, east, {5, 3}, 2.0), kNoHit);
-  EXPECT_EQ(rayToCircle({0, 0}, east, {-5, 0}, 2.0), kNoHit);
+}
+
+TEST(RayCast, GoesIntoCirclesAndPolygonsAndOut) {
+  const Vec2 east(1, 0);
+  const Crossing circle = rayThroughCircle({0, 0}, east, {5, 0}, 2.0);
+  EXPECT_DOUBLE_EQ(circle.in, 3.0);
+  EXPECT_DOUBLE_EQ(circle.out, 7.0);
+  EXPECT_EQ(rayThroughCircle({0, 0}, east, {5, 3}, 2.0).in, kNoHit);
+  EXPECT_EQ(rayThroughCircle({0, 0}, east, {-5, 0}, 2.0).in, kNoHit);
+  const Crossing box = rayThrough({0, 0}, east, Rectangle{{6, 0.5}, 4.0, 2.0, 0.0}.corners());
+  EXPECT_DOUBLE_EQ(box.in, 4.0);
+  EXPECT_DOUBLE_EQ(box.out, 8.0);
+  EXPECT_EQ(rayThrough({0, 0}, east, Rectangle{{6, 3}, 4.0, 2.0, 0.0}.corners()).in, kNoHit);
+  EXPECT_EQ(rayThrough({0, 0}, east, Rectangle{{-6, 0}, 4.0, 2.0, 0.0}.corners()).in, kNoHit);
 }
 
 }  // namespace

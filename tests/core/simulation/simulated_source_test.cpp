@@ -20,6 +20,18 @@ SimulationOptions exact() {
   return options;
 }
 
+/// Walls 20 m away on four sides.
+World squareRoom() {
+  World room;
+  Building building;
+  building.id = "Ring";
+  building.shape = Polygon{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
+  room.map.buildings = {building};
+  room.map.start = Pose2{};
+  room.map.route = {{0, 0}, {0.1, 0}};
+  return room;
+}
+
 TEST(SimulatedSource, StepsAlongTheRouteFromTheStart) {
   const World world = campusWorld(3);
   const auto source = simulate(world, {}, 1);
@@ -102,14 +114,69 @@ TEST(SimulatedSource, ThingsAsHighAsTheSensorAreNoWalls) {
   EXPECT_GT(on_car, 20);
 }
 
+TEST(SimulatedSource, SoftThingsLetAShareOfTheRaysThrough) {
+  World world = squareRoom();
+  const double free_path = 0.5;
+  world.things = {{Thing::Kind::Fence, {{10.0, 0.0}, 1.0, 30.0, 0.0}, 1.5, free_path}};
+  world.obstacles = {{{-10.0, 0.0}, 4.0, free_path}};
+  SimulationOptions options = exact();
+  options.rays = 40000;
+  const auto source = simulate(world, options, 3);
+  const Observation observation = *source->next();
+  double stopped = 0.0;
+  double expected = 0.0;
+  int straight = 0;
+  double depths = 0.0;
+  for (const RangePoint& point : *observation.views.front().points) {
+    const double distance = std::hypot(point.x, point.y);
+    const double bearing = std::atan2(point.y, point.x);
+    if (point.x > 0.0F && std::abs(bearing) < 0.5) {
+      expected += 1.0 - std::exp(-1.0 / std::cos(bearing) / free_path);
+      stopped += point.w == 0.0F ? 1.0 : 0.0;
+      if (point.w > 0.0F) {
+        EXPECT_NEAR(point.x, 20.0F, 1e-3F);
+        continue;
+      }
+      EXPECT_GE(point.x, 9.499F);
+      EXPECT_LE(point.x, 10.501F);
+      ++straight;
+      depths += static_cast<double>(point.x) - 9.5;
+    } else if (point.w == 0.0F && point.x < 0.0F) {
+      EXPECT_LE((Vec2(point.x, point.y) - Vec2(-10.0, 0.0)).norm(), 4.001);
+      EXPECT_GT(distance, 5.99);
+    }
+  }
+  EXPECT_NEAR(stopped / expected, 1.0, 0.03);
+  // The mean of an exponential law that is cut off at one metre.
+  const double through = std::exp(-1.0 / free_path);
+  EXPECT_NEAR(depths / straight, free_path - through / (1.0 - through), 0.02);
+}
+
+TEST(SimulatedSource, ReturnsAreLostWithTheSquareOfTheDistance) {
+  SimulationOptions options = losingReturns(exact());
+  options.rays = 40000;
+  const auto source = simulate(squareRoom(), options, 3);
+  double expected = 0.0;
+  for (int ray = 0; ray < options.rays; ++ray) {
+    const Vec2 direction = unitVector(2.0 * kPi * ray / options.rays);
+    const double share = 20.0 / direction.cwiseAbs().maxCoeff() / options.range_limit_m;
+    expected += 1.0 - options.lost * share * share;
+  }
+  const Observation observation = *source->next();
+  EXPECT_NEAR(static_cast<double>(observation.views.front().points->size()) / expected, 1.0, 0.01);
+}
+
+TEST(SimulatedSource, SeesTheWallsThatAWorldHasInPlaceOfTheMap) {
+  World world = squareRoom();
+  world.walls = {
+      Polygon{{-20, -20}, {20, -20}, {20, -1}, {21, -1}, {21, 1}, {20, 1}, {20, 20}, {-20, 20}}};
+  const auto source = simulate(world, exact(), 3);
+  const Observation observation = *source->next();
+  EXPECT_NEAR(observation.views.front().points->front().x, 21.0F, 1e-4F);
+}
+
 TEST(SimulatedSource, NoiseIsWhatTheOptionsSay) {
-  World room;
-  Building building;
-  building.id = "Ring";
-  building.shape = Polygon{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}};
-  room.map.buildings = {building};
-  room.map.start = Pose2{};
-  room.map.route = {{0, 0}, {0.1, 0}};
+  const World room = squareRoom();
   SimulationOptions options;
   options.rays = 40000;
   const auto source = simulate(room, options, 5);

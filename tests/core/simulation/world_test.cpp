@@ -170,7 +170,78 @@ TEST(World, FurnitureChangesNothingThatWasThere) {
   EXPECT_GT(counts[Thing::Kind::Person], 150U);
 }
 
+TEST(World, RoughnessIsWhatRealPlacesHave) {
+  std::map<Thing::Kind, std::size_t> counts;
+  std::size_t recesses = 0;
+  std::size_t bays = 0;
+  std::size_t soft = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const World& bare : {campusWorld(seed), streetWorld(seed), twoRowWorld(seed)}) {
+      const World full = rough(bare, seed);
+      EXPECT_EQ(full.map, bare.map);
+      ASSERT_EQ(full.walls.size(), bare.map.buildings.size());
+      const std::optional<Route> route = routeOf(full.map);
+      for (std::size_t i = 0; i < full.walls.size(); ++i) {
+        const Polygon drawn = bare.map.buildings[i].footprint();
+        const Polygon walls = full.wallsOf(i);
+        EXPECT_TRUE(isSimple(walls));
+        EXPECT_GT(route->distanceTo(walls), 2.5);
+        EXPECT_GT(intersectionOverUnion(walls, drawn), 0.8);
+        for (const Vec2& corner : walls) {
+          const bool inside = contains(drawn, corner) && distanceTo(drawn, corner) == 0.0;
+          (inside ? recesses : bays) += 1;
+        }
+        for (const Thing& thing : full.things) {
+          EXPECT_FALSE(overlap(walls, thing.footprint.corners()));
+        }
+        for (std::size_t j = i + 1; j < full.walls.size(); ++j) {
+          EXPECT_FALSE(overlap(walls, full.walls[j]));
+        }
+      }
+      for (const Thing& thing : full.things) {
+        ++counts[thing.kind];
+        EXPECT_GT(route->distanceTo(thing.footprint.corners()), 1.7);
+        const bool lets_pass = thing.kind == Thing::Kind::Hedge ||
+                               thing.kind == Thing::Kind::Fence || thing.kind == Thing::Kind::Rack;
+        EXPECT_EQ(thing.free_path_m > 0.0, lets_pass);
+      }
+      for (const Obstacle& plant : full.obstacles) {
+        EXPECT_EQ(plant.free_path_m > 0.0, plant.radius >= Obstacle::kBush_m);
+        soft += plant.free_path_m > 0.0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(recesses, 500U);
+  EXPECT_GT(bays, 200U);
+  EXPECT_GT(soft, 50U);
+  EXPECT_GT(counts[Thing::Kind::Fence], 200U);
+  EXPECT_GT(counts[Thing::Kind::Rack], 30U);
+  EXPECT_GT(counts[Thing::Kind::Hedge], 300U);
+  EXPECT_GT(counts[Thing::Kind::Car], 50U);  // of the streets
+}
+
+TEST(World, QuartersAreRoughAndTheirFrontsNearAndFar) {
+  double nearest = 1e9;
+  double farthest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const World world = quarterWorld(seed);
+    expectPossible(world, 3.5);
+    EXPECT_GE(world.map.buildings.size(), 25U);
+    EXPECT_EQ(world.walls.size(), world.map.buildings.size());
+    const std::optional<Route> route = routeOf(world.map);
+    for (const Building& building : world.map.buildings) {
+      const double front = route->distanceTo(building.footprint());
+      nearest = std::min(nearest, front);
+      farthest = std::max(farthest, front);
+    }
+  }
+  EXPECT_LT(nearest, 6.0);
+  EXPECT_GT(farthest, 28.0);
+}
+
 TEST(World, FollowsFromItsSeed) {
+  EXPECT_EQ(quarterWorld(7).walls, quarterWorld(7).walls);
+  EXPECT_NE(quarterWorld(7).walls, quarterWorld(8).walls);
   EXPECT_EQ(twoRowWorld(7).map, twoRowWorld(7).map);
   EXPECT_NE(twoRowWorld(7).map.buildings, twoRowWorld(8).map.buildings);
   EXPECT_EQ(campusWorld(7).map, campusWorld(7).map);

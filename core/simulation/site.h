@@ -1,0 +1,29 @@
+// The ground of a world and what stands on it already.
+#pragma once
+
+#include "core/simulation/route.h"
+#include "core/simulation/world.h"
+
+namespace handmap {
+
+class Site {
+ public:
+  static constexpr double kToWall_m = 0.4;  ///< what is put keeps this distance from all else
+
+  /// The world has a route, and nothing but the site adds things to it.
+  explicit Site(World& world);
+
+  const Route& route() const { return route_; }
+  /// Adds the things that stand where nothing stands yet and the robot does not pass; those of one
+  /// group may touch each other.
+  void put(const std::vector<Thing>& group);
+
+ private:
+  bool isFree(const Thing& thing) const;
+
+  World& world_;
+  Route route_;
+  std::vector<Polygon> footprints_;  ///< of buildings and things
+};
+
+}  // namespace handmap
