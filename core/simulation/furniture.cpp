@@ -15,7 +15,6 @@ constexpr std::uint32_t kPeople = 13;
 
 constexpr double kCarSpacing_m = 6.5;
 constexpr double kCarOffset_m = 3.0;  // of its middle from the route: a wheel at the kerb
-constexpr double kPavement_m = 5.4;   // a hedge stands behind it
 constexpr double kPost_m = 4.35;      // of a sign or a lamp from the route: at the kerb
 constexpr double kLampSpacing_m = 26.0;
 constexpr double kSignSpacing_m = 28.0;
@@ -64,7 +63,8 @@ class Furniture {
       const double share = random.uniform(0.0, 0.6);
       if (random.uniform() > 0.55) continue;
       const Pose2 beside = route_.poseAt(std::clamp(place.s + along, 0.0, route_.length()));
-      const double offset = kPavement_m + share * std::max(0.0, wall - 1.5 - kPavement_m);
+      const double offset =
+          Site::kPavement_m + share * std::max(0.0, wall - 1.5 - Site::kPavement_m);
       hedge.footprint.centre = beside.toOuter({0.0, std::copysign(offset, place.offset)});
       hedge.footprint.heading = beside.heading;
       put(hedge);
@@ -112,7 +112,7 @@ class Furniture {
         const Pose2 beside = route_.poseAt(s + random.uniform(0.0, kPeopleSpacing_m));
         const bool on_square = random.uniform() < 0.3;
         const double offset =
-            on_square ? random.uniform(kPavement_m, kSquare_m) : random.uniform(4.4, 5.2);
+            on_square ? random.uniform(Site::kPavement_m, kSquare_m) : random.uniform(4.4, 5.2);
         const double share = random.uniform();
         const int together = share < 0.65 ? 0 : share < 0.85 ? 1 : share < 0.95 ? 2 : 3;
         Vec2 place = beside.toOuter({0.0, side * offset});

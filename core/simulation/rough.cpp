@@ -17,8 +17,7 @@ constexpr double kLongWall_m = 6.0;
 constexpr double kCornerLeft_m = 0.8;  // of a wall before its first recess
 constexpr double kPanel_m = 2.2;       // of a fence
 constexpr double kFence_m = 0.06;      // its thickness
-constexpr double kPavement_m = 5.4;    // a fence stands behind it
-constexpr double kWay_m = 3.0;         // half the width that bays leave to the robot
+constexpr double kClear_m = 3.0;       // half the width that bays leave to the robot
 constexpr double kPiece_m = 1.3;       // of a ragged hedge
 
 /// Along a wall and outwards from it, from its first corner.
@@ -104,8 +103,8 @@ class Roughness {
       const double side = std::copysign(1.0, place.offset);
       const double wall = route_.distanceTo(building.footprint());
       const double length = random.uniform(6.0, 1.2 * box.width + 6.0);
-      const double offset =
-          kPavement_m + random.uniform(0.0, 0.8) * std::max(0.0, wall - 1.5 - kPavement_m);
+      const double offset = Site::kPavement_m + random.uniform(0.0, 0.8) *
+                                                    std::max(0.0, wall - 1.5 - Site::kPavement_m);
       if (random.uniform() < 0.5) {
         site.put(fence({place.s - length / 2.0, side * offset}, length, true, random));
       }
@@ -197,7 +196,7 @@ class Roughness {
     for (std::size_t i = 0; i < world_.walls.size(); ++i) {
       if (i != building && overlap(walls, world_.walls[i])) return false;
     }
-    return route_.distanceTo(walls) > kWay_m &&
+    return route_.distanceTo(walls) > kClear_m &&
            std::none_of(
                world_.things.begin(), world_.things.end(),
                [&](const Thing& thing) { return overlap(walls, thing.footprint.corners()); }) &&

@@ -8,7 +8,8 @@ namespace handmap {
 
 class Site {
  public:
-  static constexpr double kToWall_m = 0.4;  ///< what is put keeps this distance from all else
+  static constexpr double kToWall_m = 0.4;    ///< what is put keeps this distance from all else
+  static constexpr double kPavement_m = 5.4;  ///< ends so far from the route: hedges and fences
 
   /// The world has a route, and nothing but the site adds things to it.
   explicit Site(World& world);

@@ -165,11 +165,11 @@ TEST(Renderer, ARecessIsAsDeepAsTheWallsSay) {
   const ImageTruth truth = renderer.truth(renderer.sceneAt(world, Pose2{}, 0.0), Pose2{}, 0.0);
   const ViewCamera camera = viewCamera(renderer.camera(), 160, 120, Pose2{}, 0.0);
   const int row = static_cast<int>(std::lround(camera.cy));
-  const auto depthAt = [&](double y) {
+  const auto depth_at = [&](double y) {
     return truth.depth(row, static_cast<int>(std::lround(camera.cx - camera.fx * y / 12.0)));
   };
-  EXPECT_NEAR(depthAt(0.0), 13.0F, 1e-3F);
-  EXPECT_NEAR(depthAt(3.0), 12.0F, 1e-3F);
+  EXPECT_NEAR(depth_at(0.0), 13.0F, 1e-3F);
+  EXPECT_NEAR(depth_at(3.0), 12.0F, 1e-3F);
 }
 
 TEST(Renderer, AHouseShadesTheWallBehindIt) {
