@@ -265,6 +265,29 @@ TEST(RunSession, LocalizesOnAMapThatIsRightAndLeavesItAsItIs) {
   EXPECT_EQ(report["settings"]["method"], "localization");
 }
 
+TEST(RunSession, IsNoSurerThanAWayOfMatchedScansIsStraight) {
+  const World world = quarterWorld(4);
+  RunSettings ours;
+  ours.threads = 1;
+  const SimulationOptions laser = losingReturns(laserOnTheMove(2.5));
+  RunSession session(perturbed(world.map, 5.0, 4), simulate(world, laser, 4), ours);
+  const auto& truth = session.source().truth;
+  double squares = 0.0;
+  int far = 0;
+  for (std::size_t i = 0; i < 160; ++i) {
+    const auto snapshot = session.step();
+    const FrameReport& report = snapshot->report;
+    const double away = (truth[i].pose.position() - world.map.start->position()).norm();
+    if (away < 100.0) continue;
+    const double sigma = std::hypot(report.pose_sigma[0], report.pose_sigma[1]);
+    EXPECT_GT(sigma, toRadians(0.3) * away);
+    squares += (report.pose.position() - truth[i].pose.position()).squaredNorm() / (sigma * sigma);
+    ++far;
+  }
+  EXPECT_GT(far, 80);
+  EXPECT_LT(squares / far, 3.0);  // it is 1 where it is stated as it is
+}
+
 TEST(RunSession, SaysWithEachFrameHowProbablyItIsRight) {
   RunSession session = farOff(21, 1);
   std::shared_ptr<const Snapshot> last;
