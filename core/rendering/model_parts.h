@@ -19,7 +19,7 @@ void addCar(const Thing& car, std::uint64_t seed, std::uint32_t number, Model& m
 void addPerson(const Thing& person, std::uint64_t seed, std::uint32_t number, Model& model);
 void addSign(const Thing& sign, std::uint64_t seed, std::uint32_t number, Model& model);
 void addLamp(const Thing& lamp, std::uint64_t seed, Model& model);
-/// Pickets, the wider the less of a ray passes; as close as wire where much does.
+/// Pickets, as wide as the share of rays that it stops.
 void addFence(const Thing& fence, std::uint64_t seed, std::uint32_t number, Model& model);
 void addRack(const Thing& rack, std::uint64_t seed, std::uint32_t number, Model& model);
 

@@ -26,9 +26,9 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
 
 /// What a map's frame and a start are off at best: as much as the reference poses of real places.
 constexpr double kReference_m = 0.3;
-/// A way of matched scans turns unnoticed until a loop holds it, and what is found along it with
-/// it. Live poses beside their distance from the start: six rough simulated quarters 0.34°, rough
-/// campuses 0.17°; real ones 0.56° (a campus) and 0.38° (a street).
+/// A way of matched scans is turned about its start, and what is found along it with it. So far are
+/// the live poses of whole drives off as seen from there, rms: six rough simulated quarters 0.34°,
+/// rough campuses 0.17°; real ones 0.56° (a campus) and 0.38° (a street).
 constexpr double kMatchedTurn = toRadians(0.3);
 
 class HandmapMethod : public EstimationMethod {
