@@ -18,7 +18,7 @@
 #include "core/map/references.h"
 #include "core/recording/image_file.h"
 #include "core/session/run_session.h"
-#include "drivers/punctual_source.h"
+#include "drivers/pace/punctual_source.h"
 
 namespace handmap {
 

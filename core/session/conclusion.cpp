@@ -1,6 +1,6 @@
 #include "core/session/conclusion.h"
 
-#include "core/anchoring/anchored_way.h"
+#include "core/map_match/anchored_way.h"
 #include "core/outlines/refinement.h"
 
 namespace handmap {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "core/localization/fastslam_psom.h"
+#include "core/fastslam/fastslam_psom.h"
 #include "core/session/handmap_method.h"
 #include "core/session/localization_method.h"
 #include "core/session/paper_phases.h"

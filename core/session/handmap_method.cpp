@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/anchoring/anchored_way.h"
 #include "core/estimation/estimator.h"
 #include "core/map/start_uncertainty.h"
+#include "core/map_match/anchored_way.h"
 #include "core/session/conclusions.h"
 #include "core/session/handmap_phases.h"
 #include "core/session/pose_trust.h"

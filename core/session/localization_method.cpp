@@ -1,8 +1,8 @@
 #include "core/session/localization_method.h"
 
-#include "core/anchoring/anchored_way.h"
 #include "core/base/random.h"
 #include "core/estimation/samples.h"
+#include "core/map_match/anchored_way.h"
 #include "core/session/pose_trust.h"
 #include "core/trajectory/scan_trajectory.h"
 

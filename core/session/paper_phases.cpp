@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/localization/resampling.h"
+#include "core/fastslam/resampling.h"
 
 namespace handmap {
 

@@ -2,7 +2,7 @@
 // who want to look.
 #pragma once
 
-#include "core/localization/fastslam_psom.h"
+#include "core/fastslam/fastslam_psom.h"
 #include "core/perception/local_map.h"
 #include "core/session/phase.h"
 

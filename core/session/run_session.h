@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/localization/slam_options.h"
+#include "core/fastslam/slam_options.h"
 #include "core/perception/perception.h"
 #include "core/session/run_warnings.h"
 #include "core/session/snapshot.h"

@@ -14,7 +14,7 @@ set(precompiled_widgets
   <QMainWindow> <QMenu> <QMouseEvent> <QPainter> <QPushButton> <QSet> <QSettings> <QTableWidget> <QToolBar>
   <QToolButton> <QUndoStack> <QVBoxLayout>)
 
-# The target that owns what is parsed; others take it by target_precompile_headers(… REUSE_FROM …). GCC
+# The target that owns what is parsed; others take it by handmap_use_precompiled(). GCC
 # takes it where the same or more macros are defined, so it has none of its own.
 function(handmap_precompiled name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "OF;HEADERS")
@@ -25,4 +25,11 @@ function(handmap_precompiled name)
     target_compile_definitions(${name} PRIVATE QT_NO_KEYWORDS)
   endif()
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+  set_target_properties(${name} PROPERTIES handmap_of "${arg_OF}")
+endfunction()
+
+function(handmap_use_precompiled target precompiled)
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
+  get_target_property(libraries ${precompiled} handmap_of)
+  target_link_libraries(${target} PRIVATE ${libraries})
 endfunction()

@@ -2,7 +2,7 @@
 // particles × 20 swarm particles × 10 iterations and beyond. p95 and median are over the frames of
 // a way; of every frame the quickest of all repetitions counts, since other programs only add.
 // p95_cpu_ms is processor time, of all threads together: what one free core would need.
-// x_direct: how much longer the plain form (tests/core/localization/direct_fastslam.h: walls read
+// x_direct: how much longer the plain form (tests/core/fastslam/direct_fastslam.h: walls read
 // cell by cell, one thread) takes for the same frames. The street needs ../shared/data.
 #include <array>
 #include <chrono>
@@ -15,12 +15,12 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/parallel.h"
-#include "core/localization/fastslam_psom.h"
+#include "core/fastslam/fastslam_psom.h"
 #include "core/map/map_io.h"
 #include "core/perception/range_walls.h"
 #include "core/recording/recording.h"
 #include "core/simulation/simulated_source.h"
-#include "tests/core/localization/direct_fastslam.h"
+#include "tests/core/fastslam/direct_fastslam.h"
 
 namespace handmap {
 namespace {

@@ -1,4 +1,4 @@
-#include "drivers/paced_source.h"
+#include "drivers/pace/paced_source.h"
 
 #include <thread>
 

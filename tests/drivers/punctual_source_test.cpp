@@ -1,4 +1,4 @@
-#include "drivers/punctual_source.h"
+#include "drivers/pace/punctual_source.h"
 
 #include <thread>
 

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "app/gui/act_recorder.h"
+#include "app/gui/run/act_recorder.h"
 #include "core/simulation/simulated_source.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/document/map_document.h"

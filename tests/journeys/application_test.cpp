@@ -1,4 +1,4 @@
-#include "app/gui/application.h"
+#include "app/gui/window/application.h"
 
 #include <QTest>
 #include <QTimer>

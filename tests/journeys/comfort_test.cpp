@@ -14,8 +14,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/file_actions.h"
-#include "app/gui/template_menu.h"
+#include "app/gui/files/file_actions.h"
+#include "app/gui/files/template_menu.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"

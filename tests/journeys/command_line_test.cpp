@@ -1,4 +1,4 @@
-#include "app/gui/command_line.h"
+#include "app/gui/window/command_line.h"
 
 #include <gtest/gtest.h>
 

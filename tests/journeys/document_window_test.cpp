@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/file_actions.h"
+#include "app/gui/files/file_actions.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"

@@ -1,5 +1,5 @@
 // Every text of the program in every language, and the window in Japanese.
-#include "app/gui/language.h"
+#include "app/gui/shell/language.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -12,7 +12,7 @@
 
 #include "tests/journeys/window_test.h"
 #include "widgets/actions/action_set.h"
-#include "widgets/run/layers.h"
+#include "widgets/run/overlays/layers.h"
 
 namespace handmap {
 namespace {

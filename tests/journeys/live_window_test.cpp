@@ -8,11 +8,11 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "app/gui/live_panel.h"
-#include "app/gui/live_robot.h"
-#include "app/gui/rig_actions.h"
-#include "app/gui/rig_dialog.h"
-#include "app/gui/rig_form.h"
+#include "app/gui/rig/live_panel.h"
+#include "app/gui/rig/rig_actions.h"
+#include "app/gui/rig/rig_dialog.h"
+#include "app/gui/rig/rig_form.h"
+#include "app/gui/run/live_robot.h"
 #include "tests/journeys/window_test.h"
 
 namespace handmap {

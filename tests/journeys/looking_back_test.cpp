@@ -6,9 +6,9 @@
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
-#include "widgets/run/phase_words.h"
-#include "widgets/run/run_strip.h"
-#include "widgets/run/timeline.h"
+#include "widgets/run/overlays/run_strip.h"
+#include "widgets/run/panels/timeline.h"
+#include "widgets/run/words/phase_words.h"
 
 namespace handmap {
 namespace {
@@ -161,7 +161,7 @@ TEST_F(LookingBack, APoseThatIsGivenIsTakenInTheMiddleAndTheRunGoesOn) {
   ASSERT_TRUE(waitForPast(4));
   past().seek(4);
   const Pose2 given{40.0, 1.0, 0.1};
-  Q_EMIT window_->canvas().robotPoseGiven(given);
+  Q_EMIT window_->tools().robotPoseGiven(given);
   ASSERT_TRUE(waitForRevision());
   ASSERT_EQ(window_->run().settings().given_poses.size(), 1U);
   EXPECT_EQ(window_->run().settings().given_poses[0].pose, given);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/application.h"
+#include "app/gui/window/application.h"
 
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");

@@ -1,4 +1,4 @@
-#include "app/gui/message_bar.h"
+#include "app/gui/shell/message_bar.h"
 
 #include <QPushButton>
 #include <QTest>

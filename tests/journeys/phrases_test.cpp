@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/language.h"
+#include "app/gui/shell/language.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/calibration/stereo_calibrator.h"

@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/file_actions.h"
+#include "app/gui/files/file_actions.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
-#include "widgets/pictures/picture_tool.h"
+#include "widgets/tools/picture_tool.h"
 
 namespace handmap {
 namespace {
@@ -114,7 +114,7 @@ TEST_F(PictureWindow, ThePropertiesScaleItByALength) {
   add("elsewhere/photo.png");
   auto press = [&](const char* name) { window_->findChild<QPushButton*>(name)->click(); };
   press("by_length");
-  PictureTool& tool = window_->canvas().pictureTool();
+  PictureTool& tool = window_->tools().pictureTool();
   EXPECT_EQ(tool.mode(), PictureTool::Mode::Scale);
   ToolEvent event;
   for (const double x : {0.0, 10.0}) {

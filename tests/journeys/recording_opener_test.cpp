@@ -1,4 +1,4 @@
-#include "app/gui/recording_opener.h"
+#include "app/gui/run/recording_opener.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -23,7 +23,7 @@ class RecordingOpenerTest : public testing::Test {
       heard_ << QString::fromStdString(recording->folder.filename().string());
     });
     QObject::connect(&opener_, &RecordingOpener::failed, &opener_,
-                     [this](const RunFailure& failure) { heard_ << failure.message; });
+                     [this](const Failure& failure) { heard_ << failure.message; });
     QObject::connect(&opener_, &RecordingOpener::simulated, &opener_,
                      [this](const Robot& robot) { heard_ << robot.name; });
   }

@@ -1,5 +1,5 @@
 // Unsaved work outlives its session.
-#include "app/gui/recovery.h"
+#include "app/gui/files/recovery.h"
 
 #include <QFile>
 #include <QPushButton>
@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "app/gui/message_bar.h"
-#include "app/gui/recovery_offer.h"
+#include "app/gui/files/recovery_offer.h"
+#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "core/recording/image_file.h"
 #include "widgets/document/map_document.h"

@@ -1,4 +1,4 @@
-#include "app/gui/run_controller.h"
+#include "app/gui/run/run_controller.h"
 
 #include <QSignalSpy>
 #include <QTest>

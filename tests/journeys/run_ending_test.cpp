@@ -3,9 +3,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "app/gui/dialogs.h"
-#include "app/gui/file_actions.h"
-#include "app/gui/recording_opener.h"
+#include "app/gui/files/file_actions.h"
+#include "app/gui/run/recording_opener.h"
+#include "app/gui/shell/dialogs.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/document/map_document.h"

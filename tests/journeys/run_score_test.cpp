@@ -1,4 +1,4 @@
-#include "app/gui/run_score.h"
+#include "app/gui/run/run_score.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <QList>
 #include <QStringList>
 
-#include "app/gui/dialogs.h"
+#include "app/gui/shell/dialogs.h"
 
 namespace handmap {
 

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/exports.h"
-#include "app/gui/file_actions.h"
+#include "app/gui/files/exports.h"
+#include "app/gui/files/file_actions.h"
 #include "core/map/map_io.h"
 #include "widgets/canvas/map_canvas.h"
-#include "widgets/run/layers_panel.h"
+#include "widgets/run/panels/layers_panel.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {

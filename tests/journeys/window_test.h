@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/application.h"
-#include "app/gui/docks.h"
-#include "app/gui/main_window.h"
-#include "app/gui/message_bar.h"
-#include "app/gui/run_actions.h"
+#include "app/gui/run/run_actions.h"
+#include "app/gui/shell/docks.h"
+#include "app/gui/shell/message_bar.h"
+#include "app/gui/window/application.h"
+#include "app/gui/window/main_window.h"
 #include "widgets/background/background.h"
-#include "widgets/run/run_setup_panel.h"
-#include "widgets/run/transport_bar.h"
+#include "widgets/run/panels/run_setup_panel.h"
+#include "widgets/run/panels/transport_bar.h"
 
 namespace handmap {
 

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "app/gui/application.h"
+#include "app/gui/window/application.h"
 #include "tests/monkey/playground.h"
 #include "widgets/background/background.h"
 

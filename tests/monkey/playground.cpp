@@ -15,18 +15,18 @@
 
 #include <unistd.h>
 
-#include "app/gui/application.h"
-#include "app/gui/docks.h"
-#include "app/gui/run_actions.h"
+#include "app/gui/run/run_actions.h"
+#include "app/gui/shell/docks.h"
+#include "app/gui/window/application.h"
 #include "core/map/map_io.h"
 #include "core/recording/recording.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/background/background.h"
 #include "widgets/canvas/map_canvas.h"
-#include "widgets/run/run_setup_panel.h"
-#include "widgets/run/timeline.h"
-#include "widgets/run/transport_bar.h"
+#include "widgets/run/panels/run_setup_panel.h"
+#include "widgets/run/panels/timeline.h"
+#include "widgets/run/panels/transport_bar.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {

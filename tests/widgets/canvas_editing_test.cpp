@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/tools/toolbox.h"
 
 namespace handmap {
 
@@ -19,13 +20,17 @@ class CanvasEditingTest : public QObject {
   void init() {
     document_ = std::make_unique<MapDocument>();
     canvas_ = std::make_unique<MapCanvas>(*document_);
+    tools_ = std::make_unique<Toolbox>(*document_, *canvas_);
     canvas_->resize(800, 600);
     canvas_->show();
     QVERIFY(QTest::qWaitForWindowExposed(canvas_.get()));
     canvas_->activateWindow();
     canvas_->setFocus();
   }
-  void cleanup() { canvas_.reset(); }
+  void cleanup() {
+    tools_.reset();
+    canvas_.reset();
+  }
 
   // --- Naming
 
@@ -234,7 +239,7 @@ class CanvasEditingTest : public QObject {
     };
     ask({0, 0});
     QCOMPARE(document_->selection(), QStringList{"B1"});
-    canvas_->addCorner();  // not on a wall: in the middle of the longest
+    tools_->addCorner();  // not on a wall: in the middle of the longest
     QCOMPARE(document_->map().buildings[0].footprint().size(), std::size_t(5));
     ask({40, 40});
     QVERIFY(document_->selection().isEmpty());
@@ -289,6 +294,7 @@ class CanvasEditingTest : public QObject {
 
   std::unique_ptr<MapDocument> document_;
   std::unique_ptr<MapCanvas> canvas_;
+  std::unique_ptr<Toolbox> tools_;
 };
 
 }  // namespace handmap

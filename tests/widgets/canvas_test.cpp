@@ -9,6 +9,7 @@
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/canvas/rulers.h"
 #include "widgets/style/colours.h"
+#include "widgets/tools/toolbox.h"
 
 namespace handmap {
 
@@ -48,11 +49,15 @@ class CanvasTest : public QObject {
     document_ = std::make_unique<MapDocument>();
     document_->reset(oneBuilding());
     canvas_ = std::make_unique<MapCanvas>(*document_);
+    tools_ = std::make_unique<Toolbox>(*document_, *canvas_);
     canvas_->resize(800, 600);
     canvas_->show();
     QVERIFY(QTest::qWaitForWindowExposed(canvas_.get()));
   }
-  void cleanup() { canvas_.reset(); }
+  void cleanup() {
+    tools_.reset();
+    canvas_.reset();
+  }
 
   void whatIsBelowTheCursorStaysThereWhileZooming() {
     double scale = canvas_->pixelsPerMetre();
@@ -311,6 +316,7 @@ class CanvasTest : public QObject {
 
   std::unique_ptr<MapDocument> document_;
   std::unique_ptr<MapCanvas> canvas_;
+  std::unique_ptr<Toolbox> tools_;
 };
 
 }  // namespace handmap

@@ -5,6 +5,7 @@
 #include "core/map/map_flags.h"
 #include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/tools/toolbox.h"
 
 namespace handmap {
 
@@ -22,6 +23,7 @@ class DoubtTest : public QObject {
     map.uncertainty = {4.0, 0.0};
     document_->reset(map);
     canvas_ = std::make_unique<MapCanvas>(*document_);
+    tools_ = std::make_unique<Toolbox>(*document_, *canvas_);
     canvas_->resize(400, 400);
     canvas_->setGridVisible(false);
     canvas_->show();
@@ -88,6 +90,7 @@ class DoubtTest : public QObject {
 
   std::unique_ptr<MapDocument> document_;
   std::unique_ptr<MapCanvas> canvas_;
+  std::unique_ptr<Toolbox> tools_;
 };
 
 }  // namespace handmap

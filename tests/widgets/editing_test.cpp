@@ -4,11 +4,11 @@
 
 #include "core/base/error.h"
 #include "tests/widgets/tool_events.h"
-#include "widgets/canvas/tools/building_handles.h"
-#include "widgets/canvas/tools/corner_handles.h"
-#include "widgets/canvas/tools/select_tool.h"
+#include "widgets/canvas/building_handles.h"
 #include "widgets/editing/arranging.h"
 #include "widgets/editing/clipboard.h"
+#include "widgets/tools/corner_handles.h"
+#include "widgets/tools/select_tool.h"
 
 namespace handmap {
 

@@ -10,10 +10,10 @@
 #include "core/base/error.h"
 #include "core/map/map_flags.h"
 #include "core/map/tangent_plane.h"
-#include "widgets/canvas/tools/building_handles.h"
+#include "widgets/canvas/building_handles.h"
 #include "widgets/pictures/picture_file.h"
-#include "widgets/pictures/picture_tool.h"
 #include "widgets/pictures/raster.h"
+#include "widgets/tools/picture_tool.h"
 
 #ifdef HANDMAP_GDAL
 #include <gdal.h>

@@ -4,10 +4,10 @@
 #include "core/base/random.h"
 #include "core/map/map_io.h"
 #include "tests/widgets/tool_events.h"
-#include "widgets/canvas/tools/corner_handles.h"
-#include "widgets/canvas/tools/select_tool.h"
 #include "widgets/editing/arranging.h"
 #include "widgets/editing/clipboard.h"
+#include "widgets/tools/corner_handles.h"
+#include "widgets/tools/select_tool.h"
 
 namespace handmap {
 

@@ -2,17 +2,17 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "widgets/canvas/tools/building_handles.h"
-#include "widgets/canvas/tools/edge_rectangle_tool.h"
-#include "widgets/canvas/tools/eraser_tool.h"
-#include "widgets/canvas/tools/freehand_tool.h"
-#include "widgets/canvas/tools/landmark_tool.h"
-#include "widgets/canvas/tools/measure_tool.h"
-#include "widgets/canvas/tools/polygon_tool.h"
-#include "widgets/canvas/tools/rectangle_tool.h"
-#include "widgets/canvas/tools/route_tool.h"
-#include "widgets/canvas/tools/select_tool.h"
-#include "widgets/canvas/tools/start_tool.h"
+#include "widgets/canvas/building_handles.h"
+#include "widgets/tools/edge_rectangle_tool.h"
+#include "widgets/tools/eraser_tool.h"
+#include "widgets/tools/freehand_tool.h"
+#include "widgets/tools/landmark_tool.h"
+#include "widgets/tools/measure_tool.h"
+#include "widgets/tools/polygon_tool.h"
+#include "widgets/tools/rectangle_tool.h"
+#include "widgets/tools/route_tool.h"
+#include "widgets/tools/select_tool.h"
+#include "widgets/tools/start_tool.h"
 
 namespace handmap {
 

@@ -10,7 +10,6 @@
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/canvas/name_editor.h"
 #include "widgets/canvas/rulers.h"
-#include "widgets/canvas/tools/select_tool.h"
 
 namespace handmap {
 
@@ -140,7 +139,8 @@ void MapCanvas::contextMenuEvent(QContextMenuEvent* event) {
 void MapCanvas::showMenuAt(QPointF viewport_position) {
   tool_->interrupt();
   const ToolEvent at = toolEvent(viewport_position, Qt::NoModifier);
-  if (!select_->chooseCornerAt(at)) {
+  Tool* select = toolOf(ToolId::Select);
+  if (select == nullptr || !select->chooseAt(at)) {
     const QString key = objectAt(document_, at.position, kHitPx * at.metres_per_pixel);
     if (!document_.selection().contains(key))
       document_.setSelection(key.isEmpty() ? QStringList() : QStringList{key});

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "widgets/canvas/map_canvas.h"
-#include "widgets/canvas/tools/eraser_tool.h"
 
 namespace handmap {
 
@@ -127,12 +126,13 @@ void MapCanvas::timerEvent(QTimerEvent* event) {
 
 bool MapCanvas::takeEraser(QTabletEvent& event) {
   const bool is_eraser = event.pointerType() == QPointingDevice::PointerType::Eraser;
-  if (!is_eraser && !before_eraser_) return false;
+  Tool* eraser = toolOf(ToolId::Eraser);
+  if (eraser == nullptr || (!is_eraser && !before_eraser_)) return false;
   event.accept();
   if (event.type() == QEvent::TabletPress) {
     tool_->interrupt();
     before_eraser_ = tool_;
-    tool_ = eraser_;
+    tool_ = eraser;
   }
   if (!before_eraser_) return true;
   ToolEvent tool_event = toolEvent(event.position(), event.modifiers());

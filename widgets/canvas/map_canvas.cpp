@@ -12,20 +12,7 @@
 #include "widgets/canvas/drawing_item.h"
 #include "widgets/canvas/name_editor.h"
 #include "widgets/canvas/rulers.h"
-#include "widgets/canvas/tools/corner_handles.h"
-#include "widgets/canvas/tools/edge_rectangle_tool.h"
-#include "widgets/canvas/tools/eraser_tool.h"
-#include "widgets/canvas/tools/freehand_tool.h"
-#include "widgets/canvas/tools/landmark_tool.h"
-#include "widgets/canvas/tools/measure_tool.h"
-#include "widgets/canvas/tools/polygon_tool.h"
-#include "widgets/canvas/tools/rectangle_tool.h"
-#include "widgets/canvas/tools/robot_pose_tool.h"
-#include "widgets/canvas/tools/route_tool.h"
-#include "widgets/canvas/tools/select_tool.h"
-#include "widgets/canvas/tools/start_tool.h"
 #include "widgets/canvas/underlay_item.h"
-#include "widgets/pictures/picture_tool.h"
 
 namespace handmap {
 
@@ -38,6 +25,15 @@ constexpr double kZoomStep = 1.4;
 /// Room to pan beyond every coordinate of a map; at kMaxScale it still fits Qt's integer scrolling.
 constexpr double kReach = 1.5 * kMaxCoordinate;
 constexpr QRectF kNothingDrawn(-50.0, -50.0, 100.0, 100.0);
+
+/// Of a canvas that only shows.
+class NoTool : public Tool {
+ public:
+  using Tool::Tool;
+  ToolId id() const override { return ToolId::Select; }
+  QString hint() const override { return {}; }
+  Qt::CursorShape cursor() const override { return Qt::ArrowCursor; }
+};
 
 QRectF toRect(const Bounds& bounds) {
   const Vec2 size = bounds.high - bounds.low;
@@ -77,7 +73,8 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
   setAccessibleName(tr("Drawing"));
 
   makeOverlays();
-  makeTools();
+  tools_.push_back(std::make_unique<NoTool>(document_));
+  tool_ = tools_.back().get();
   connect(&document_, &MapDocument::mapChanged, this, [this] {
     underlays_->rebuild();
     doubt_->rebuild();
@@ -95,39 +92,21 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
 
 MapCanvas::~MapCanvas() = default;
 
-template <typename ToolType, typename... Arguments>
-ToolType* MapCanvas::addTool(Arguments&&... arguments) {
-  auto tool = std::make_unique<ToolType>(document_, std::forward<Arguments>(arguments)...);
-  ToolType* added = tool.get();
-  connect(added, &Tool::changed, this, &MapCanvas::onToolChanged);
-  connect(added, &Tool::created, name_, &NameEditor::arm);
-  connect(added, &Tool::finished, this, [this] { setTool(ToolId::Select); });
+void MapCanvas::addTool(std::unique_ptr<Tool> tool) {
+  connect(tool.get(), &Tool::changed, this, &MapCanvas::onToolChanged);
+  connect(tool.get(), &Tool::created, name_, &NameEditor::arm);
+  connect(tool.get(), &Tool::finished, this, [this] { setTool(ToolId::Select); });
+  const bool is_first = tools_.size() == 1;
   tools_.push_back(std::move(tool));
-  return added;
+  if (!is_first) return;
+  tool_ = tools_.back().get();
+  onToolChanged();
 }
 
-void MapCanvas::makeTools() {
-  tool_ = select_ = addTool<SelectTool>();
-  addTool<RectangleTool>();
-  addTool<EdgeRectangleTool>();
-  addTool<PolygonTool>();
-  freehand_ = addTool<FreehandTool>();
-  addTool<StartTool>();
-  addTool<RouteTool>();
-  addTool<LandmarkTool>();
-  addTool<MeasureTool>();
-  eraser_ = addTool<EraserTool>();
-  picture_tool_ =
-      addTool<PictureTool>([this](std::size_t place) { return underlays_->sizeOf(place); });
-  const auto* robot_pose = addTool<RobotPoseTool>();
-  connect(robot_pose, &RobotPoseTool::given, this, [this](const Pose2& pose) {
-    setTool(ToolId::Select);
-    Q_EMIT robotPoseGiven(pose);
-  });
-  connect(select_, &SelectTool::renameRequested, this, [this](const QString& key) {
-    document_.setSelection({key});
-    renameSelected();
-  });
+Tool* MapCanvas::toolOf(ToolId id) const {
+  const auto found = std::find_if(tools_.rbegin(), tools_.rend(),
+                                  [id](const auto& tool) { return tool->id() == id; });
+  return found == tools_.rend() ? nullptr : found->get();
 }
 
 void MapCanvas::makeOverlays() {
@@ -160,12 +139,12 @@ ToolId MapCanvas::tool() const { return tool_->id(); }
 QString MapCanvas::hint() const { return tool_->hint(); }
 
 void MapCanvas::setTool(ToolId id) {
-  if (id == tool_->id()) return;
+  if (id == tool_->id() || toolOf(id) == nullptr) return;
   tool_->cancel();
   name_->disarm();
   before_eraser_ = nullptr;
   snap_ = {};
-  tool_ = std::ranges::find(tools_, id, [](const auto& tool) { return tool->id(); })->get();
+  tool_ = toolOf(id);
   tool_->activate();
   onToolChanged();
   Q_EMIT toolChanged(id);
@@ -188,15 +167,10 @@ void MapCanvas::cycleSnapModes() {
   setSnapModes(next.modes());
 }
 
-void MapCanvas::setRecognizing(bool on) { freehand_->setRecognizing(on); }
-
 // --- What is selected
 
 void MapCanvas::deleteSelected() {
-  if (tool_ == select_ && select_->chosenCorner())
-    select_->removeChosenCorner();
-  else
-    document_.removeSelected();
+  if (!tool_->removeChosen()) document_.removeSelected();
 }
 
 void MapCanvas::renameSelected() {
@@ -206,30 +180,9 @@ void MapCanvas::renameSelected() {
   layOut();
 }
 
-bool MapCanvas::canAddCorner() const {
-  const Building* building = onlyBuilding(document_);
-  return (building && !building->fixed) ||
-         (document_.selection() == QStringList{kRouteKey} && document_.map().route.size() > 1);
-}
-
-void MapCanvas::addCorner() {
-  if (!canAddCorner()) return;
-  setTool(ToolId::Select);
-  constexpr double kReachPx = 12.0;
+std::optional<Vec2> MapCanvas::takeMenuPlace() {
   const auto at = std::exchange(menu_at_, std::nullopt);
-  if (at && select_->addCornerAt(toMetres(*at), kReachPx / pixelsPerMetre())) return;
-  if (select_->addCornerBehindChosen()) return;
-  // Otherwise in the middle of the longest wall.
-  const Building* building = onlyBuilding(document_);
-  const CornerLine line =
-      building ? CornerLine{building->footprint(), true} : CornerLine{document_.map().route, false};
-  std::size_t longest = 0;
-  const auto length = [&](std::size_t edge) {
-    return (line.corners[(edge + 1) % line.corners.size()] - line.corners[edge]).norm();
-  };
-  for (std::size_t i = 1; i < line.edgeCount(); ++i)
-    if (length(i) > length(longest)) longest = i;
-  select_->addCornerAt(positionOf(line, {longest, true}), 0.01);
+  return at ? std::optional(toMetres(*at)) : std::nullopt;
 }
 
 Vec2 MapCanvas::pastePosition() const {
@@ -357,6 +310,8 @@ void MapCanvas::setDoubtVisible(bool visible) { doubt_->setVisible(visible); }
 
 void MapCanvas::setUnderlaysVisible(bool visible) { underlays_->setVisible(visible); }
 
+QSize MapCanvas::pictureSize(std::size_t place) const { return underlays_->sizeOf(place); }
+
 /// What is visible, where a painter paints it: here, or in a picture.
 QRectF MapCanvas::deviceArea(const QTransform& to_device) const {
   const QPolygonF shown =
@@ -384,7 +339,8 @@ void MapCanvas::drawForeground(QPainter* painter, const QRectF&) {
   if (drawing_->isVisible()) drawing_->paintLabels(*painter, to_device, visibleMetres());
   ToolPaint canvas{*painter, to_device, *colours_};
   tool_->paint(canvas);
-  if (tool_->snapContext() && (tool_->isBusy() || tool_ == select_)) paintSnap(canvas, snap_);
+  if (tool_->snapContext() && (tool_->isBusy() || tool() == ToolId::Select))
+    paintSnap(canvas, snap_);
   paintScaleBar(*painter, std::hypot(to_device.m11(), to_device.m12()), deviceArea(to_device),
                 *colours_);
   painter->restore();

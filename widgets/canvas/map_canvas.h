@@ -20,11 +20,7 @@ namespace handmap {
 class CanvasChips;
 class DoubtItem;
 class DrawingItem;
-class EraserTool;
-class FreehandTool;
 class NameEditor;
-class PictureTool;
-class SelectTool;
 class UnderlayItem;
 
 /// Heights of the layers in the scene; the overlays of a run lie between drawing and tool.
@@ -41,23 +37,22 @@ class MapCanvas : public QGraphicsView {
   ~MapCanvas() override;
 
   // --- Tools
+  /// Until the first one comes, the canvas only shows.
+  void addTool(std::unique_ptr<Tool> tool);
   ToolId tool() const;
   void setTool(ToolId id);
   QString hint() const;
   Tool& currentTool() { return *tool_; }
-  PictureTool& pictureTool() { return *picture_tool_; }
   void finishTool();
   SnapModes snapModes() const { return snapping_.modes(); }
   void setSnapModes(SnapModes modes);
   void cycleSnapModes();
-  /// Whether the freehand tool guesses what a stroke was meant to be.
-  void setRecognizing(bool on);
 
   // --- What is selected
   void deleteSelected();  ///< the chosen corner, or the objects
   void renameSelected();  ///< in place; nothing where not one building or landmark is selected
-  void addCorner();       ///< where the context menu was opened, or behind the chosen corner
-  bool canAddCorner() const;
+  /// Where the context menu was opened that has just been chosen from; once.
+  std::optional<Vec2> takeMenuPlace();
   /// Where something that is pasted goes: under the pointer, or in the middle of what is shown.
   Vec2 pastePosition() const;
 
@@ -83,6 +78,7 @@ class MapCanvas : public QGraphicsView {
   /// By id: outlines of buildings to write their labels into, in place of the drawn ones.
   void setLabelOutlines(const QHash<QString, QPolygonF>& outlines);
   void setUnderlaysVisible(bool visible);
+  QSize pictureSize(std::size_t place) const;  ///< pixels of the picture underneath
   void setDoubtVisible(bool visible);
 
  Q_SIGNALS:
@@ -93,8 +89,6 @@ class MapCanvas : public QGraphicsView {
   void turned(double turn_rad);
   /// Somebody wants to see another place: by hand, or one object or all of the map.
   void movedByHand();
-  /// Somebody says that the robot is there, at the moment that is shown.
-  void robotPoseGiven(const handmap::Pose2& pose);
   void snapModesChanged();
   /// What it is about is selected.
   void contextMenuRequested(QPoint global);
@@ -121,9 +115,7 @@ class MapCanvas : public QGraphicsView {
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
-  template <typename ToolType, typename... Arguments>
-  ToolType* addTool(Arguments&&... arguments);
-  void makeTools();
+  Tool* toolOf(ToolId id) const;  ///< nullptr: there is none
   void makeOverlays();
   void layOut();  ///< what lies on the canvas
   void applyPalette();
@@ -152,11 +144,7 @@ class MapCanvas : public QGraphicsView {
   DoubtItem* doubt_;
   DrawingItem* drawing_;
   std::vector<std::unique_ptr<Tool>> tools_;
-  Tool* tool_ = nullptr;
-  PictureTool* picture_tool_ = nullptr;
-  SelectTool* select_ = nullptr;
-  FreehandTool* freehand_ = nullptr;
-  EraserTool* eraser_ = nullptr;
+  Tool* tool_;
   Tool* before_eraser_ = nullptr;  ///< while the other end of a pen erases
   CanvasChips* chips_ = nullptr;
   NameEditor* name_ = nullptr;

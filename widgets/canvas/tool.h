@@ -107,6 +107,10 @@ class Tool : public QObject {
   virtual void takeBack() {}
   /// Whether a character is meant for the tool, and no shortcut.
   virtual bool wants(QChar) const { return false; }
+  /// Whether a part of what is selected lies there, a corner say; it is chosen then.
+  virtual bool chooseAt(const ToolEvent&) { return false; }
+  /// Whether a part was chosen: it goes, where what is left may stay.
+  virtual bool removeChosen() { return false; }
   /// Where the keyboard's cursor is, when it is in use.
   virtual std::optional<Vec2> keyboardCursor() const { return std::nullopt; }
   /// Nothing: the pointer is only rounded.

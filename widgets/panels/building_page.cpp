@@ -7,7 +7,7 @@
 
 #include "core/map/map_flags.h"
 #include "core/map/map_limits.h"
-#include "widgets/canvas/tools/building_handles.h"
+#include "widgets/canvas/building_handles.h"
 #include "widgets/panels/sure_box.h"
 #include "widgets/panels/vertex_table.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/map/map_flags.h"
 #include "core/map/map_limits.h"
-#include "widgets/pictures/picture_tool.h"
+#include "widgets/tools/picture_tool.h"
 
 namespace handmap {
 

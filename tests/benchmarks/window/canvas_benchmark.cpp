@@ -10,6 +10,7 @@
 
 #include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/tools/toolbox.h"
 
 namespace handmap {
 namespace {
@@ -68,6 +69,7 @@ class Scene {
  private:
   MapDocument document_;
   MapCanvas canvas_{document_};
+  Toolbox tools_{document_, canvas_};
   QImage frame_;
   Vec2 middle_;
 };

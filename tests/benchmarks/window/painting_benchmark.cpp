@@ -10,8 +10,8 @@
 #include "core/map/certainty.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
-#include "widgets/run/path_item.h"
-#include "widgets/run/run_overlays.h"
+#include "widgets/run/overlays/path_item.h"
+#include "widgets/run/overlays/run_overlays.h"
 
 namespace handmap {
 namespace {

@@ -16,15 +16,15 @@
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
-#include "app/gui/application.h"
-#include "app/gui/main_window.h"
-#include "app/gui/run_actions.h"
+#include "app/gui/run/run_actions.h"
+#include "app/gui/window/application.h"
+#include "app/gui/window/main_window.h"
 #include "core/session/run_history.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/canvas/map_canvas.h"
-#include "widgets/run/run_mailbox.h"
-#include "widgets/run/run_overlays.h"
-#include "widgets/run/transport_bar.h"
+#include "widgets/run/overlays/run_overlays.h"
+#include "widgets/run/panels/transport_bar.h"
+#include "widgets/run/worker/run_mailbox.h"
 
 namespace handmap {
 namespace {

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
-#include "widgets/run/change_series.h"
-#include "widgets/run/charts_panel.h"
-#include "widgets/run/frame_budget.h"
-#include "widgets/run/plot.h"
+#include "widgets/run/panels/change_series.h"
+#include "widgets/run/panels/charts_panel.h"
+#include "widgets/run/panels/frame_budget.h"
+#include "widgets/run/panels/plot.h"
 
 namespace handmap {
 namespace {

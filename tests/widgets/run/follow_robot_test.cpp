@@ -1,4 +1,4 @@
-#include "widgets/run/follow_robot.h"
+#include "widgets/run/overlays/follow_robot.h"
 
 #include <QLabel>
 
@@ -7,7 +7,7 @@
 
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
-#include "widgets/run/run_strip.h"
+#include "widgets/run/overlays/run_strip.h"
 
 namespace handmap {
 namespace {

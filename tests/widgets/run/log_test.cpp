@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "widgets/run/log_panel.h"
+#include "widgets/run/panels/log_panel.h"
 
 namespace handmap {
 namespace {

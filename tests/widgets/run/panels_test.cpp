@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
-#include "widgets/run/buildings_panel.h"
-#include "widgets/run/camera_panel.h"
-#include "widgets/run/charts_panel.h"
-#include "widgets/run/layers_panel.h"
-#include "widgets/run/run_setup_panel.h"
-#include "widgets/run/timeline.h"
-#include "widgets/run/transport_bar.h"
+#include "widgets/run/panels/buildings_panel.h"
+#include "widgets/run/panels/camera_panel.h"
+#include "widgets/run/panels/charts_panel.h"
+#include "widgets/run/panels/layers_panel.h"
+#include "widgets/run/panels/run_setup_panel.h"
+#include "widgets/run/panels/timeline.h"
+#include "widgets/run/panels/transport_bar.h"
 
 namespace handmap {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "widgets/run/phase_stepper.h"
-#include "widgets/run/phase_words.h"
+#include "widgets/run/words/phase_words.h"
+#include "widgets/run/worker/phase_stepper.h"
 
 namespace handmap {
 namespace {

@@ -1,11 +1,11 @@
-#include "widgets/run/playback.h"
+#include "widgets/run/worker/playback.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <gtest/gtest.h>
 
-#include "widgets/run/timeline.h"
+#include "widgets/run/panels/timeline.h"
 
 namespace handmap {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/run/report_series.h"
+#include "widgets/run/panels/report_series.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/run/run_mailbox.h"
+#include "widgets/run/worker/run_mailbox.h"
 
 #include <QCoreApplication>
 #include <QTest>

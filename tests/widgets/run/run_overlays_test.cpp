@@ -1,4 +1,4 @@
-#include "widgets/run/run_overlays.h"
+#include "widgets/run/overlays/run_overlays.h"
 
 #include <QGraphicsScene>
 #include <QPainter>
@@ -7,7 +7,7 @@
 
 #include "core/map/certainty.h"
 #include "core/session/tape.h"
-#include "widgets/run/particles_item.h"
+#include "widgets/run/overlays/particles_item.h"
 
 namespace handmap {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/run/run_worker.h"
+#include "widgets/run/worker/run_worker.h"
 
 #include <QStringList>
 #include <QTest>
@@ -76,7 +76,7 @@ class Heard {
     QObject::connect(worker, &RunWorker::frameSkipped, worker, note("skipped"));
     QObject::connect(worker, &RunWorker::finished, worker,
                      [this](bool cancelled) { events_ << (cancelled ? "cancelled" : "finished"); });
-    QObject::connect(worker, &RunWorker::failed, worker, [this](const RunFailure& failure) {
+    QObject::connect(worker, &RunWorker::failed, worker, [this](const Failure& failure) {
       failure_ = failure;
       events_ << "failed";
     });
@@ -89,7 +89,7 @@ class Heard {
   RunWorker& worker() { return *worker_; }
   void destroyWorker() { worker_.reset(); }
   const QStringList& events() const { return events_; }
-  const RunFailure& failure() const { return failure_; }
+  const Failure& failure() const { return failure_; }
   int reports() const { return reports_; }
   bool wait(const QString& event) {
     return QTest::qWaitFor([&] { return !events_.isEmpty() && events_.back() == event; },
@@ -102,7 +102,7 @@ class Heard {
  private:
   std::unique_ptr<RunWorker> worker_;
   QStringList events_;
-  RunFailure failure_;
+  Failure failure_;
   int progressed_ = 0;
   int reports_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "widgets/run/wall_bands.h"
+#include "widgets/run/overlays/wall_bands.h"
 
 #include <gtest/gtest.h>
 

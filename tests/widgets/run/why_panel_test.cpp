@@ -1,4 +1,4 @@
-#include "widgets/run/why_panel.h"
+#include "widgets/run/panels/why_panel.h"
 
 #include <QComboBox>
 #include <QTableWidget>

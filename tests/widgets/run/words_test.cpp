@@ -1,4 +1,4 @@
-#include "widgets/run/words.h"
+#include "widgets/run/words/words.h"
 
 #include <gtest/gtest.h>
 

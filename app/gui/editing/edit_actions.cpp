@@ -1,0 +1,202 @@
+#include "app/gui/editing/edit_actions.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QSettings>
+#include <algorithm>
+
+#include "app/gui/shell/message_bar.h"
+#include "core/base/error.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/editing/arranging.h"
+#include "widgets/editing/clipboard.h"
+#include "widgets/tools/toolbox.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr auto kRecognizeKey = "draw/recognize";
+constexpr auto kSnapGridKey = "draw/snap_grid";
+constexpr auto kSnapObjectsKey = "draw/snap_objects";
+constexpr double kDuplicatePx = 24.0;  // so far from the original
+
+}  // namespace
+
+EditActions::EditActions(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
+  QUndoStack& undo = parts_.document.undoStack();
+  const ActionSet& actions = parts_.actions;
+  actions.on("edit.undo", &undo, [&undo] { undo.undo(); });
+  actions.on("edit.redo", &undo, [&undo] { undo.redo(); });
+  actions.on("edit.delete", this, [this] { parts_.canvas.deleteSelected(); });
+  actions.on("edit.select_all", this, [this] { parts_.document.selectAll(); });
+  actions.on("edit.rename", this, [this] { parts_.canvas.renameSelected(); });
+  actions.on("edit.add_corner", this, [this] { parts_.tools.addCorner(); });
+  connectClipboard();
+  connectArranging();
+  connectSnapping();
+  connect(&undo, &QUndoStack::indexChanged, this, &EditActions::updateEnabled);
+  connect(&parts_.document, &MapDocument::selectionChanged, this, &EditActions::updateEnabled);
+  connect(&parts_.canvas, &MapCanvas::contextMenuRequested, this, &EditActions::showMenu);
+  updateEnabled();
+}
+
+void EditActions::connectClipboard() {
+  const ActionSet& actions = parts_.actions;
+  actions.on("edit.copy", this, [this] { copy(); });
+  actions.on("edit.cut", this, [this] {
+    copy();
+    parts_.document.removeSelected();
+  });
+  actions.on("edit.paste", this, [this] { paste(); });
+  actions.on("edit.duplicate", this, [this] { duplicate(); });
+}
+
+void EditActions::connectArranging() {
+  arrangeBy("arrange.lock", lockToggled);
+  arrangeBy("arrange.square",
+            [](const Map& map, const QStringList& keys) { return squaredUp(map, keys); });
+  arrangeBy("arrange.parallel", madeParallel);
+  arrangeBy("arrange.polygon", asPolygons);
+  static constexpr std::pair<const char*, Alignment> kAlignments[] = {
+      {"arrange.left", Alignment::Left},        {"arrange.right", Alignment::Right},
+      {"arrange.top", Alignment::Top},          {"arrange.bottom", Alignment::Bottom},
+      {"arrange.centre_x", Alignment::CentreX}, {"arrange.centre_y", Alignment::CentreY}};
+  for (const auto& [id, alignment] : kAlignments)
+    arrangeBy(id, [alignment = alignment](const Map& map, const QStringList& keys) {
+      return aligned(map, keys, alignment);
+    });
+  for (const auto& [id, along] :
+       {std::pair("arrange.distribute_x", Along::X), std::pair("arrange.distribute_y", Along::Y)})
+    arrangeBy(id, [along = along](const Map& map, const QStringList& keys) {
+      return distributed(map, keys, along);
+    });
+}
+
+void EditActions::arrangeBy(const char* id, Arranging arranging) {
+  QAction& action = parts_.actions[QLatin1String(id)];
+  connect(&action, &QAction::triggered, this, [this, &action, arranging = std::move(arranging)] {
+    MapDocument& document = parts_.document;
+    document.apply(arranging(document.map(), document.selection()), action.text().remove(u'&'));
+  });
+}
+
+void EditActions::connectSnapping() {
+  const ActionSet& actions = parts_.actions;
+  MapCanvas& canvas = parts_.canvas;
+  QSettings& settings = parts_.settings;
+  const auto show = [this] {
+    const SnapModes modes = parts_.canvas.snapModes();
+    parts_.actions["view.snap"].setChecked(modes.grid);
+    parts_.actions["view.snap_objects"].setChecked(modes.objects);
+    parts_.settings.setValue(kSnapGridKey, modes.grid);
+    parts_.settings.setValue(kSnapObjectsKey, modes.objects);
+  };
+  canvas.setSnapModes({settings.value(kSnapGridKey, false).toBool(),
+                       settings.value(kSnapObjectsKey, true).toBool()});
+  show();
+  connect(&canvas, &MapCanvas::snapModesChanged, this, show);
+  actions.on("view.snap", this, [&canvas](bool on) {
+    canvas.setSnapModes({on, canvas.snapModes().objects});
+  });
+  actions.on("view.snap_objects", this, [&canvas](bool on) {
+    canvas.setSnapModes({canvas.snapModes().grid, on});
+  });
+  actions.on("view.snap_next", this, [&canvas] { canvas.cycleSnapModes(); });
+
+  const bool recognizing = settings.value(kRecognizeKey, true).toBool();
+  parts_.tools.setRecognizing(recognizing);
+  actions["draw.recognize"].setChecked(recognizing);
+  actions.on("draw.recognize", this, [this, &settings](bool on) {
+    parts_.tools.setRecognizing(on);
+    settings.setValue(kRecognizeKey, on);
+  });
+}
+
+void EditActions::copy() {
+  const MapDocument& document = parts_.document;
+  if (document.selection().isEmpty()) return;
+  QGuiApplication::clipboard()->setMimeData(
+      clipboardData(document.map(), document.selection()).release());
+}
+
+void EditActions::paste() {
+  const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+  if (!data || !mayHoldObjects(*data)) {
+    parts_.messages.show(MessageBar::Kind::Warning,
+                         tr("There is nothing on the clipboard to paste"));
+    return;
+  }
+  try {
+    insert(centredAt(objectsOf(*data), parts_.canvas.pastePosition()), tr("Paste"));
+  } catch (const Error& error) {
+    parts_.messages.show(MessageBar::Kind::Warning, tr("The clipboard holds no part of a drawing"),
+                         QString::fromUtf8(error.what()));
+  }
+}
+
+void EditActions::duplicate() {
+  const MapDocument& document = parts_.document;
+  const double away = roundedTo({kDuplicatePx / parts_.canvas.pixelsPerMetre(), 0.0}, 0.1).x();
+  MapChange objects = selected(document.map(), document.selection());
+  insert(moved(std::move(objects), {away, -away}), tr("Duplicate"));
+}
+
+void EditActions::insert(MapChange objects, const QString& text) {
+  MapDocument& document = parts_.document;
+  const QStringList keys = document.add(copiesFor(document.map(), std::move(objects)), text);
+  if (!keys.isEmpty()) document.setSelection(keys);
+}
+
+void EditActions::updateEnabled() {
+  const MapDocument& document = parts_.document;
+  const ActionSet& actions = parts_.actions;
+  const QStringList keys = document.selection();
+  QUndoStack& undo = parts_.document.undoStack();
+  actions.setEnabled({"edit.undo"}, undo.canUndo(), tr("nothing has been changed"));
+  actions.setEnabled({"edit.redo"}, undo.canRedo(), tr("nothing has been taken back"));
+  const QString nothing = tr("nothing is selected");
+  actions.setEnabled({"edit.delete", "edit.cut", "edit.copy", "edit.duplicate"}, !keys.isEmpty(),
+                     nothing);
+  const auto objects = std::ranges::count_if(keys, [](const QString& key) {
+    return key != kStartKey && key != kRouteKey && !pictureIndex(key);
+  });
+  actions.setEnabled({"edit.rename"}, objects == 1 && keys.size() == 1,
+                     tr("not one building or landmark is selected"));
+  actions.setEnabled({"edit.add_corner"}, parts_.tools.canAddCorner(),
+                     tr("no building that is not locked, and no route, is selected"));
+  actions.setEnabled({"arrange.lock", "arrange.square", "arrange.parallel", "arrange.polygon"},
+                     objects > 0, nothing);
+  actions.setEnabled({"arrange.left", "arrange.right", "arrange.top", "arrange.bottom",
+                      "arrange.centre_x", "arrange.centre_y"},
+                     objects > 1, tr("fewer than two buildings or landmarks are selected"));
+  actions.setEnabled({"arrange.distribute_x", "arrange.distribute_y"}, objects > 2,
+                     tr("fewer than three buildings or landmarks are selected"));
+}
+
+void EditActions::addEnabled(QMenu& menu, std::initializer_list<const char*> ids) const {
+  menu.addSeparator();
+  for (const char* id : ids) {
+    QAction& action = parts_.actions[QLatin1String(id)];
+    if (action.isEnabled()) menu.addAction(&action);
+  }
+}
+
+void EditActions::showMenu(QPoint global) {
+  auto* menu = new QMenu(&parts_.canvas);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setObjectName("canvas_menu");
+  addEnabled(*menu, {"edit.rename", "edit.add_corner", "edit.delete"});
+  addEnabled(*menu, {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate"});
+  addEnabled(*menu, {"arrange.lock", "arrange.square", "arrange.parallel", "arrange.polygon"});
+  addEnabled(*menu,
+             {"arrange.left", "arrange.right", "arrange.top", "arrange.bottom", "arrange.centre_x",
+              "arrange.centre_y", "arrange.distribute_x", "arrange.distribute_y"});
+  if (parts_.document.selection().isEmpty())
+    addEnabled(*menu, {"edit.select_all", "view.zoom_fit", "view.grid", "view.snap_next"});
+  menu->popup(global);
+}
+
+}  // namespace handmap

@@ -1,0 +1,51 @@
+// What the Edit and Arrange menus and the context menu of the canvas do to the drawing.
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "widgets/document/map_change.h"
+
+class QMenu;
+class QSettings;
+
+namespace handmap {
+
+class ActionSet;
+class MapCanvas;
+class MapDocument;
+class MessageBar;
+class Toolbox;
+
+class EditActions : public QObject {
+  Q_OBJECT
+ public:
+  struct Parts {
+    MapDocument& document;
+    MapCanvas& canvas;
+    Toolbox& tools;
+    const ActionSet& actions;
+    MessageBar& messages;
+    QSettings& settings;
+  };
+  explicit EditActions(const Parts& parts, QObject* parent = nullptr);
+
+ private:
+  using Arranging = std::function<MapChange(const Map&, const QStringList&)>;
+
+  void connectClipboard();
+  void connectArranging();
+  void connectSnapping();
+  void arrangeBy(const char* id, Arranging arranging);
+  void copy();
+  void paste();
+  void duplicate();
+  void insert(MapChange objects, const QString& text);
+  void updateEnabled();
+  void showMenu(QPoint global);
+  void addEnabled(QMenu& menu, std::initializer_list<const char*> ids) const;
+
+  Parts parts_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,106 @@
+#include "app/gui/files/recovery_offer.h"
+
+#include <QFileInfo>
+#include <QLocale>
+#include <QWidget>
+#include <algorithm>
+
+#include "app/gui/shell/message_bar.h"
+#include "core/base/error.h"
+#include "widgets/canvas/map_picture.h"
+#include "widgets/style/colours.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr QSize kPictureSize(120, 80);
+constexpr auto kRecoveryOfferTopic = "recovery";
+
+QString counted(qsizetype count, const QString& one, const QString& many) {
+  return count == 1 ? one : many.arg(count);
+}
+
+QString contentsOf(const UnsavedWork& work) {
+  QString text = counted(static_cast<qsizetype>(work.map.buildings.size()),
+                         QObject::tr("1 building"), QObject::tr("%1 buildings"));
+  if (!work.teaching.isEmpty()) {
+    text += QStringLiteral(", ") + counted(static_cast<qsizetype>(work.teaching.images.size()),
+                                           QObject::tr("1 taught image"),
+                                           QObject::tr("%1 taught images"));
+  }
+  const QString when =
+      QLocale().toString(work.written.toLocalTime(), QStringLiteral("d MMMM yyyy, HH:mm"));
+  return QObject::tr("%1, %2").arg(text, when) +
+         (work.project.isEmpty() ? QString() : QLatin1Char('\n') + work.project);
+}
+
+}  // namespace
+
+RecoveryOffer::RecoveryOffer(const Parts& parts, QObject* parent)
+    : QObject(parent), parts_(parts) {}
+
+void RecoveryOffer::look() {
+  if (!waiting_.empty()) return;
+  waiting_ = parts_.recovery.takeLeftBehind();
+  std::ranges::sort(waiting_, {},
+                    [](const LeftBehind& left) { return QFileInfo(left.file).lastModified(); });
+  offerNext();
+}
+
+void RecoveryOffer::offerNext() {
+  if (waiting_.empty()) return;
+  const LeftBehind& left = waiting_.back();
+  try {
+    offer(left, readWork(left.file));
+  } catch (const std::exception& error) {
+    tellUnreadable(left, QString::fromUtf8(error.what()));
+  }
+}
+
+void RecoveryOffer::answered() {
+  waiting_.pop_back();
+  offerNext();
+}
+
+void RecoveryOffer::offer(const LeftBehind& left, const UnsavedWork& work) {
+  Message& message = parts_.messages.ask(
+      tr("An earlier session ended with unsaved changes to “%1”.").arg(work.name()),
+      contentsOf(work), kRecoveryOfferTopic);
+  const qreal ratio = parts_.window.devicePixelRatioF();
+  QImage picture = pictureOf(work.map, kPictureSize * ratio, Colours::of(parts_.window.palette()));
+  picture.setDevicePixelRatio(ratio);
+  message.setPicture(picture);
+  message.addAction(tr("Re&cover"), [this, left, work] { recover(left, work); });
+  message.addAction(tr("Disc&ard"), [this, left] {
+    parts_.recovery.forget(left);
+    answered();
+  });
+  connect(&message, &Message::putOff, this, &RecoveryOffer::answered);
+}
+
+void RecoveryOffer::tellUnreadable(const LeftBehind& left, const QString& problem) {
+  Message& message =
+      parts_.messages.ask(tr("What an earlier session left behind cannot be read: %1").arg(problem),
+                          tr("Closing this message keeps the file."), kRecoveryOfferTopic);
+  message.addAction(tr("Delete the file"), [this, left] {
+    parts_.recovery.forget(left);
+    answered();
+  });
+  connect(&message, &Message::putOff, this, &RecoveryOffer::answered);
+}
+
+void RecoveryOffer::recover(const LeftBehind& left, const UnsavedWork& work) {
+  if (!parts_.may_leave()) return offerNext();
+  try {
+    parts_.recovery.recover(left, work);
+  } catch (const Error& error) {
+    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
+                         QString::fromStdString(error.hint()));
+    return offerNext();
+  }
+  Q_EMIT recovered(!work.teaching.isEmpty());
+  answered();
+}
+
+}  // namespace handmap

@@ -1,0 +1,42 @@
+// A live robot as any other robot of the window.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "app/gui/run/robot.h"
+#include "drivers/live/live_source.h"
+#include "drivers/onlookers/onlookers.h"
+#include "drivers/virtual/virtual_rig_kind.h"
+
+namespace handmap {
+
+/// The way from the window to the rig of the latest run, and from that run to whoever looks on.
+class LiveLink {
+ public:
+  explicit LiveLink(Rig rig) : rig_(std::move(rig)) {}
+  ~LiveLink();
+  LiveLink(const LiveLink&) = delete;
+  LiveLink& operator=(const LiveLink&) = delete;
+
+  /// A new drive, before its run begins.
+  void begin();
+  /// nullptr before the first drive. From any thread.
+  std::shared_ptr<RigMonitor> monitor() const;
+  void tell(const std::shared_ptr<const Snapshot>& snapshot);
+
+ private:
+  void endTelling();
+
+  const Rig rig_;
+  mutable std::mutex mutex_;
+  std::shared_ptr<RigMonitor> monitor_;
+  std::shared_ptr<Onlookers> onlookers_;  ///< until the next drive: what was found stays to be seen
+};
+
+Robot liveRobot(const Rig& rig, MakeDevices make);
+/// A laser, or a stereo camera that looks around at each stop, on a simulated robot that drives
+/// through `world` in real time.
+Robot virtualRobot(World world, std::uint64_t seed, VirtualRigKind kind);
+
+}  // namespace handmap

@@ -1,0 +1,118 @@
+#include "app/gui/run/playback_actions.h"
+
+#include <algorithm>
+
+#include "app/gui/run/run_controller.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/run/panels/timeline.h"
+#include "widgets/run/panels/transport_bar.h"
+
+namespace handmap {
+
+PlaybackActions::PlaybackActions(const Parts& parts, QObject* parent)
+    : QObject(parent), parts_(parts) {
+  const ActionSet& actions = parts_.actions;
+  Timeline& timeline = parts_.transport.timeline();
+  actions.on("run.back", this, [this] {
+    if (!parts_.run.live()) parts_.run.pause();
+    playback_.stepBack();
+  });
+  actions.on("run.newest", this, [this] { playback_.toNewest(); });
+  actions.on("run.bookmark", this, [this, &timeline] {
+    timeline.toggleBookmark(playback_.index());
+    updateActions();
+  });
+  actions.on("run.next_bookmark", this, [this, &timeline] {
+    if (const auto next = timeline.nextBookmark()) seek(*next);
+  });
+  connect(&timeline, &Timeline::seekWanted, this, &PlaybackActions::seek);
+  connect(&timeline, &Timeline::loopWanted, this, [this](std::optional<PlayRange> loop) {
+    playback_.setLoop(loop);
+    if (loop) seek(loop->first);
+  });
+  connect(&parts_.transport, &TransportBar::speedChanged, &playback_, &Playback::setSpeed);
+  connect(&playback_, &Playback::changed, this, &PlaybackActions::updateActions);
+  playback_.setSpeed(parts_.transport.speed());
+}
+
+void PlaybackActions::begin() {
+  last_report_.reset();
+  usual_step_s_ = 0.0;
+  done_ = 0;
+  parts_.transport.clearProgress();
+  playback_.setHistory(parts_.run.history());  // updates the actions
+}
+
+void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, int count) {
+  int index = done - static_cast<int>(reports.size());
+  for (const FrameReport& report : reports) markGap(report, ++index);
+  const bool first = done_ == 0;
+  done_ = done;
+  parts_.transport.setExtent(done, count);
+  if (first) updateActions();
+}
+
+/// What lasts long, or goes back, by the clock of the recording.
+void PlaybackActions::markGap(const FrameReport& report, int index) {
+  constexpr double kLong = 5.0;   // times the usual
+  constexpr double kShare = 0.1;  // of the newest step in the usual one
+  Timeline& timeline = parts_.transport.timeline();
+  if (report.odometry_guessed) {
+    timeline.addMark(index, TimelineMark::Guessed, tr("Motion guessed at %1").arg(report.time_s));
+  }
+  if (last_report_) {
+    const double step_s = report.time_s - last_report_->time_s;
+    if (step_s < 0.0 || (usual_step_s_ > 0.0 && step_s > kLong * usual_step_s_)) {
+      const QString text = step_s < 0.0 ? tr("The clock went back by %1 s").arg(-step_s, 0, 'f', 1)
+                                        : tr("Nothing came for %1 s").arg(step_s, 0, 'f', 1);
+      timeline.addMark(index, TimelineMark::Gap, text);
+      Q_EMIT noted(report.time_s, text);
+    } else {
+      usual_step_s_ += (usual_step_s_ > 0.0 ? kShare : 1.0) * (step_s - usual_step_s_);
+    }
+  }
+  last_report_ = report;
+}
+
+void PlaybackActions::onSkipped(int frame, const QString& reason) {
+  parts_.transport.timeline().addMark(done_ + 1, TimelineMark::Skipped,
+                                      tr("Frame %1 was skipped: %2").arg(frame).arg(reason));
+}
+
+void PlaybackActions::showGiven(const std::vector<StampedPose>& given) {
+  Timeline& timeline = parts_.transport.timeline();
+  timeline.removeMarks(TimelineMark::Given);
+  if (playback_.history() == nullptr) return;
+  for (const StampedPose& pose : given) {
+    timeline.addMark(playback_.history()->indexAt(pose.time_s), TimelineMark::Given,
+                     tr("You said where the robot was"));
+  }
+}
+
+void PlaybackActions::seek(int index) {
+  const RunState state = parts_.run.state();
+  const bool may_wait = !parts_.run.live();
+  if (index > done_) {
+    playback_.toNewest();
+    if (may_wait && (state == RunState::Running || state == RunState::Paused)) {
+      parts_.run.runUntil(index);
+    }
+    return;
+  }
+  if (may_wait) parts_.run.pause();
+  playback_.seek(index);
+}
+
+void PlaybackActions::seekTime(double time_s) {
+  if (playback_.history() != nullptr) seek(playback_.history()->indexAt(time_s));
+}
+
+void PlaybackActions::updateActions() {
+  const bool has_past = done_ > 0;
+  parts_.actions.setEnabled({"run.back", "run.bookmark"}, has_past);
+  parts_.actions.setEnabled({"run.newest"}, has_past && !playback_.atNewest());
+  parts_.actions.setEnabled({"run.next_bookmark"},
+                            parts_.transport.timeline().nextBookmark().has_value());
+}
+
+}  // namespace handmap

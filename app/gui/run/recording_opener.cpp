@@ -1,0 +1,76 @@
+#include "app/gui/run/recording_opener.h"
+
+#include "app/gui/run/demonstration.h"
+
+namespace handmap {
+
+namespace {
+
+template <typename Answer>
+Answer answerOf(const std::function<Answer()>& open) {
+  try {
+    return open();
+  } catch (const Error& error) {
+    return failureOf(error);
+  } catch (const std::exception& error) {
+    return Failure{ErrorCode::RunFailed, QString::fromUtf8(error.what()), {}};
+  }
+}
+
+}  // namespace
+
+RecordingOpener::RecordingOpener(QObject* parent)
+    : QObject(parent), self_(std::make_shared<Lifeline<RecordingOpener>>(*this)) {}
+
+RecordingOpener::~RecordingOpener() {
+  self_->cut();
+  stop_.request_stop();
+}
+
+void RecordingOpener::forget() {
+  ++request_;
+  simulates_ = false;
+  stop_.request_stop();
+  stop_ = {};
+}
+
+void RecordingOpener::forgetSimulation() {
+  if (simulates_) forget();
+}
+
+void RecordingOpener::begin(std::function<Answer()> open) {
+  startInBackground([self = self_, request = request_, open = std::move(open)] {
+    self->post([request, answer = answerOf(open)](RecordingOpener& opener) {
+      if (request != opener.request_) return;
+      if (const auto* opened = std::get_if<Opened>(&answer)) {
+        Q_EMIT opener.opened(opened->recording, opened->acts);
+      } else if (const auto* poses = std::get_if<Poses>(&answer)) {
+        Q_EMIT opener.posesOpened(*poses);
+      } else if (const auto* robot = std::get_if<Robot>(&answer)) {
+        Q_EMIT opener.simulated(*robot);
+      } else {
+        Q_EMIT opener.failed(std::get<Failure>(answer));
+      }
+    });
+  });
+}
+
+void RecordingOpener::open(const QString& folder) {
+  forget();
+  begin([stop = stop_.get_token(), path = std::filesystem::path(folder.toStdString())]() -> Answer {
+    return Opened{std::make_shared<const Recording>(openRecording(path, stop)), readActs(path)};
+  });
+}
+
+void RecordingOpener::openPoses(const QString& tum_file) {
+  forget();
+  begin([path = tum_file.toStdString()]() -> Answer { return readTum(path).poses(); });
+}
+
+void RecordingOpener::simulate(const Map& drawing, std::uint64_t seed) {
+  forget();
+  simulates_ = true;
+  begin([drawing, seed]() -> Answer { return simulationOfDrawing(drawing, seed); });
+}
+
+}  // namespace handmap

@@ -1,0 +1,75 @@
+// Changing the past of a run: another drawing, a pose that is given, a building that is right or
+// not there. The run is done again from what was perceived; the person takes what comes of it, or
+// keeps what is.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "app/gui/run/act_recorder.h"
+#include "core/recording/trajectory.h"
+#include "core/session/snapshot.h"
+#include "widgets/background/time_left.h"
+#include "widgets/run/worker/run_worker.h"
+
+class QGraphicsScene;
+
+namespace handmap {
+
+class ActionSet;
+class MapCanvas;
+class MapDocument;
+class MessageBar;
+class PathItem;
+class PlaybackActions;
+class RunController;
+class Toolbox;
+
+/// How the results of two runs over the same observations differ, in plain words.
+QString differenceInWords(const Snapshot& before, const Snapshot& after);
+
+class RevisionActions : public QObject {
+  Q_OBJECT
+  Q_DISABLE_COPY(RevisionActions)
+ public:
+  /// All of it must outlive this object.
+  struct Parts {
+    MapDocument& document;
+    RunController& run;
+    ActionSet& actions;
+    MessageBar& messages;
+    MapCanvas& canvas;
+    Toolbox& tools;
+    PlaybackActions& past;
+  };
+  explicit RevisionActions(const Parts& parts);
+  ~RevisionActions() override;
+
+  void updateActions();
+  /// In place of those that were given.
+  void takePoses(const std::vector<StampedPose>& poses);
+
+ private:
+  enum class Then { Ask, Take };
+
+  /// With the drawing as it is now.
+  void revise(const std::vector<StampedPose>& given, Then then, const QString& text);
+  void give(const Pose2& pose);
+  /// Beside the recording of a live drive, where there is one.
+  void keep(const Act& act);
+  double shownTime() const;
+  void setRight();
+  void removeNotThere();
+  void onReady();
+  void forget();
+
+  Parts parts_;
+  std::unique_ptr<PathItem> outcome_;  ///< of a revision that is not taken yet
+  Then then_ = Then::Ask;
+  QString text_;
+  TimeLeft left_;
+  ActRecorder recorder_;
+};
+
+}  // namespace handmap

@@ -1,0 +1,82 @@
+#include "app/gui/run/run_log.h"
+
+#include <cmath>
+
+namespace handmap {
+
+RunLog::RunLog(RunController& run, LogModel& log, QObject* parent)
+    : QObject(parent), run_(run), log_(log) {
+  connect(&run, &RunController::sourceOpened, this,
+          [this](const std::shared_ptr<const SourceInfo>& source) { begin(*source); });
+  connect(&run, &RunController::newsArrived, this, [this](const RunNews& news) {
+    for (const FrameReport& report : news.reports) look(report);
+  });
+  connect(&run, &RunController::frameSkipped, this, [this](int frame, const QString& reason) {
+    add(LogKind::Warning, tr("Frame %1 was skipped: %2").arg(frame).arg(reason));
+  });
+  connect(&run, &RunController::stateChanged, this, [this](RunState state) {
+    if (state == RunState::Paused) add(LogKind::Note, tr("Paused"));
+  });
+  connect(&run, &RunController::finished, this, &RunLog::finish);
+  connect(&run, &RunController::failed, this, [this](const Failure& failure) {
+    add(LogKind::Problem,
+        failure.hint.isEmpty() ? failure.message : tr("%1 %2").arg(failure.message, failure.hint));
+  });
+}
+
+void RunLog::add(LogKind kind, const QString& text, const QString& building) {
+  log_.add({time_s_, kind, text, building});
+}
+
+void RunLog::begin(const SourceInfo& source) {
+  time_s_.reset();
+  certainty_.reset();
+  guessed_ = false;
+  loops_ = 0;
+  add(LogKind::Note, tr("The run begins: %1, %n building(s) drawn", nullptr,
+                        static_cast<int>(run_.drawing().buildings.size()))
+                         .arg(QString::fromStdString(source.name)));
+}
+
+void RunLog::look(const FrameReport& report) {
+  time_s_ = report.time_s;
+  if (report.odometry_guessed != guessed_) {
+    guessed_ = report.odometry_guessed;
+    add(LogKind::Warning, guessed_
+                              ? tr("Nothing tells the motion: the one before is taken to go on")
+                              : tr("The motion is told again"));
+  }
+  if (report.loops > loops_) {
+    add(LogKind::Note, tr("A loop was closed; %n so far", nullptr, report.loops));
+  }
+  loops_ = report.loops;
+  const Certainty now = certaintyOf(report).kind;
+  if (certainty_ == now) return;
+  const bool lost = now == Certainty::Lost;
+  const bool was_lost = certainty_ == Certainty::Lost;
+  certainty_ = now;
+  if (lost || was_lost) {
+    add(lost ? LogKind::Warning : LogKind::Note, Words::certainty(report));
+  }
+}
+
+void RunLog::finish(bool cancelled) {
+  add(LogKind::Note, cancelled ? tr("The run was stopped") : tr("The run is done"));
+  const auto result = run_.result();
+  if (!result) return;
+  const MapChanges changes = changesOf(run_.drawing(), result->map());
+  add(LogKind::Note, Words::changes(changes, run_.drawing()));
+  for (const BuildingChange& change : changes.doubtful) {
+    const Building& building = run_.drawing().buildings[change.building];
+    add(LogKind::Warning,
+        tr("%1 is doubtful: %2 % that it is another building, or is not there")
+            .arg(Words::nameOf(building))
+            .arg(std::lround(100.0 * change.doubt)),
+        QString::fromStdString(building.id));
+  }
+  for (const RunWarning& warning : result->warnings) {
+    add(LogKind::Warning, QString::fromStdString(warning.message));
+  }
+}
+
+}  // namespace handmap

@@ -1,0 +1,117 @@
+// The window: one canvas for drawing and for watching, tools on the left, docks on the right, the
+// transport below. It only puts the parts together.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/gui/run/run_controller.h"
+#include "app/gui/shell/dialogs.h"
+#include "core/map/issues.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/document/map_document.h"
+#include "widgets/run/overlays/layers.h"
+
+class QLabel;
+class QSettings;
+class QToolBar;
+
+namespace handmap {
+
+class Comfort;
+class Docks;
+class EditActions;
+class FileActions;
+class MapCanvas;
+class MapModel;
+class MessageBar;
+class PictureActions;
+class Recovery;
+class RecoveryOffer;
+class RevisionActions;
+class RigActions;
+class RunActions;
+class RunOverlays;
+class RunViews;
+class TemplateMenu;
+class Toolbox;
+class TransportBar;
+class WelcomeStrip;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+  Q_DISABLE_COPY(MainWindow)
+ public:
+  /// Both must outlive the window. Without dialogs: the system's.
+  MainWindow(MapDocument& document, QSettings& settings,
+             std::unique_ptr<Dialogs> dialogs = nullptr);
+  ~MainWindow() override;
+
+  MapDocument& document() { return document_; }
+  MapCanvas& canvas() { return *canvas_; }
+  Toolbox& tools() { return *tools_; }
+  RunController& run() { return run_; }
+  FileActions& files() { return *files_; }
+  RunActions& runs() { return *runs_; }
+  RigActions& rigs() { return *rigs_; }
+  Docks& docks() { return *docks_; }
+  RunViews& views() { return *views_; }
+  TransportBar& transport() { return *transport_; }
+  MessageBar& messages() { return *messages_; }
+
+  /// Says so if earlier sessions have left unsaved work behind.
+  void offerRecovery();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QWidget* makeCentre();
+  void makeBars();
+  QToolBar* makeTransport();
+  void makeStatusBar();
+  void connectEditing();
+  void connectView();
+  void connectWelcome();
+  void connectRecovery();
+  void showIssue(const Issue& issue);
+  void setLayer(Layer layer, bool on);
+  void updateTitle();
+  void restoreState();
+  void saveState();
+
+  MapDocument& document_;
+  QSettings& settings_;
+  std::unique_ptr<Dialogs> dialogs_;
+  ActionSet actions_{this};
+  RunController run_;
+  MapCanvas* canvas_;
+  Toolbox* tools_;
+  MessageBar* messages_;
+  WelcomeStrip* welcome_;
+  TransportBar* transport_;
+  Docks* docks_;
+  QLabel* hint_;
+  QLabel* cursor_;
+  QLabel* scale_;
+  QLabel* run_state_;
+  std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
+  std::unique_ptr<RevisionActions> revisions_;
+  EditActions* edits_;
+  FileActions* files_;
+  RunActions* runs_;
+  RunViews* views_;
+  RigActions* rigs_;
+  PictureActions* pictures_;
+  TemplateMenu* templates_;
+  Comfort* comfort_;
+  MapModel* model_;
+  Recovery* recovery_;
+  RecoveryOffer* recovery_offer_;
+};
+
+}  // namespace handmap

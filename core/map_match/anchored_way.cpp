@@ -1,0 +1,268 @@
+#include "core/map_match/anchored_way.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "core/estimation/smoothing/odometry_noise.h"
+#include "core/map/start_uncertainty.h"
+#include "core/outlines/structure.h"
+#include "core/trajectory/scan_match.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kKeyframe_m = 3.0;
+constexpr double kBehind_m = 20.0;  // of way whose scans are laid on the walls together, and at the
+constexpr double kAside_m = 10.0;   // end on either side
+constexpr double kThin_m = 0.25;
+constexpr std::array kGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
+constexpr int kLeastMatched = 30;
+constexpr double kInformation = 0.02;  // of a match: as of a loop, neighbours are wrong together
+/// What walls and poses of one window are off together; windows overlap, and share it.
+constexpr double kFloor_m = 0.3;
+constexpr double kFloorTurn = toRadians(0.6);
+constexpr double kStart_m = 1.0;  // of a start that is set by hand, where nothing is said of it
+constexpr double kStartTurn = toRadians(3.0);
+constexpr double kLeastStart_m = 0.05;  // of one that is said to be exact
+constexpr double kLeastStartTurn = toRadians(0.2);
+constexpr double kKernel = 9.0;  // χ²: walls may be others, odometry may slip
+constexpr int kSteps = 12;
+constexpr std::size_t kAlike = 8;  // keyframes in a row that are about as uncertain
+constexpr int kMostRounds = 4;     // at the end
+constexpr double kStill_m = 0.02;  // no pose moves any more
+constexpr double kOnWall_m = 0.5;
+constexpr int kLeastOnWalls = 10;
+
+Eigen::Matrix3d sigmaOf(const Pose2& motion, WayNoise noise) {
+  const double length = motion.position().norm();
+  const double turn = std::abs(motion.heading);
+  Eigen::Vector3d sigma;
+  if (noise == WayNoise::Scans) {
+    sigma << 0.02 + 0.012 * length, 0.02 + 0.006 * length,
+        0.0015 + 0.006 * turn + 0.0007 * std::sqrt(length);
+  } else {
+    const OdometryNoise usual;
+    sigma << usual.length_per_m * length + usual.least_length_m,
+        usual.side_per_m * length + usual.least_length_m,
+        std::sqrt(usual.heading_variance_per_m * length) + usual.heading_per_rad * turn +
+            usual.least_heading;
+  }
+  return sigma.asDiagonal();
+}
+
+std::optional<Eigen::Matrix3d> rootOf(const Eigen::Matrix3d& information) {
+  const Eigen::LLT<Eigen::Matrix3d> root(information);
+  if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;
+  return Eigen::Matrix3d(root.matrixU());
+}
+
+std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
+  const Eigen::LLT<Eigen::Matrix3d> known(kInformation * matched);
+  if (known.info() != Eigen::Success) return std::nullopt;
+  Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
+  covariance.diagonal() += Eigen::Vector3d(kFloor_m, kFloor_m, kFloorTurn).cwiseAbs2();
+  return rootOf(covariance.inverse());
+}
+
+}  // namespace
+
+AnchoredWay::AnchoredWay(const Map& map, const SeenFrames& seen)
+    : start_(map.start.value()),
+      start_sigma_(kStart_m, kStart_m, kStartTurn),
+      seen_(seen),
+      walls_(map),
+      pose_(start_) {
+  if (const auto said = startUncertaintyOf(map.unknown)) {
+    start_sigma_ = {std::max(said->position, kLeastStart_m),
+                    std::max(said->position, kLeastStart_m),
+                    std::max(said->heading, kLeastStartTurn)};
+  }
+}
+
+MotionFactor AnchoredWay::motion(const Keyframe& from, const Keyframe& to) const {
+  const Pose2 driven = between(way_[from.observation], way_[to.observation]);
+  return {driven, sigmaOf(driven, noise_).inverse()};
+}
+
+/// Of the pose of `to`, by the odometry since a keyframe.
+Eigen::Matrix3d AnchoredWay::carried(const Keyframe& from, const Keyframe& to) const {
+  const Pose2 driven = between(way_[from.observation], way_[to.observation]);
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+  slope.topRightCorner<2, 1>() = perpendicular(to.pose.position() - from.pose.position());
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  turned.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(from.pose.heading).toRotationMatrix();
+  const Eigen::Matrix3d root = turned * sigmaOf(driven, noise_);
+  return slope * at_keyframe_ * slope.transpose() + root * root.transpose();
+}
+
+void AnchoredWay::add(const std::vector<Pose2>& way, WayNoise noise) {
+  const bool changed = noise != noise_ || (way_.size() > 1 && way[way_.size() - 1] != way_.back());
+  const double last = travelled_m_.empty() ? 0.0 : travelled_m_.back();
+  travelled_m_.push_back(
+      way_.empty() ? 0.0 : last + between(way[way.size() - 2], way.back()).position().norm());
+  way_ = way;
+  noise_ = noise;
+  if (changed) optimize();
+  work(way_.size() - 1);
+}
+
+void AnchoredWay::lay(const std::vector<Pose2>& way, WayNoise noise, const std::stop_token& stop) {
+  way_ = way;
+  noise_ = noise;
+  for (std::size_t i = 0; i < way.size() && !stop.stop_requested(); ++i) {
+    travelled_m_.push_back(
+        i == 0 ? 0.0 : travelled_m_.back() + between(way[i - 1], way[i]).position().norm());
+    work(i);
+  }
+  finish(stop);
+}
+
+/// The newest observation; those after it are not looked at.
+void AnchoredWay::work(std::size_t observation) {
+  Keyframe now{observation, start_, {}};
+  if (keyframes_.empty()) {
+    covariance_ = start_sigma_.cwiseAbs2().asDiagonal();
+  } else {
+    const Keyframe& before = keyframes_.back();
+    now.pose = before.pose * between(way_[before.observation], way_[observation]);
+    pose_ = now.pose;
+    const bool far = travelled_m_.back() - travelled_m_[before.observation] >= kKeyframe_m;
+    covariance_ = carried(before, now);
+    if (!far) return;
+  }
+  layOnWalls(now, featuresAround(now, {kBehind_m, 0.0}), covariance_);
+  keyframes_.push_back(now);
+  optimize();
+}
+
+void AnchoredWay::finish(const std::stop_token& stop) {
+  std::vector<std::vector<ScanPoint>> features;
+  for (const Keyframe& keyframe : keyframes_) {
+    if (stop.stop_requested()) return;
+    features.push_back(featuresAround(keyframe, {kAside_m, kAside_m}));
+  }
+  for (int round = 0; round < kMostRounds; ++round) {
+    const PoseGraph before = graph();
+    Eigen::Matrix3d expected;
+    for (std::size_t i = 0; i < keyframes_.size(); ++i) {
+      if (stop.stop_requested()) return;
+      if (i % kAlike == 0) expected = before.covariance(i + 1);
+      layOnWalls(keyframes_[i], features[i], expected);
+    }
+    optimize();
+    double moved = 0.0;
+    for (std::size_t i = 0; i < keyframes_.size(); ++i) {
+      moved = std::max(moved,
+                       (keyframes_[i].pose.position() - before.poses()[i + 1].position()).norm());
+    }
+    if (moved < kStill_m) return;
+  }
+}
+
+/// Straight things, in the frame of the keyframe, seen from where the robot was.
+std::vector<ScanPoint> AnchoredWay::featuresAround(const Keyframe& keyframe,
+                                                   const Window& window) const {
+  const double here = travelled_m_[keyframe.observation];
+  const auto& frames = seen_.frames();
+  const auto first = std::partition_point(frames.begin(), frames.end(), [&](const SeenFrame& f) {
+    return f.observation < travelled_m_.size() &&
+           travelled_m_[f.observation] < here - window.behind_m;
+  });
+  const auto last = std::partition_point(first, frames.end(), [&](const SeenFrame& f) {
+    return f.observation < travelled_m_.size() &&
+           travelled_m_[f.observation] <= here + window.ahead_m;
+  });
+  std::vector<Pose2> poses(static_cast<std::size_t>(std::distance(first, last)) == 0
+                               ? 0
+                               : std::prev(last)->observation + 1);
+  for (auto frame = first; frame != last; ++frame) {
+    poses[frame->observation] = between(way_[keyframe.observation], way_[frame->observation]);
+  }
+  const PlacedRays placed = placeRays(std::span(first, last), poses);
+  std::vector<ScanPoint> features;
+  for (const PlacedRay& ray : placed.rays) {
+    if (ray.echo != Echo::Tall || ray.structure != Structure::Straight) continue;
+    const float facing = ray.nx * ray.dx + ray.ny * ray.dy;
+    const double side = facing > 0.0F ? -1.0 : 1.0;
+    features.push_back({ray.end(), side * Vec2(ray.nx, ray.ny)});
+  }
+  return thinned(features, kThin_m);
+}
+
+void AnchoredWay::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& features,
+                             const Eigen::Matrix3d& expected) {
+  keyframe.on_walls.reset();
+  const auto prior_root = rootOf(expected.inverse());
+  if (!prior_root) return;
+  const MotionPrior prior{Pose2{}, {keyframe.pose, *prior_root}};
+  const PointMap& walls = walls_.around(keyframe.pose.position());
+  const auto match = matchScan(features, walls, keyframe.pose, kGates_m, prior);
+  visible_ = 0;
+  if (!match || match->matched < kLeastMatched) return;
+  const auto root = rootInformation(match->information);
+  if (!root) return;
+  keyframe.on_walls = MotionFactor{match->pose, *root};
+  visible_ = walls_.buildingsAt(moved(features, match->pose), kOnWall_m, kLeastOnWalls);
+}
+
+/// The first pose is the map.
+PoseGraph AnchoredWay::graph() const {
+  PoseGraph graph({Pose2{}});
+  for (std::size_t i = 0; i < keyframes_.size(); ++i) {
+    const Keyframe& keyframe = keyframes_[i];
+    graph.addPose(keyframe.pose);
+    if (i == 0) {
+      graph.addEdge({0, 1, {start_, start_sigma_.cwiseInverse().asDiagonal()}, kKernel});
+    } else {
+      graph.addEdge({i, i + 1, motion(keyframes_[i - 1], keyframe), kKernel});
+    }
+    if (keyframe.on_walls) graph.addEdge({0, i + 1, *keyframe.on_walls, kKernel});
+  }
+  return graph;
+}
+
+void AnchoredWay::optimize() {
+  if (keyframes_.empty()) return;
+  PoseGraph poses = graph();
+  poses.optimize(kSteps);
+  for (std::size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].pose = poses.poses()[i + 1];
+  const Keyframe& last = keyframes_.back();
+  const std::size_t newest = travelled_m_.size() - 1;
+  pose_ = last.pose * between(way_[last.observation], way_[newest]);
+  at_keyframe_ = poses.covariance(keyframes_.size());
+  covariance_ = carried(last, {newest, pose_, {}});
+}
+
+/// Between two keyframes by both, each the more the nearer it is.
+Pose2 AnchoredWay::corrected(std::size_t observation, std::size_t keyframe) const {
+  const auto from = [&](const Keyframe& k) {
+    return k.pose * between(way_[k.observation], way_[observation]);
+  };
+  const Keyframe& before = keyframes_[keyframe];
+  if (keyframe + 1 == keyframes_.size()) return from(before);
+  const Keyframe& after = keyframes_[keyframe + 1];
+  const double whole = travelled_m_[after.observation] - travelled_m_[before.observation];
+  const double done = travelled_m_[observation] - travelled_m_[before.observation];
+  return interpolated(from(before), from(after), done / whole);
+}
+
+std::vector<Pose2> AnchoredWay::poses() const {
+  std::vector<Pose2> poses;
+  std::size_t keyframe = 0;
+  for (std::size_t i = 0; i < way_.size(); ++i) {
+    while (keyframe + 1 < keyframes_.size() && keyframes_[keyframe + 1].observation <= i) {
+      ++keyframe;
+    }
+    poses.push_back(corrected(i, keyframe));
+  }
+  return poses;
+}
+
+}  // namespace handmap

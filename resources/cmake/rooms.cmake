@@ -1,0 +1,41 @@
+# A room is a folder that is a library of its own and has an include root in which there is nothing else.
+# What it includes of another room it must link: an arrow that points up neither links nor compiles.
+function(handmap_include_root target folder)
+  set(root ${PROJECT_BINARY_DIR}/rooms/${target})
+  get_filename_component(parent ${folder} DIRECTORY)
+  file(MAKE_DIRECTORY ${root}/${parent})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${root}/${folder} SYMBOLIC)
+  get_target_property(type ${target} TYPE)
+  set(scope PUBLIC)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${root}>)
+endfunction()
+
+# Only where there is a Q_OBJECT: each target with moc costs a run and a file more. (After the first one in a
+# room: cmake again, or its vtable is missing.)
+function(handmap_moc target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    file(STRINGS ${source} found REGEX "Q_OBJECT|Q_GADGET|Q_NAMESPACE" LIMIT_COUNT 1)
+    if(found)
+      set_target_properties(${target} PROPERTIES AUTOMOC ON)
+      return()
+    endif()
+  endforeach()
+endfunction()
+
+# The library core_map_match of the folder core/map_match, core_estimation_walls of core/estimation/walls; `below`:
+# the rooms and libraries that it uses. In the lists the rooms stand in the order of the layers.
+function(handmap_room folder precompiled)
+  string(REPLACE / _ name ${folder})
+  string(REGEX REPLACE "^app_" "" name ${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+  add_library(${name} STATIC ${sources})
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  handmap_include_root(${name} ${folder})
+  handmap_moc(${name})
+  target_link_libraries(${name} PUBLIC handmap_options ${ARGN})
+  handmap_use_precompiled(${name} ${precompiled})
+endfunction()

@@ -1,0 +1,86 @@
+#include "widgets/run/overlays/changes_item.h"
+
+#include <QPainter>
+
+#include "widgets/canvas/symbols.h"
+#include "widgets/run/overlays/scene_points.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kHeadPx = 9.0;
+constexpr double kLabelPx = 20.0;         // around the end: the name of the building
+constexpr double kLeastPx = 6.0;          // shorter arrows would be a blot
+constexpr double kLeastForTextPx = 14.0;  // shorter ones have no words: zoom in to read them
+constexpr double kMarginM = 20.0;         // room for words when zoomed out far
+
+void paintArrow(QPainter& painter, QLineF line) {
+  line.setLength(std::max(0.6 * line.length(), line.length() - kLabelPx));
+  painter.drawLine(line);
+  QLineF barb = line;
+  barb.setPoints(line.p2(), line.p1());
+  barb.setLength(std::min(kHeadPx, 0.6 * line.length()));
+  for (const double turn : {-25.0, 25.0}) {
+    QLineF side = barb;
+    side.setAngle(barb.angle() + turn);
+    painter.drawLine(side);
+  }
+}
+
+}  // namespace
+
+QString ChangesItem::lengthText(double moved_m, std::optional<double> error_m) {
+  if (!error_m) return tr("%1 m").arg(moved_m, 0, 'f', 1);
+  return tr("%1 m, %2 m off").arg(moved_m, 0, 'f', 1).arg(*error_m, 0, 'f', 1);
+}
+
+void ChangesItem::setColours(const Colours& colours) {
+  colours_ = &colours;
+  update();
+}
+
+void ChangesItem::clear() {
+  prepareGeometryChange();
+  arrows_.clear();
+  bounds_ = {};
+}
+
+void ChangesItem::setChanges(const Map& drawing, const Map& refined, const Map* truth) {
+  clear();
+  for (const BuildingChange& change : changesOf(drawing, refined).moved) {
+    const auto error = truth ? errorOf(refined.buildings[change.building], *truth) : std::nullopt;
+    arrows_.push_back(
+        {{toScene(change.drawn), toScene(change.now)}, lengthText(change.moved_m(), error)});
+    bounds_ |= QRectF(toScene(change.drawn), toScene(change.now)).normalized();
+  }
+  if (!arrows_.empty()) bounds_.adjust(-kMarginM, -kMarginM, kMarginM, kMarginM);
+}
+
+void ChangesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->save();
+  const QTransform to_device = painter->worldTransform();
+  painter->setWorldTransform({});
+  painter->setRenderHint(QPainter::Antialiasing);
+  QPen pen = colours_->pen(Role::Corrected);
+  pen.setWidthF(1.6);
+  painter->setPen(pen);
+  for (const Arrow& arrow : arrows_) {
+    const QLineF line = to_device.map(arrow.line);
+    if (line.length() >= kLeastPx) paintArrow(*painter, line);
+  }
+  const double height = painter->fontMetrics().height();
+  for (const Arrow& arrow : arrows_) {
+    const QLineF line = to_device.map(arrow.line);
+    if (line.length() < kLeastForTextPx) continue;
+    // Beside the tail, where the name of the building is not.
+    const QPointF off = line.length() > 0.0 ? (line.p1() - line.p2()) / line.length() : QPointF();
+    const double width = painter->fontMetrics().horizontalAdvance(arrow.text);
+    const QPointF at =
+        line.p1() + QPointF(off.x() * (0.5 * width + 6.0), off.y() * (0.5 * height + 4.0));
+    paintLabel(*painter, at, arrow.text, *colours_, true);
+  }
+  painter->restore();
+}
+
+}  // namespace handmap

@@ -1,0 +1,213 @@
+#include "widgets/run/panels/buildings_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/map/certainty.h"
+#include "core/map/map_changes.h"
+#include "widgets/run/words/words.h"
+
+namespace handmap {
+
+namespace {
+
+struct ColumnText {
+  const char* title;
+  const char* hint;
+};
+
+constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Building"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Id and name in the drawing")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Moved\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "From the drawn to the corrected middle")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Doubt\n(%)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "How probably it is another building or is not there")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ right\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "Standard deviation of the wall that faces right on the map; in brackets "
+                       "where nobody saw it")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ up\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "Standard deviation of the wall that faces up on the map; in brackets "
+                       "where nobody saw it")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ left\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "Standard deviation of the wall that faces left on the map; in brackets "
+                       "where nobody saw it")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ down\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "Standard deviation of the wall that faces down on the map; in brackets "
+                       "where nobody saw it")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Seen\n(times)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Observations that stand for it")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Off\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "From the corrected to the true middle")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Drawn x\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Middle of the drawn building")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Drawn y\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Middle of the drawn building")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Now x\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Middle of the corrected building")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Now y\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Middle of the corrected building")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Wider\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "Corrected minus drawn width, along its heading")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Deeper\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected minus drawn depth")},
+}};
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Equal also where both are not known.
+bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+}  // namespace
+
+void BuildingsModel::setDrawing(Map drawing) {
+  beginResetModel();
+  drawing_ = std::move(drawing);
+  rows_.clear();
+  endResetModel();
+}
+
+void BuildingsModel::setTruth(std::optional<Map> truth) { truth_ = std::move(truth); }
+
+BuildingsModel::Row BuildingsModel::rowOf(std::size_t building, const Building& now) const {
+  const Building& drawn = drawing_.buildings[building];
+  Row row;
+  row.id = QString::fromStdString(drawn.id);
+  row.name = Words::nameOf(drawn);
+  row.building = building;
+  auto& numbers = row.numbers;
+  const Vec2 from = centroid(drawn.footprint());
+  const Vec2 to = centroid(now.footprint());
+  const Rectangle before = drawn.box();
+  const Rectangle after = now.box();
+  numbers[Moved] = (to - from).norm();
+  numbers[Doubt] = 100.0 * doubtOf(now);
+  const std::array<SideEstimate, 4> sides = sidesOf(now);
+  for (std::size_t facing = 0; facing < sides.size(); ++facing) {
+    const Vec2 outwards = unitVector(static_cast<double>(facing) * kPi / 2.0);
+    const SideEstimate& side = sides[sideFacing(after.heading, outwards)];
+    numbers[SigmaRight + facing] = side.sigma;
+    row.seen[facing] = side.seen;
+  }
+  numbers[Observations] = now.estimate->observations;
+  numbers[Error] = (truth_ ? errorOf(now, *truth_) : std::nullopt).value_or(kUnknown);
+  numbers[DrawnX] = from.x();
+  numbers[DrawnY] = from.y();
+  numbers[NowX] = to.x();
+  numbers[NowY] = to.y();
+  // A polygon's box may be counted from another side once it has turned.
+  const bool across = sideFacing(after.heading, unitVector(before.heading)) % 2 == 1;
+  numbers[Wider] = (across ? after.depth : after.width) - before.width;
+  numbers[Deeper] = (across ? after.width : after.depth) - before.depth;
+  return row;
+}
+
+void BuildingsModel::setRefined(const Map& refined) {
+  std::vector<Row> rows;
+  // The buildings of a refined map stand where those of its drawing do.
+  const std::size_t count = std::min(refined.buildings.size(), drawing_.buildings.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!refined.buildings[i].estimate) continue;
+    rows.push_back(rowOf(i, refined.buildings[i]));
+  }
+  refined_ = refined;
+  const bool same_buildings = std::ranges::equal(rows, rows_, {}, &Row::id, &Row::id);
+  if (!same_buildings) {
+    beginResetModel();
+    rows_ = std::move(rows);
+    endResetModel();
+    return;
+  }
+  const bool same = std::ranges::equal(rows, rows_, [](const Row& a, const Row& b) {
+    return a.seen == b.seen && std::ranges::equal(a.numbers, b.numbers, isSame);
+  });
+  if (same) return;
+  rows_ = std::move(rows);
+  Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+QString BuildingsModel::idAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).id; }
+
+int BuildingsModel::rowOf(const QString& id) const {
+  const auto found = std::ranges::find(rows_, id, &Row::id);
+  return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
+}
+
+int BuildingsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int BuildingsModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString BuildingsModel::text(const Row& row, int column) const {
+  if (column == Name) return row.name;
+  const double number = row.numbers.at(static_cast<std::size_t>(column));
+  if (std::isnan(number)) return QStringLiteral("–");
+  if (column == Observations) return QString::number(std::lround(number));
+  if (column == Doubt) {
+    return number > 0.0 ? QString::number(std::lround(number)) : QStringLiteral("–");
+  }
+  QString text = QString::number(number, 'f', 2);
+  if ((column == Wider || column == Deeper) && number > 0.0) text.prepend(QLatin1Char('+'));
+  const int sigma = column - SigmaRight;
+  if (sigma >= 0 && sigma < 4 && !row.seen.at(static_cast<std::size_t>(sigma))) {
+    text = QStringLiteral("(%1)").arg(text);
+  }
+  return text;
+}
+
+QString BuildingsModel::csvText(const Row& row, int column) {
+  if (column == Name) return row.name;
+  const double number = row.numbers.at(static_cast<std::size_t>(column));
+  const int sigma = column - SigmaRight;
+  const bool unseen = sigma >= 0 && sigma < 4 && !row.seen.at(static_cast<std::size_t>(sigma));
+  if (unseen || std::isnan(number)) return {};
+  return QString::number(number, 'f', column == Observations ? 0 : 3);
+}
+
+QString BuildingsModel::words(const Row& row) const {
+  const Building& drawn = drawing_.buildings[row.building];
+  return Words::building(drawn, drawing_.uncertaintyOf(drawn), refined_.buildings[row.building],
+                         truth_ ? &*truth_ : nullptr);
+}
+
+QVariant BuildingsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Row& row = rows_.at(static_cast<std::size_t>(index.row()));
+  const int column = index.column();
+  switch (role) {
+    case Qt::TextAlignmentRole:
+      return QVariant(Qt::AlignVCenter | (column == Name ? Qt::AlignLeft : Qt::AlignRight));
+    case Qt::DisplayRole:
+      return text(row, column);
+    case Qt::ToolTipRole:
+      return words(row);
+    case kCsvRole:
+      return csvText(row, column);
+    case kSortRole:
+      return column == Name ? QVariant(row.name)
+                            : QVariant(row.numbers.at(static_cast<std::size_t>(column)));
+    default:
+      return {};
+  }
+}
+
+QVariant BuildingsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  const ColumnText& text = kColumnTexts.at(static_cast<std::size_t>(section));
+  if (role == Qt::DisplayRole) return tr(text.title);
+  if (role == Qt::ToolTipRole) return tr(text.hint);
+  return {};
+}
+
+}  // namespace handmap

@@ -1,0 +1,126 @@
+#include "widgets/run/panels/buildings_panel.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace handmap {
+
+namespace {
+
+constexpr int kCsvRole = BuildingsModel::kCsvRole;
+
+QString csvField(QString text) {
+  text.replace(QLatin1Char('\n'), QLatin1Char(' '));
+  const bool plain = !text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"'));
+  if (plain) return text;
+  return QLatin1Char('"') + text.replace(QStringLiteral("\""), QStringLiteral("\"\"")) +
+         QLatin1Char('"');
+}
+
+}  // namespace
+
+BuildingsPanel::BuildingsPanel(QWidget* parent)
+    : QWidget(parent),
+      model_(new BuildingsModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(new QTableView) {
+  sorted_->setSourceModel(model_);
+  sorted_->setSortRole(BuildingsModel::kSortRole);
+  makeTable();
+  makeActions();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(table_);
+}
+
+void BuildingsPanel::makeTable() {
+  table_->setModel(sorted_);
+  table_->setAccessibleName(tr("Corrected buildings"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setAlternatingRowColors(true);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setTabKeyNavigation(false);
+  table_->setWordWrap(false);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(BuildingsModel::Moved, Qt::DescendingOrder);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setMinimumSectionSize(0);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * 0.85);
+  table_->setFont(small);
+  table_->horizontalHeader()->setFont(small);
+  const auto hide_unknown = [this] {
+    table_->setColumnHidden(BuildingsModel::Error, !model_->hasTruth());
+  };
+  hide_unknown();
+  connect(model_, &QAbstractItemModel::modelReset, this, [this, hide_unknown] {
+    hide_unknown();
+    select(selected_);
+  });
+  connect(table_, &QTableView::activated, this,
+          [this](const QModelIndex& index) { Q_EMIT showRequested(idOf(index)); });
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &BuildingsPanel::tellSelection);
+}
+
+void BuildingsPanel::makeActions() {
+  auto* copy = new QAction(tr("&Copy as CSV"), this);
+  copy->setShortcut(QKeySequence::Copy);
+  copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(copy, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setText(csv()); });
+  table_->addAction(copy);
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+QString BuildingsPanel::idOf(const QModelIndex& shown) const {
+  return model_->idAt(sorted_->mapToSource(shown).row());
+}
+
+void BuildingsPanel::tellSelection() {
+  if (selecting_) return;
+  selected_.clear();
+  for (const QModelIndex& index : table_->selectionModel()->selectedRows()) {
+    selected_ << idOf(index);
+  }
+  Q_EMIT selectionChanged(selected_);
+}
+
+void BuildingsPanel::select(const QStringList& ids) {
+  const QScopedValueRollback quiet(selecting_, true);
+  selected_ = ids;
+  QItemSelection rows;
+  for (const QString& id : ids) {
+    const int row = model_->rowOf(id);
+    if (row < 0) continue;
+    const QModelIndex shown = sorted_->mapFromSource(model_->index(row, 0));
+    rows.select(shown, shown);
+  }
+  table_->selectionModel()->select(rows,
+                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  if (!rows.isEmpty()) table_->scrollTo(rows.first().topLeft());
+}
+
+QString BuildingsPanel::csv() const {
+  QString text;
+  for (int row = -1; row < sorted_->rowCount(); ++row) {
+    QStringList fields;
+    for (int column = 0; column < sorted_->columnCount(); ++column) {
+      if (table_->isColumnHidden(column)) continue;
+      fields << csvField(row < 0 ? sorted_->headerData(column, Qt::Horizontal).toString()
+                                 : sorted_->index(row, column).data(kCsvRole).toString());
+    }
+    text += fields.join(QLatin1Char(',')) + QLatin1Char('\n');
+  }
+  return text;
+}
+
+}  // namespace handmap

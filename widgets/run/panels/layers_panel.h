@@ -1,0 +1,48 @@
+// The switches of the layers, each with the sample of how it is drawn, the legend too, and with how
+// strongly it is drawn.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "widgets/run/overlays/layers.h"
+
+class QCheckBox;
+class QLabel;
+class QSettings;
+class QSlider;
+
+namespace handmap {
+
+class LayersPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LayersPanel(QWidget* parent = nullptr);
+
+  bool isOn(Layer layer) const;
+  void setOn(Layer layer, bool on);
+  /// Greyed out where there is nothing of this layer to show.
+  void setAvailable(Layer layer, bool available);
+  /// What is shown, and how strongly.
+  void save(QSettings& settings) const;
+  void restore(const QSettings& settings);
+
+ Q_SIGNALS:
+  void toggled(handmap::Layer layer, bool on);
+  void opacityChanged(handmap::Layer layer, double share);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QSlider* makeSlider(const LayerSpec& spec);
+  void paintSamples();
+  QCheckBox* box(Layer layer) const { return boxes_[static_cast<std::size_t>(layer)]; }
+
+  std::array<QCheckBox*, static_cast<std::size_t>(Layer::Count)> boxes_{};
+  QLabel* unseen_sample_;    ///< of a wall that nobody saw
+  QLabel* doubtful_sample_;  ///< of a doubtful building
+  std::array<QSlider*, static_cast<std::size_t>(Layer::Count)> sliders_{};
+};
+
+}  // namespace handmap
