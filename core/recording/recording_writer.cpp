@@ -67,6 +67,8 @@ void createEmpty(const fs::path& folder) {
   }
 }
 
+}  // namespace
+
 /// A text file that grows by whole lines; they are with the system when append() returns.
 class GrowingFile {
  public:
@@ -115,8 +117,6 @@ class GrowingFile {
   int descriptor_ = -1;
   off_t written_ = 0;
 };
-
-}  // namespace
 
 struct RecordingWriter::Files {
   Files(const fs::path& of_folder, SourceInfo its_info)

@@ -30,7 +30,7 @@ constexpr double kLeastShare = 0.45;  // of straight pieces that find theirs
 constexpr int kLeastNear = 60;
 constexpr double kLeastEigenRatio = 0.04;  // a corridor tells nothing along itself
 constexpr double kInformation = 0.02;      // returns of one wall are wrong together
-constexpr double kFloor_m = 0.1;
+constexpr double kLeastLoopSigma_m = 0.1;
 constexpr double kFloorTurn = 0.0045;
 
 /// Whether the walls hold the pose in every direction.
@@ -43,7 +43,7 @@ std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
   const Eigen::LLT<Eigen::Matrix3d> known(kInformation * matched);
   if (known.info() != Eigen::Success) return std::nullopt;
   Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
-  covariance.diagonal() += Eigen::Vector3d(kFloor_m, kFloor_m, kFloorTurn).cwiseAbs2();
+  covariance.diagonal() += Eigen::Vector3d(kLeastLoopSigma_m, kLeastLoopSigma_m, kFloorTurn).cwiseAbs2();
   const Eigen::Matrix3d information = covariance.inverse();
   const Eigen::LLT<Eigen::Matrix3d> root(information);
   if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;

@@ -12,7 +12,7 @@ constexpr int kLeastCount = 100;
 constexpr double kLeast_m = 1e-3;  // of the histogram
 constexpr double kStepsPerDecade = 15.0;
 constexpr double kMedianToSigma = 1.48;
-constexpr double kFloor_m = 0.01;
+constexpr double kLeastNoise_m = 0.01;
 constexpr double kUsual_m = 0.03;
 
 }  // namespace
@@ -56,7 +56,7 @@ double RangeNoise::sigma(double range_m) const {
     if (counts_[bin] < kLeastCount) continue;
     const double middle_m = kBin_m * (static_cast<double>(bin) + 0.5);
     const double here =
-        std::max({kMedianToSigma * median(deviations_[bin], counts_[bin]), kFloor_m, before});
+        std::max({kMedianToSigma * median(deviations_[bin], counts_[bin]), kLeastNoise_m, before});
     if (range_m <= middle_m) {
       if (before == 0.0) return here;
       return before + (here - before) * (range_m - before_m) / (middle_m - before_m);

@@ -15,8 +15,8 @@ constexpr double kPoint_m = 0.3;          // about the nearest point of a bush
 constexpr double kShared = 0.4;           // neighbouring returns are wrong together
 constexpr double kKernelGates = 0.3;      // where Cauchy's kernel begins to bend, in gates
 constexpr double kNear_m = 0.25;          // what counts as explained
-constexpr std::size_t kMostPoints = 400;  // more tell the same
-constexpr int kSteps = 4;
+constexpr std::size_t kMostScanPoints = 400;  // more tell the same
+constexpr int kMatchSteps = 4;
 constexpr double kStill_m = 1e-3;
 constexpr double kStill = 1e-4;  // radians
 
@@ -36,7 +36,7 @@ NormalEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& m
                            const Pose2& pose, double gate_m) {
   NormalEquations sums;
   const ToOuter moved(pose);
-  const std::size_t stride = scan.size() / kMostPoints + 1;
+  const std::size_t stride = scan.size() / kMostScanPoints + 1;
   for (std::size_t i = 0; i < scan.size(); i += stride) {
     const ScanPoint& p = scan[i];
     const ScanPoint outer{moved(p.at), p.straight() ? moved.turned(p.normal) : p.normal};
@@ -76,7 +76,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
   ScanMatch match;
   match.pose = start;
   for (const double gate_m : gates_m) {
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kMatchSteps; ++i) {
       NormalEquations sums = linearized(scan, map, match.pose, gate_m);
       match.information = sums.information;
       match.matched = sums.matched;

@@ -16,7 +16,7 @@ constexpr double kHalf_m = 75.0;       // half the side of the grid
 constexpr double kOtherShift_m = 2.5;  // farther off is another place
 constexpr double kOtherTurn = 0.09;
 constexpr double kMostOther = 0.85;  // of the best place's hits
-constexpr std::size_t kMostPoints = 250;
+constexpr std::size_t kMostSubmapPoints = 250;
 constexpr double kFaceReach = 0.5;  // cosine: a piece at 45° to two ways counts as both
 
 int cellOf(double v) { return static_cast<int>(std::floor((v + kHalf_m) / kSubmapCell_m)); }
@@ -50,7 +50,7 @@ struct Placement {
 /// Every point a cell and a way, seen from `pose`.
 std::vector<CellOf> placed(const std::vector<ScanPoint>& points, const Pose2& pose) {
   std::vector<CellOf> cells;
-  const std::size_t stride = points.size() / kMostPoints + 1;
+  const std::size_t stride = points.size() / kMostSubmapPoints + 1;
   const ToOuter outer(pose);
   for (std::size_t i = 0; i < points.size(); i += stride) {
     const Vec2 at = outer(points[i].at);

@@ -9,7 +9,7 @@ namespace {
 constexpr double kKeyframe_m = 1.8;
 constexpr double kOdometryKernel = 9.0;  // χ²: the odometry may slip
 constexpr double kLoopKernel = 30.0;     // a loop after long drift is far off at first
-constexpr int kSteps = 12;
+constexpr int kGraphSteps = 12;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ bool WayGraph::add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
   const std::vector<Loop> loops = search_.search(graph_.poses(), stop);
   for (const Loop& loop : loops) graph_.addEdge({loop.from, loop.to, loop.motion, kLoopKernel});
   loops_ += static_cast<int>(loops.size());
-  return !loops.empty() && graph_.optimize(kSteps) > 0;
+  return !loops.empty() && graph_.optimize(kGraphSteps) > 0;
 }
 
 Pose2 WayGraph::corrected(const Pose2& smooth, std::size_t keyframe) const {

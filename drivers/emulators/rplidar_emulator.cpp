@@ -11,7 +11,7 @@ namespace {
 using rplidar::Answer;
 using rplidar::Request;
 
-constexpr int kTick_ms = 5;
+constexpr int kTurnTick_ms = 5;
 constexpr double kTurnsASecond = 10.0;
 constexpr int kPerTurn = 720;
 constexpr double kMostAtOnce = 400.0;
@@ -94,7 +94,7 @@ void RplidarEmulator::begin(Answer answer) {
   first_capsule_ = true;
   due_ = 0.0;
   clock_.start();
-  timer_.start(kTick_ms);
+  timer_.start(kTurnTick_ms);
 }
 
 void RplidarEmulator::measure() {

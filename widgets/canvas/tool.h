@@ -47,6 +47,9 @@ struct ToolEvent {
     const bool coarse = pointer == QPointingDevice::PointerType::Finger;
     return pixels * metres_per_pixel * (coarse ? 2.5 : 1.0);
   }
+  bool isNear(const Vec2& point, double pixels) const {
+    return (point - position).norm() <= reach(pixels);
+  }
 };
 
 struct ToolKey {

@@ -16,10 +16,6 @@ double turnStep(Qt::KeyboardModifiers modifiers) {
   return modifiers & (Qt::ShiftModifier | Qt::ControlModifier) ? 15.0 : 0.5;
 }
 
-bool isNear(const Vec2& handle, const ToolEvent& event) {
-  return (handle - event.position).norm() <= event.reach(kHandleReachPx);
-}
-
 std::optional<Drag> buildingDrag(const MapDocument& document, const ToolEvent& press) {
   const Building* building = onlyBuilding(document);
   if (!building || building->fixed) return std::nullopt;
@@ -72,7 +68,7 @@ std::optional<Drag> cornerDrag(const MapDocument& document, const ToolEvent& pre
 std::optional<Drag> headingDrag(const MapDocument& document, const ToolEvent& press) {
   const std::optional<Pose2>& start = document.map().start;
   if (!start || document.selection() != QStringList{kStartKey} ||
-      !isNear(startHandle(*start, press.metres_per_pixel), press))
+      !press.isNear(startHandle(*start, press.metres_per_pixel), kHandleReachPx))
     return std::nullopt;
   return Drag{[start = *start](const ToolEvent& event) {
                 const Vec2 ahead = event.position - start.position();

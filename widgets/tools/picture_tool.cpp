@@ -13,7 +13,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kReachPx = 8.0;
 constexpr double kTurnStep = toRadians(0.5);  // of an arrow key
 constexpr double kScaleStep = 1.01;
 constexpr double kLeastScale = 1e-6;  // metres per pixel
@@ -21,10 +20,6 @@ constexpr qsizetype kMostDigits = 12;
 
 constexpr std::array<Handle, 4> kCorners = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 constexpr Handle kTurn{0, 0};
-
-bool isNear(const Vec2& handle, const ToolEvent& event) {
-  return (handle - event.position).norm() <= kReachPx * event.metres_per_pixel;
-}
 
 /// Scaled and turned about a point of the map.
 Underlay changedAbout(const Underlay& underlay, const Vec2& fixed, double factor, double turn) {
@@ -123,7 +118,7 @@ std::optional<PictureTool::Grip> PictureTool::gripAt(const ToolEvent& event) con
   const Underlay underlay = document().map().underlays[*place];
   const Rectangle box = boxOf(*place);
   const double scale = event.metres_per_pixel;
-  if (isNear(handlePosition(box, kTurn, scale), event)) {
+  if (event.isNear(handlePosition(box, kTurn, scale), kHandleReachPx)) {
     return Grip{[underlay, box](const ToolEvent& to) {
                   const double step = to.modifiers & Qt::ShiftModifier ? 15.0 : 0.1;
                   return changedAbout(underlay, box.centre, 1.0,
@@ -132,7 +127,7 @@ std::optional<PictureTool::Grip> PictureTool::gripAt(const ToolEvent& event) con
                 tr("Turn Picture")};
   }
   for (const Handle& handle : kCorners) {
-    if (!isNear(handlePosition(box, handle, scale), event)) continue;
+    if (!event.isNear(handlePosition(box, handle, scale), kHandleReachPx)) continue;
     const Vec2 opposite = handlePosition(box, {-handle.along, -handle.across}, scale);
     const Vec2 diagonal = handlePosition(box, handle, scale) - opposite;
     return Grip{[underlay, opposite, diagonal](const ToolEvent& to) {

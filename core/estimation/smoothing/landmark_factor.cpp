@@ -8,7 +8,7 @@ namespace handmap {
 namespace {
 
 constexpr double kNearest = 0.5;        // metres; choice: no robot comes nearer to a thing
-constexpr double kCauchySquared = 4.0;  // σ²; choice: at 2 σ a sighting weighs half
+constexpr double kLandmarkCauchySquared = 4.0;  // σ²; choice: at 2 σ a sighting weighs half
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Factor<2, kPoseSize + kLandmarkSize + 1> landmarkFactor(const Pose2& pose, const
       -along.x(), -along.y(), 0.0, along.x(), along.y(), range * range;
   // Cauchy's weight: some sightings are of something else.
   const double robust =
-      1.0 / (1.0 + factor.residual.cwiseQuotient(sigma).squaredNorm() / kCauchySquared);
+      1.0 / (1.0 + factor.residual.cwiseQuotient(sigma).squaredNorm() / kLandmarkCauchySquared);
   factor.weight = robust * sigma.cwiseInverse().cwiseAbs2();
   return factor;
 }

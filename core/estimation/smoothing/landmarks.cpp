@@ -14,7 +14,7 @@ constexpr float kClear =
 constexpr float kMostSpacing =
     0.03F;  // radians between rays of one thing; choice: three of a laser of 0.5°
 constexpr int kLeastRays = 3;  // choice: fewer have no middle
-constexpr double kGate =
+constexpr double kLandmarkGate =
     1.5;  // metres between a sighting and its landmark; choice: trees stand farther apart
 constexpr double kShape = 0.05;       // metres, one σ: things are not quite round; choice
 constexpr double kRangeShape = 0.15;  // metres, one σ, along the ray; choice
@@ -106,7 +106,7 @@ void Landmarks::associate(Frame& frame, const RangeNoise& noise, std::size_t mos
   for (Sighting& sighting : frame.sightings) {
     const double range = sighting.range - noise.bias(sighting.range);
     const Vec2 place = frame.pose.toOuter(range * unitVector(sighting.bearing));
-    double nearest = kGate;
+    double nearest = kLandmarkGate;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       if (last_seen_[i] + most_frames < frame.number) continue;
       const double distance = (positions_[i] - place).norm();

@@ -18,7 +18,7 @@ constexpr double kLeastKnown = 0.3;    // metres, one σ; choice: as the poses t
 constexpr double kSameWall = 0.1;      // metres, one σ; choice: frames of two visits
 constexpr double kSameHeading = 0.01;  // radians, the same
 constexpr double kTogether = 2.0;  // times σ; choice: what stands together is drawn wrong together
-constexpr double kCauchySquared = 4.0;  // a wall; choice: some labels are wrong
+constexpr double kWallCauchySquared = 4.0;  // a wall; choice: some labels are wrong
 constexpr double kNowhere = 1e6;        // m²
 
 }  // namespace
@@ -81,7 +81,7 @@ DrawnWallsFactor drawnWallsFactor(const FoundBox& found, const SeenWalls& seen,
   factor.by_motion = drawn.slope();
   // Cauchy's weight.
   factor.weight /=
-      1.0 + factor.residual.dot(factor.weight * factor.residual) / (kCauchySquared * seen.count);
+      1.0 + factor.residual.dot(factor.weight * factor.residual) / (kWallCauchySquared * seen.count);
   return factor;
 }
 

@@ -8,7 +8,7 @@ namespace handmap {
 namespace {
 
 constexpr float kLeastCosine = 0.02F;  // choice: a ray along the wall itself
-constexpr double kGate = 4.0;          // σ; choice: as far as the sensor model's table
+constexpr double kSightGate = 4.0;          // σ; choice: as far as the sensor model's table
 constexpr double kNearLimit = 2.0;     // σ; choice: 98 % of the returns come back
 
 /// The returns of the frame from the walls of the box. What one frame says of a wall is off as a
@@ -64,7 +64,7 @@ std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(
   const double squared = static_cast<double>(entry.distance * entry.distance);
   const double range_error =
       static_cast<double>(ray.sight.range - entry.distance) - errors_.bias_per_m * squared;
-  if (std::abs(range_error) > kGate * sigma) return std::nullopt;
+  if (std::abs(range_error) > kSightGate * sigma) return std::nullopt;
   const Vec2& n = normals_[static_cast<std::size_t>(entry.wall)];
   // At the hypothesised point: at the measured one the noise would be in the slopes as well.
   const Vec2 direction(cos_ * ray.x - sin_ * ray.y, sin_ * ray.x + cos_ * ray.y);

@@ -15,14 +15,14 @@ using test::Scene;
 using test::StereoPair;
 using test::streetCamera;
 
-constexpr double kRange_m = 40.0;
+constexpr double kStereoRange_m = 40.0;
 
 Scene wall(const Vec2& a, const Vec2& b, double height = 6.0) { return {{{{a, b}, height}}, 0.0}; }
 
 std::vector<WallPoint> wallsIn(const Scene& scene, const StereoCamera& camera, double pan = 0.0,
                                const StereoOptions& options = {}) {
   const StereoPair pair = render(scene, camera, pan);
-  return StereoWalls(camera, options)(pair.left, pair.right, pan, kRange_m).walls;
+  return StereoWalls(camera, options)(pair.left, pair.right, pan, kStereoRange_m).walls;
 }
 
 struct Errors {
@@ -127,10 +127,10 @@ TEST(StereoWalls, CoveredOrUnrelatedImagesGiveNoWalls) {
   const cv::Mat grey(375, 1242, CV_8UC1, cv::Scalar(90));
   const cv::Mat white(375, 1242, CV_8UC1, cv::Scalar(255));
   const StereoPair pair = render(wall({10, -4}, {10, 4}), streetCamera());
-  EXPECT_TRUE(stereo(grey, grey, 0.0, kRange_m).walls.empty());
-  EXPECT_TRUE(stereo(white, white, 0.0, kRange_m).walls.empty());
-  EXPECT_TRUE(stereo(pair.left, grey, 0.0, kRange_m).walls.empty());
-  EXPECT_TRUE(stereo(grey, pair.right, 0.0, kRange_m).walls.empty());
+  EXPECT_TRUE(stereo(grey, grey, 0.0, kStereoRange_m).walls.empty());
+  EXPECT_TRUE(stereo(white, white, 0.0, kStereoRange_m).walls.empty());
+  EXPECT_TRUE(stereo(pair.left, grey, 0.0, kStereoRange_m).walls.empty());
+  EXPECT_TRUE(stereo(grey, pair.right, 0.0, kStereoRange_m).walls.empty());
 }
 
 TEST(StereoWalls, ColourIsAsGoodAsGreyAndRunsAreEqual) {
@@ -140,10 +140,10 @@ TEST(StereoWalls, ColourIsAsGoodAsGreyAndRunsAreEqual) {
   cv::cvtColor(pair.left, left, cv::COLOR_GRAY2BGR);
   cv::cvtColor(pair.right, right, cv::COLOR_GRAY2BGR);
   StereoWalls stereo(streetCamera(), {});
-  const auto first = stereo(pair.left, pair.right, 0.0, kRange_m).walls;
+  const auto first = stereo(pair.left, pair.right, 0.0, kStereoRange_m).walls;
   const int threads = cv::getNumThreads();
   cv::setNumThreads(1);
-  const auto second = stereo(left, right, 0.0, kRange_m).walls;
+  const auto second = stereo(left, right, 0.0, kStereoRange_m).walls;
   cv::setNumThreads(threads);
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -156,7 +156,7 @@ TEST(StereoWalls, RefusesBadImages) {
   StereoWalls stereo(streetCamera(), {});
   const cv::Mat good(375, 1242, CV_8UC1, cv::Scalar(0));
   const auto pair = [&](const cv::Mat& left, const cv::Mat& right) {
-    return [&stereo, left, right] { stereo(left, right, 0.0, kRange_m); };
+    return [&stereo, left, right] { stereo(left, right, 0.0, kStereoRange_m); };
   };
   expectBadInput(pair(cv::Mat(), good), {"left image", "no image"});
   expectBadInput(pair(good, cv::Mat()), {"right image", "no image"});

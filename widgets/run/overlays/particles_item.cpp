@@ -15,7 +15,7 @@ namespace {
 constexpr double kTickM = 1.0;
 constexpr double kTickAtLeastPx = 7.0;
 constexpr double kDensityAtLeastPx = 5.0;
-constexpr double kMarginM = 20.0;   // room for ticks of that many pixels when zoomed out far
+constexpr double kCloudMarginM = 20.0;   // room for ticks of that many pixels when zoomed out far
 constexpr int kDensityCells = 256;  // on the longer side
 
 QRectF boundsOf(const std::vector<ParticleView>& particles) {
@@ -40,7 +40,7 @@ void ParticlesItem::setParticles(const std::vector<ParticleView>& particles) {
   prepareGeometryChange();
   particle_bounds_ = boundsOf(particles);
   bounds_ = particles.empty() ? QRectF()
-                              : particle_bounds_.adjusted(-kMarginM, -kMarginM, kMarginM, kMarginM);
+                              : particle_bounds_.adjusted(-kCloudMarginM, -kMarginM, kMarginM, kMarginM);
   for (auto& shade : shades_) shade.clear();
   density_ = {};
   if (particles.size() > kDensityFrom) {

@@ -6,7 +6,7 @@ namespace handmap {
 
 namespace {
 
-QString metres(double value) { return QString::number(value, 'f', 2); }
+QString centimetres(double value) { return QString::number(value, 'f', 2); }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ QString PhaseWords::name(const Phase& phase) {
 
 QString PhaseWords::change(const Phase& phase) {
   const PhaseFacts& facts = phase.facts;
-  const QString moved = metres(facts.moved_m);
+  const QString moved = centimetres(facts.moved_m);
   const QString turned = QString::number(toDegrees(facts.turned), 'f', 1);
   switch (phase.kind) {
     case PhaseKind::Prediction:
