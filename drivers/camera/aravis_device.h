@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/rig/rig_clock.h"
 #include "drivers/camera/image_device.h"
-#include "drivers/device/rig_clock.h"
 
 namespace handmap {
 

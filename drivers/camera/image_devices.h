@@ -1,9 +1,9 @@
 // The camera that a rig names, by whatever it is connected.
 #pragma once
 
+#include "core/rig/rig.h"
+#include "core/rig/rig_clock.h"
 #include "drivers/camera/image_device.h"
-#include "drivers/device/rig_clock.h"
-#include "drivers/rig/rig.h"
 
 namespace handmap {
 

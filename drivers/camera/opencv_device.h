@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/rig/rig_clock.h"
 #include "drivers/camera/image_device.h"
-#include "drivers/device/rig_clock.h"
 
 namespace handmap {
 

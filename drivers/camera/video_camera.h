@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "core/rig/rig.h"
+#include "core/rig/rig_clock.h"
 #include "drivers/camera/frame_check.h"
 #include "drivers/camera/frame_grabber.h"
 #include "drivers/device/device.h"
-#include "drivers/device/rig_clock.h"
-#include "drivers/rig/rig.h"
 
 namespace handmap {
 

@@ -10,11 +10,9 @@
 
 #include "core/geometry/pose2.h"
 #include "core/recording/observation.h"
+#include "core/rig/device_state.h"
 
 namespace handmap {
-
-/// Degraded: it delivers, but not as it should; the detail says what is wrong.
-enum class DeviceState { Closed, Connecting, Ready, Degraded, Lost };
 
 class Device : public QObject {
   Q_OBJECT

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "core/recording/observation.h"
+#include "core/rig/rig.h"
 #include "drivers/live/odometry_track.h"
 #include "drivers/live/stop_scan.h"
-#include "drivers/rig/rig.h"
 
 namespace handmap {
 

@@ -5,8 +5,8 @@
 #include <stop_token>
 
 #include "core/recording/observation.h"
+#include "core/rig/rig_monitor.h"
 #include "drivers/live/rig_devices.h"
-#include "drivers/live/rig_monitor.h"
 
 namespace handmap {
 

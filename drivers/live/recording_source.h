@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/recording/recording.h"
-#include "drivers/live/rig_monitor.h"
+#include "core/rig/rig_monitor.h"
 
 namespace handmap {
 

@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
+#include "core/rig/rig.h"
+#include "core/rig/rig_monitor.h"
 #include "drivers/device/device.h"
-#include "drivers/live/rig_monitor.h"
-#include "drivers/rig/rig.h"
 
 namespace handmap {
 

@@ -9,9 +9,9 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/rig/rig_monitor.h"
 #include "drivers/live/inbox.h"
 #include "drivers/live/rig_devices.h"
-#include "drivers/live/rig_monitor.h"
 
 class QEventLoop;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
-#include "drivers/rig/rig.h"
+#include "core/rig/rig.h"
 
 namespace handmap {
 

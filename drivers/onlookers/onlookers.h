@@ -4,9 +4,9 @@
 #include <QThread>
 #include <memory>
 
+#include "core/rig/rig.h"
+#include "core/rig/rig_monitor.h"
 #include "core/session/snapshot.h"
-#include "drivers/live/rig_monitor.h"
-#include "drivers/rig/rig.h"
 
 namespace handmap {
 

@@ -5,9 +5,9 @@
 #include <QTimer>
 #include <memory>
 
+#include "core/rig/rig_clock.h"
 #include "drivers/device/device.h"
 #include "drivers/device/health.h"
-#include "drivers/device/rig_clock.h"
 #include "drivers/device/told_state.h"
 #include "drivers/rosbridge/rosbridge_client.h"
 

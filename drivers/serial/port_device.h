@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/rig/rig_clock.h"
 #include "drivers/device/device.h"
-#include "drivers/device/rig_clock.h"
 #include "drivers/device/told_state.h"
 #include "drivers/serial/byte_port.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "drivers/live/rig_monitor.h"
+#include "core/rig/rig_monitor.h"
 #include "drivers/virtual/virtual_rig_kind.h"
 
 namespace handmap {

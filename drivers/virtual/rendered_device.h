@@ -5,8 +5,8 @@
 #include <mutex>
 
 #include "core/rendering/renderer.h"
+#include "core/rig/rig_clock.h"
 #include "drivers/camera/image_device.h"
-#include "drivers/device/rig_clock.h"
 #include "drivers/virtual/faults.h"
 
 namespace handmap {

@@ -66,24 +66,7 @@
     </message>
 </context>
 <context>
-    <name>handmap::RevisionActions</name>
-    <message numerus="yes">
-        <source>%n building(s) move by up to %1 m; %2.</source>
-        <translation>
-            <numerusform>%n building moves by up to %1 m; %2.</numerusform>
-            <numerusform>%n buildings move by up to %1 m; %2.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>handmap::RunActions</name>
-    <message numerus="yes">
-        <source>“%1” is open: %n row(s).</source>
-        <translation>
-            <numerusform>“%1” is open: %n row.</numerusform>
-            <numerusform>“%1” is open: %n rows.</numerusform>
-        </translation>
-    </message>
+    <name>handmap::ResultActions</name>
     <message numerus="yes">
         <source>%n building(s) were edited since the run began: %1</source>
         <translation>
@@ -91,18 +74,14 @@
             <numerusform>%n buildings were edited since the run began: %1</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>handmap::RevisionActions</name>
     <message numerus="yes">
-        <source>On that drive somebody said %n thing(s): where the robot was, or which building is right or not there. The run does it again.</source>
+        <source>%n building(s) move by up to %1 m; %2.</source>
         <translation>
-            <numerusform>On that drive somebody said %n thing: where the robot was, or which building is right or not there. The run does it again.</numerusform>
-            <numerusform>On that drive somebody said %n things: where the robot was, or which building is right or not there. The run does it again.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The next run goes through %n given pose(s).</source>
-        <translation>
-            <numerusform>The next run goes through %n given pose.</numerusform>
-            <numerusform>The next run goes through %n given poses.</numerusform>
+            <numerusform>%n building moves by up to %1 m; %2.</numerusform>
+            <numerusform>%n buildings move by up to %1 m; %2.</numerusform>
         </translation>
     </message>
 </context>
@@ -120,6 +99,30 @@
         <translation>
             <numerusform>A loop was closed; %n so far</numerusform>
             <numerusform>A loop was closed; %n so far</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handmap::SourceActions</name>
+    <message numerus="yes">
+        <source>“%1” is open: %n row(s).</source>
+        <translation>
+            <numerusform>“%1” is open: %n row.</numerusform>
+            <numerusform>“%1” is open: %n rows.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>On that drive somebody said %n thing(s): where the robot was, or which building is right or not there. The run does it again.</source>
+        <translation>
+            <numerusform>On that drive somebody said %n thing: where the robot was, or which building is right or not there. The run does it again.</numerusform>
+            <numerusform>On that drive somebody said %n things: where the robot was, or which building is right or not there. The run does it again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The next run goes through %n given pose(s).</source>
+        <translation>
+            <numerusform>The next run goes through %n given pose.</numerusform>
+            <numerusform>The next run goes through %n given poses.</numerusform>
         </translation>
     </message>
 </context>

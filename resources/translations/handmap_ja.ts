@@ -737,6 +737,41 @@
     </message>
 </context>
 <context>
+    <name>EditingPanels</name>
+    <message>
+        <source>Steps of editing</source>
+        <translation>編集の履歴</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>開いたときの状態</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>プロパティ</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Issues (%1)</source>
+        <translation>問題 (%1)</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Sketch of %1</source>
@@ -1071,6 +1106,33 @@
     <message>
         <source>a quarter</source>
         <translation>街区</translation>
+    </message>
+</context>
+<context>
+    <name>RunPanels</name>
+    <message>
+        <source>Run settings</source>
+        <translation>実行の設定</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>理由</translation>
     </message>
 </context>
 <context>
@@ -3927,6 +3989,10 @@ Observations: %4</source>
         <source>&amp;Language</source>
         <translation>言語(&amp;L)</translation>
     </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>キーボードショートカット</translation>
+    </message>
 </context>
 <context>
     <name>handmap::CommandPalette</name>
@@ -3972,77 +4038,6 @@ Observations: %4</source>
     <message>
         <source>Keep mine</source>
         <translation>自分のものを残す</translation>
-    </message>
-</context>
-<context>
-    <name>handmap::Docks</name>
-    <message>
-        <source>Steps of editing</source>
-        <translation>編集の履歴</translation>
-    </message>
-    <message>
-        <source>As it was opened</source>
-        <translation>開いたときの状態</translation>
-    </message>
-    <message>
-        <source>Objects</source>
-        <translation>オブジェクト</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>プロパティ</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>レイヤー</translation>
-    </message>
-    <message>
-        <source>Issues</source>
-        <translation>問題</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>履歴</translation>
-    </message>
-    <message>
-        <source>Run settings</source>
-        <translation>実行の設定</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>グラフ</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>カメラ</translation>
-    </message>
-    <message>
-        <source>Buildings</source>
-        <translation>建物</translation>
-    </message>
-    <message>
-        <source>Teach buildings</source>
-        <translation>建物を教える</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>ロボット</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>キーボードショートカット</translation>
-    </message>
-    <message>
-        <source>Issues (%1)</source>
-        <translation>問題 (%1)</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>ログ</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>理由</translation>
     </message>
 </context>
 <context>
@@ -4259,14 +4254,6 @@ Observations: %4</source>
         <translation>フォルダーで表示</translation>
     </message>
     <message>
-        <source>Export the refined map</source>
-        <translation>補正した地図を書き出す</translation>
-    </message>
-    <message>
-        <source>-refined</source>
-        <translation>-補正</translation>
-    </message>
-    <message>
         <source>GeoJSON needs to know where the drawing lies.</source>
         <translation>GeoJSON には図面の場所が必要です。</translation>
     </message>
@@ -4297,18 +4284,6 @@ Observations: %4</source>
     <message>
         <source>What the canvas shows</source>
         <translation>キャンバスの表示</translation>
-    </message>
-    <message>
-        <source>Export the trajectory</source>
-        <translation>軌跡を書き出す</translation>
-    </message>
-    <message>
-        <source>Trajectories (*.tum)</source>
-        <translation>軌跡 (*.tum)</translation>
-    </message>
-    <message>
-        <source>The way of the robot</source>
-        <translation>ロボットの軌跡</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -4852,6 +4827,10 @@ Observations: %4</source>
     <message>
         <source>“%1” is not possible now: %2.</source>
         <translation>「%1」は今はできません：%2。</translation>
+    </message>
+    <message>
+        <source>Teach buildings</source>
+        <translation>建物を教える</translation>
     </message>
 </context>
 <context>
@@ -5670,6 +5649,75 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::ResultActions</name>
+    <message>
+        <source>no run has corrected anything yet</source>
+        <translation>まだどの実行も補正していません</translation>
+    </message>
+    <message>
+        <source>Frame %1 was skipped: %2</source>
+        <translation>フレーム %1 を飛ばしました: %2</translation>
+    </message>
+    <message>
+        <source>%1 frames were skipped; the latest, %2: %3</source>
+        <translation>%1 フレームを飛ばしました。最新は %2: %3</translation>
+    </message>
+    <message>
+        <source>Place the start</source>
+        <translation>出発点を置く</translation>
+    </message>
+    <message>
+        <source>The run is done. %1</source>
+        <translation>実行が終わりました。%1</translation>
+    </message>
+    <message>
+        <source>Accept refinement</source>
+        <translation>補正を取り込む</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) were edited since the run began: %1</source>
+        <translation>
+            <numerusform>実行開始後に建物 %n 棟が編集されました: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their corrected shapes are of the drawing before.</source>
+        <translation>それらの補正は、編集前の図面に対するものです。</translation>
+    </message>
+    <message>
+        <source>Take all others</source>
+        <translation>その他をすべて取り込む</translation>
+    </message>
+    <message>
+        <source>Take all</source>
+        <translation>すべて取り込む</translation>
+    </message>
+    <message>
+        <source>Export the refined map</source>
+        <translation>補正した地図を書き出す</translation>
+    </message>
+    <message>
+        <source>-refined</source>
+        <translation>-補正</translation>
+    </message>
+    <message>
+        <source>The refined map</source>
+        <translation>補正した地図</translation>
+    </message>
+    <message>
+        <source>Export the trajectory</source>
+        <translation>軌跡を書き出す</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.tum)</source>
+        <translation>軌跡 (*.tum)</translation>
+    </message>
+    <message>
+        <source>The way of the robot</source>
+        <translation>ロボットの軌跡</translation>
+    </message>
+</context>
+<context>
     <name>handmap::RevisionActions</name>
     <message>
         <source>the robot is %1 m elsewhere</source>
@@ -5767,6 +5815,10 @@ Corrected by a run.</source>
     <message>
         <source>Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends the drive.</source>
         <translation>出発点を描いてください: 押して、見る方向へドラッグし、離します。その後「実行」を押します。「停止」で走行を終えます。</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
     </message>
 </context>
 <context>
@@ -6157,225 +6209,6 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
-    <name>handmap::RunActions</name>
-    <message numerus="yes">
-        <source>“%1” is open: %n row(s).</source>
-        <translation>
-            <numerusform>「%1」を開きました: %n 行</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Press Run to localize on the drawing.</source>
-        <translation>「実行」を押すと、図面の上で位置を推定します。</translation>
-    </message>
-    <message>
-        <source>Draw the buildings and where the robot starts, or open the drawing; then press Run.</source>
-        <translation>建物とロボットの出発点を描くか、図面を開いてから、「実行」を押してください。</translation>
-    </message>
-    <message>
-        <source>&amp;Two rows of buildings</source>
-        <translation>二列の建物(&amp;T)</translation>
-    </message>
-    <message>
-        <source>A &amp;campus</source>
-        <translation>キャンパス(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Around a campus</source>
-        <translation>キャンパス一周(&amp;A)</translation>
-    </message>
-    <message>
-        <source>T&amp;his drawing</source>
-        <translation>この図面(&amp;H)</translation>
-    </message>
-    <message>
-        <source>A &amp;live robot (virtual rig)</source>
-        <translation>実時間のロボット (仮想)(&amp;L)</translation>
-    </message>
-    <message>
-        <source>The &amp;demonstration</source>
-        <translation>デモ(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Open a recording</source>
-        <translation>記録を開く</translation>
-    </message>
-    <message>
-        <source>Frame %1 was skipped: %2</source>
-        <translation>フレーム %1 を飛ばしました: %2</translation>
-    </message>
-    <message>
-        <source>%1 frames were skipped; the latest, %2: %3</source>
-        <translation>%1 フレームを飛ばしました。最新は %2: %3</translation>
-    </message>
-    <message>
-        <source>The run is done. %1</source>
-        <translation>実行が終わりました。%1</translation>
-    </message>
-    <message>
-        <source>Accept refinement</source>
-        <translation>補正を取り込む</translation>
-    </message>
-    <message>
-        <source>Place the start</source>
-        <translation>出発点を置く</translation>
-    </message>
-    <message>
-        <source>There are no buildings yet to find the robot among.</source>
-        <translation>ロボットの位置を見つける手がかりとなる建物がまだありません。</translation>
-    </message>
-    <message>
-        <source>Draw at least one that the robot comes by.</source>
-        <translation>ロボットがそばを通る建物を、少なくとも一つ描いてください。</translation>
-    </message>
-    <message>
-        <source>Draw</source>
-        <translation>描く</translation>
-    </message>
-    <message>
-        <source>The map has no start.</source>
-        <translation>地図に出発点がありません。</translation>
-    </message>
-    <message>
-        <source>Press where the robot begins, drag to where it looks, release.</source>
-        <translation>ロボットの出発点を押し、見る方向へドラッグして離します。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n building(s) were edited since the run began: %1</source>
-        <translation>
-            <numerusform>実行開始後に建物 %n 棟が編集されました: %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Their corrected shapes are of the drawing before.</source>
-        <translation>それらの補正は、編集前の図面に対するものです。</translation>
-    </message>
-    <message>
-        <source>Take all others</source>
-        <translation>その他をすべて取り込む</translation>
-    </message>
-    <message>
-        <source>Take all</source>
-        <translation>すべて取り込む</translation>
-    </message>
-    <message>
-        <source>a run is under way</source>
-        <translation>実行中です</translation>
-    </message>
-    <message>
-        <source>no recording, robot or simulator is open</source>
-        <translation>記録、ロボット、シミュレーターのどれも開かれていません</translation>
-    </message>
-    <message>
-        <source>nothing is running</source>
-        <translation>何も実行されていません</translation>
-    </message>
-    <message>
-        <source>no run has corrected anything yet</source>
-        <translation>まだどの実行も補正していません</translation>
-    </message>
-    <message>
-        <source>, %1 of %2</source>
-        <translation>、%1 / %2</translation>
-    </message>
-    <message>
-        <source>, %1</source>
-        <translation>、%1</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>実行中</translation>
-    </message>
-    <message>
-        <source>Opening</source>
-        <translation>開いています</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>一時停止</translation>
-    </message>
-    <message>
-        <source>Finishing</source>
-        <translation>仕上げ中</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>停止中</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完了</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Ready to run</source>
-        <translation>実行できます</translation>
-    </message>
-    <message>
-        <source>No robot</source>
-        <translation>ロボットなし</translation>
-    </message>
-    <message>
-        <source>Looking back</source>
-        <translation>過去を表示中</translation>
-    </message>
-    <message numerus="yes">
-        <source>On that drive somebody said %n thing(s): where the robot was, or which building is right or not there. The run does it again.</source>
-        <translation>
-            <numerusform>この走行では人が %n 件の指示をしました (ロボットの位置、正しい建物、存在しない建物)。実行でも同じことをします。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Leave it out</source>
-        <translation>使わない</translation>
-    </message>
-    <message>
-        <source>Buildings that are right</source>
-        <translation>正しい建物</translation>
-    </message>
-    <message>
-        <source>Open poses of the robot</source>
-        <translation>ロボットの姿勢を開く</translation>
-    </message>
-    <message>
-        <source>Poses in TUM form (*.tum *.txt)</source>
-        <translation>TUM 形式の姿勢 (*.tum *.txt)</translation>
-    </message>
-    <message numerus="yes">
-        <source>The next run goes through %n given pose(s).</source>
-        <translation>
-            <numerusform>次の実行は既知の姿勢 %n 個を通ります。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Forget them</source>
-        <translation>使わない</translation>
-    </message>
-    <message>
-        <source>no recording or simulator is open</source>
-        <translation>記録もシミュレーターも開いていません</translation>
-    </message>
-    <message>
-        <source>A live robot with a &amp;stereo head</source>
-        <translation>ステレオカメラで見回すロボット（実時間）(&amp;S)</translation>
-    </message>
-    <message>
-        <source>%1 m: %2 %</source>
-        <translation>%1 m: %2 %</translation>
-    </message>
-    <message>
-        <source>pose within %1</source>
-        <translation>位置の確率 %1</translation>
-    </message>
-    <message>
-        <source>A &amp;quarter with fences and hedges</source>
-        <translation>柵と生け垣のある街区(&amp;Q)</translation>
-    </message>
-</context>
-<context>
     <name>handmap::RunLog</name>
     <message>
         <source>Frame %1 was skipped: %2</source>
@@ -6690,6 +6523,119 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::SourceActions</name>
+    <message>
+        <source>&amp;Two rows of buildings</source>
+        <translation>二列の建物(&amp;T)</translation>
+    </message>
+    <message>
+        <source>A &amp;campus</source>
+        <translation>キャンパス(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Around a campus</source>
+        <translation>キャンパス一周(&amp;A)</translation>
+    </message>
+    <message>
+        <source>A &amp;quarter with fences and hedges</source>
+        <translation>柵と生け垣のある街区(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>T&amp;his drawing</source>
+        <translation>この図面(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A &amp;live robot (virtual rig)</source>
+        <translation>実時間のロボット (仮想)(&amp;L)</translation>
+    </message>
+    <message>
+        <source>A live robot with a &amp;stereo head</source>
+        <translation>ステレオカメラで見回すロボット（実時間）(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The &amp;demonstration</source>
+        <translation>デモ(&amp;D)</translation>
+    </message>
+    <message>
+        <source>no recording or simulator is open</source>
+        <translation>記録もシミュレーターも開いていません</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is open: %n row(s).</source>
+        <translation>
+            <numerusform>「%1」を開きました: %n 行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Press Run to localize on the drawing.</source>
+        <translation>「実行」を押すと、図面の上で位置を推定します。</translation>
+    </message>
+    <message>
+        <source>Draw the buildings and where the robot starts, or open the drawing; then press Run.</source>
+        <translation>建物とロボットの出発点を描くか、図面を開いてから、「実行」を押してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>On that drive somebody said %n thing(s): where the robot was, or which building is right or not there. The run does it again.</source>
+        <translation>
+            <numerusform>この走行では人が %n 件の指示をしました (ロボットの位置、正しい建物、存在しない建物)。実行でも同じことをします。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave it out</source>
+        <translation>使わない</translation>
+    </message>
+    <message>
+        <source>Open poses of the robot</source>
+        <translation>ロボットの姿勢を開く</translation>
+    </message>
+    <message>
+        <source>Poses in TUM form (*.tum *.txt)</source>
+        <translation>TUM 形式の姿勢 (*.tum *.txt)</translation>
+    </message>
+    <message numerus="yes">
+        <source>The next run goes through %n given pose(s).</source>
+        <translation>
+            <numerusform>次の実行は既知の姿勢 %n 個を通ります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Forget them</source>
+        <translation>使わない</translation>
+    </message>
+    <message>
+        <source>Buildings that are right</source>
+        <translation>正しい建物</translation>
+    </message>
+    <message>
+        <source>There are no buildings yet to find the robot among.</source>
+        <translation>ロボットの位置を見つける手がかりとなる建物がまだありません。</translation>
+    </message>
+    <message>
+        <source>Draw at least one that the robot comes by.</source>
+        <translation>ロボットがそばを通る建物を、少なくとも一つ描いてください。</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>描く</translation>
+    </message>
+    <message>
+        <source>The map has no start.</source>
+        <translation>地図に出発点がありません。</translation>
+    </message>
+    <message>
+        <source>Press where the robot begins, drag to where it looks, release.</source>
+        <translation>ロボットの出発点を押し、見る方向へドラッグして離します。</translation>
+    </message>
+    <message>
+        <source>Place the start</source>
+        <translation>出発点を置く</translation>
+    </message>
+</context>
+<context>
     <name>handmap::StartPage</name>
     <message>
         <source>Start of the robot</source>
@@ -6958,6 +6904,77 @@ Corrected by a run.</source>
     <message>
         <source>Done</source>
         <translation>完了</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::TransportActions</name>
+    <message>
+        <source>%1 m: %2 %</source>
+        <translation>%1 m: %2 %</translation>
+    </message>
+    <message>
+        <source>pose within %1</source>
+        <translation>位置の確率 %1</translation>
+    </message>
+    <message>
+        <source>a run is under way</source>
+        <translation>実行中です</translation>
+    </message>
+    <message>
+        <source>no recording, robot or simulator is open</source>
+        <translation>記録、ロボット、シミュレーターのどれも開かれていません</translation>
+    </message>
+    <message>
+        <source>nothing is running</source>
+        <translation>何も実行されていません</translation>
+    </message>
+    <message>
+        <source>, %1 of %2</source>
+        <translation>、%1 / %2</translation>
+    </message>
+    <message>
+        <source>, %1</source>
+        <translation>、%1</translation>
+    </message>
+    <message>
+        <source>Looking back</source>
+        <translation>過去を表示中</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>開いています</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation>仕上げ中</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Ready to run</source>
+        <translation>実行できます</translation>
+    </message>
+    <message>
+        <source>No robot</source>
+        <translation>ロボットなし</translation>
     </message>
 </context>
 <context>

@@ -10,7 +10,7 @@
 #include <arv.h>
 
 #include "core/base/error.h"
-#include "drivers/device/rig_clock.h"
+#include "core/rig/rig_clock.h"
 
 namespace handmap {
 namespace {

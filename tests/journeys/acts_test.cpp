@@ -57,7 +57,7 @@ class ActsTest : public WindowTest {
     appendAct(folder,
               {times_[4], Act::Kind::BuildingIsNotThere, {}, world.map.buildings[1].id, {}});
     window_ = open();
-    window_->runs().openRecording(path("drive"));
+    window_->sources().openRecording(path("drive"));
   }
   bool waitForMessage(const QString& part) {
     return QTest::qWaitFor([&] { return message(*window_).contains(part); }, kPatienceMs);

@@ -13,10 +13,10 @@
 #include <opencv2/videoio.hpp>
 
 #include "app/gui/rig/rig_actions.h"
-#include "app/gui/rig/rig_form.h"
 #include "tests/core/calibration/rendered_boards.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
+#include "widgets/rig/rig_form.h"
 
 namespace handmap {
 namespace {

@@ -128,7 +128,7 @@ TEST_F(DocumentWindow, AcceptingAsksForWhatWasEditedDuringTheRun) {
 }
 
 TEST_F(DocumentWindow, LeavingAsksForWhatWasTaught) {
-  TeachPanel& teach = window_->docks().teach();
+  TeachPanel& teach = window_->teach();
   teach.setModel(std::make_shared<const BuildingClassifier>(BuildingClassifier::builtIn(false)));
   teach.setUnsaved();
   EXPECT_FALSE(window_->close()) << "cancelled";
@@ -141,7 +141,7 @@ TEST_F(DocumentWindow, LeavingAsksForWhatWasTaught) {
 }
 
 TEST_F(DocumentWindow, LeavingAsksForWhatWasPaintedAndNotTrained) {
-  TeachPanel& teach = window_->docks().teach();
+  TeachPanel& teach = window_->teach();
   teach.addTeaching({{{path("photo.png"), {WindowLabel::Building}}}});
   EXPECT_FALSE(window_->close());
   dialogs_->choices = {1};
@@ -154,18 +154,18 @@ TEST_F(DocumentWindow, WhatLiesOutsideOfTheFolderIsReadWhenSomebodySaysSo) {
   write("maps/yard.handmap",
         R"({"format":"handmap","version":1,"buildings":[],"handmap:model":"../outside.json"})");
   ASSERT_TRUE(window_->files().open(path("maps/yard.handmap")));
-  EXPECT_FALSE(window_->docks().teach().classifier());
+  EXPECT_FALSE(window_->teach().classifier());
   ASSERT_EQ(texts().size(), 1);
   EXPECT_TRUE(texts().first().contains("../outside.json")) << texts().first().toStdString();
   ASSERT_TRUE(press("Read them"));
-  EXPECT_TRUE(window_->docks().teach().classifier());
+  EXPECT_TRUE(window_->teach().classifier());
   EXPECT_TRUE(document_.trustsReferences());
 
   window_->files().replace({});
   EXPECT_FALSE(document_.trustsReferences());
   ASSERT_TRUE(window_->files().open(path("maps/yard.handmap")));
   EXPECT_TRUE(texts().isEmpty()) << "asked once for each drawing";
-  EXPECT_TRUE(window_->docks().teach().classifier());
+  EXPECT_TRUE(window_->teach().classifier());
 
   write("maps/other.handmap",
         R"({"format":"handmap","version":1,"buildings":[],"handmap:model":"../outside.json"})");

@@ -8,12 +8,12 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "app/gui/rig/live_panel.h"
 #include "app/gui/rig/rig_actions.h"
-#include "app/gui/rig/rig_dialog.h"
-#include "app/gui/rig/rig_form.h"
 #include "app/gui/run/live_robot.h"
 #include "tests/journeys/window_test.h"
+#include "widgets/rig/live_panel.h"
+#include "widgets/rig/rig_dialog.h"
+#include "widgets/rig/rig_form.h"
 
 namespace handmap {
 namespace {
@@ -23,8 +23,8 @@ class LiveWindow : public WindowTest {
   static void runVirtualRig(MainWindow& window) {
     RunSetup setup;
     setup.settings.slam.slam_particles = 5;
-    window.docks().setup().setSetup(setup);
-    window.runs().openVirtualRig();
+    window.runPanels().setup.setSetup(setup);
+    window.sources().openVirtualRig();
     window.runs().runOrResume();
   }
   static bool waitForSteps(MainWindow& window) {
@@ -32,13 +32,13 @@ class LiveWindow : public WindowTest {
   }
   static QString panelText(MainWindow& window) {
     QString text;
-    const auto* tree = window.docks().live().findChild<QTreeWidget*>();
+    const auto* tree = window.rigs().panel().findChild<QTreeWidget*>();
     for (int row = 0; row < tree->topLevelItemCount(); ++row) {
       for (int column = 0; column < tree->columnCount(); ++column) {
         text += tree->topLevelItem(row)->text(column) + ' ';
       }
     }
-    return text + window.docks().live().findChild<QLabel*>("live_counts")->text();
+    return text + window.rigs().panel().findChild<QLabel*>("live_counts")->text();
   }
   static QString wordsOf(RigDialog& dialog) {
     return dialog.findChild<QLabel*>("rig_words")->text();
@@ -62,7 +62,7 @@ class LiveWindow : public WindowTest {
 TEST_F(LiveWindow, ALiveRobotRunsUntilThePersonEndsTheDrive) {
   const auto window = open();
   runVirtualRig(*window);
-  EXPECT_TRUE(window->docks().live().isVisible());
+  EXPECT_TRUE(window->rigs().panel().isVisible());
   ASSERT_TRUE(waitForSteps(*window));
   EXPECT_TRUE(QTest::qWaitFor([&] { return panelText(*window).contains("ready"); }, kPatienceMs));
   EXPECT_TRUE(panelText(*window).contains("Scanner")) << panelText(*window).toStdString();
@@ -103,12 +103,12 @@ TEST_F(LiveWindow, TheWindowClosesInTheMiddleOfADrive) {
 
 TEST_F(LiveWindow, AStopBeforeTheFirstObservationIsAnEnd) {
   const auto window = open();
-  window->runs().openVirtualRig();
+  window->sources().openVirtualRig();
   Rig rig;
   rig.name = "silent";
   rig.scanner = ScannerRig{};
   rig.odometry.kind = OdometryRigKind::Scan;
-  window->runs().setRobot(liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+  window->sources().setRobot(liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
   window->runs().runOrResume();
   EXPECT_EQ(window->runs().stateInWords(), "Waiting for the robot");
   QTest::qWait(300);

@@ -8,7 +8,9 @@
 #include "widgets/document/map_document.h"
 #include "widgets/run/overlays/run_strip.h"
 #include "widgets/run/panels/timeline.h"
+#include "widgets/run/panels/why_panel.h"
 #include "widgets/run/words/phase_words.h"
+#include "widgets/tools/toolbox.h"
 
 namespace handmap {
 namespace {
@@ -80,7 +82,7 @@ TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
       kPatienceMs));
   const int before = done();
   QStringList names;
-  QObject::connect(&window_->runs(), &RunActions::phaseShown, window_.get(),
+  QObject::connect(&window_->runs(), &TransportActions::phaseShown, window_.get(),
                    [&](const Phase& phase, int, int) { names << PhaseWords::name(phase); });
   action(*window_, "run.phase")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !names.isEmpty(); }, kPatienceMs));
@@ -104,7 +106,7 @@ TEST_F(LookingBack, AnObservationIsGoneThroughPhaseByPhase) {
 TEST_F(LookingBack, TheWindowMayGoWhileAWallIsAskedWhy) {
   ASSERT_TRUE(waitForPast(2));
   action(*window_, "run.why")->trigger();
-  ASSERT_TRUE(window_->docks().isWhyShown());
+  ASSERT_TRUE(window_->runPanels().why.isVisible());
   window_->close();
   window_.reset();  // what it then does wrong only sanitizers see
 }

@@ -1,4 +1,4 @@
-#include "app/gui/shell/message_bar.h"
+#include "widgets/messages/message_bar.h"
 
 #include <QPushButton>
 #include <QTest>

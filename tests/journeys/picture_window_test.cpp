@@ -14,6 +14,7 @@
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/tools/picture_tool.h"
+#include "widgets/tools/toolbox.h"
 
 namespace handmap {
 namespace {

@@ -1,5 +1,5 @@
 // Unsaved work outlives its session.
-#include "app/gui/files/recovery.h"
+#include "widgets/recovery/recovery.h"
 
 #include <QFile>
 #include <QPushButton>
@@ -13,10 +13,10 @@
 #include <opencv2/core.hpp>
 
 #include "app/gui/files/recovery_offer.h"
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "core/recording/image_file.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {
@@ -34,7 +34,7 @@ Building house(double x) {
 struct Session {
   Session(const QString& settings_file, const QStringList& folders)
       : settings(settings_file, QSettings::IniFormat),
-        recovery({document, teach, settings}, {.delay_ms = 0, .folders = folders}) {}
+        recovery(document, teach, settings, {.delay_ms = 0, .folders = folders}) {}
 
   bool hasKept() {
     settings.sync();
@@ -252,7 +252,7 @@ TEST_F(RecoveryTest, EverySessionIsOfferedOneAfterAnother) {
   const auto next = session();
   QWidget window;
   MessageBar messages;
-  RecoveryOffer offer({window, next->recovery, messages, [] { return true; }});
+  RecoveryOffer offer(window, messages, next->recovery, [] { return true; });
   const auto press = [&](const QString& text) {
     for (auto* button : messages.messages().first()->findChildren<QPushButton*>()) {
       if (button->text() == text) return button->click();
@@ -281,7 +281,7 @@ TEST_F(RecoveryTest, ATornFileIsToldAndStaysUntilSomebodyDeletesIt) {
   const auto next = session();
   QWidget window;
   MessageBar messages;
-  RecoveryOffer offer({window, next->recovery, messages, [] { return true; }});
+  RecoveryOffer offer(window, messages, next->recovery, [] { return true; });
   offer.look();
   ASSERT_EQ(messages.messages().size(), 1);
   EXPECT_TRUE(messages.messages().first()->text().contains("cannot be read"));

@@ -5,10 +5,10 @@
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/recording_opener.h"
-#include "app/gui/shell/dialogs.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/dialogs.h"
 
 namespace handmap {
 namespace {
@@ -35,9 +35,9 @@ class RunEndingTest : public WindowTest {
             {"simulator", [](MainWindow& window) { press(window, "Simulator"); }},
             {"another run",
              [](MainWindow& window) {
-               window.runs().openTwoRows();
+               window.sources().openTwoRows();
                window.runs().runOrResume();
-               window.runs().openTwoRows();
+               window.sources().openTwoRows();
              }},
             {"open", [drawing](MainWindow& window) { EXPECT_TRUE(window.files().open(drawing)); }},
             {"discard", [](MainWindow& window) { window.run().discard(); }}};
@@ -106,7 +106,7 @@ TEST_F(RunEndingTest, WhileTheRobotIsBeingOpened) {
       while (!stop.stop_requested()) progress(0.5);
       return std::unique_ptr<ObservationSource>();
     };
-    window.runs().setRobot(robot);
+    window.sources().setRobot(robot);
     window.runs().runOrResume();
     QTest::qWait(20);
     EXPECT_TRUE(window.run().isActive());
@@ -117,7 +117,7 @@ TEST_F(RunEndingTest, WithTheWindow) {
   for (const int ms : {0, 5, 50}) {
     auto window = open();
     runSimulator(*window);
-    window->runs().openRecording(path("nowhere"));
+    window->sources().openRecording(path("nowhere"));
     QTest::qWait(ms);
     window.reset();
     QTest::qWait(5);

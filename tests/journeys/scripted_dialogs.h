@@ -4,7 +4,7 @@
 #include <QList>
 #include <QStringList>
 
-#include "app/gui/shell/dialogs.h"
+#include "widgets/messages/dialogs.h"
 
 namespace handmap {
 

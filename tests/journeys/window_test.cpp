@@ -24,7 +24,7 @@ TEST_F(WindowTest, ARunGoesToItsEndAndIsAcceptedAsOneStep) {
   EXPECT_FALSE(action(*window, "run.run")->isEnabled());
   ASSERT_TRUE(waitFor(*window, RunState::Idle));
   EXPECT_TRUE(window->runs().stateInWords().startsWith("Done"));
-  const auto score = window->runs().score();
+  const auto score = window->results().score();
   ASSERT_TRUE(score && score->maps && score->ways);
   EXPECT_LT(score->maps->corrected.front, score->maps->drawn.front);
   EXPECT_EQ(window->document().map(), drawn) << "a run never writes into the drawing";
@@ -73,7 +73,7 @@ TEST_F(WindowTest, PauseStepResumeStop) {
 
 TEST_F(WindowTest, AStepFromRestTakesOneObservation) {
   const auto window = open();
-  window->runs().openTwoRows();
+  window->sources().openTwoRows();
   action(*window, "run.step")->trigger();
   ASSERT_TRUE(waitFor(*window, RunState::Paused));
   EXPECT_TRUE(window->runs().stateInWords().startsWith("Paused, 1 of"))
@@ -82,10 +82,10 @@ TEST_F(WindowTest, AStepFromRestTakesOneObservation) {
 
 TEST_F(WindowTest, TeachingOpensItsPanelAndTellsProblems) {
   const auto window = open();
-  EXPECT_FALSE(window->docks().teach().isVisible());
+  EXPECT_FALSE(window->teach().isVisible());
   action(*window, "run.teach")->trigger();
-  EXPECT_TRUE(window->docks().teach().isVisible());
-  EXPECT_FALSE(window->docks().teach().loadModel(path("none.json")));
+  EXPECT_TRUE(window->teach().isVisible());
+  EXPECT_FALSE(window->teach().loadModel(path("none.json")));
   EXPECT_TRUE(message(*window).contains("none.json")) << message(*window).toStdString();
 }
 
@@ -111,7 +111,7 @@ TEST_F(WindowTest, AnotherDrawingEndsTheRun) {
 
 TEST_F(WindowTest, ABadFileIsAMessageAndTheDrawingStays) {
   const auto window = open();
-  window->runs().openTwoRows();
+  window->sources().openTwoRows();
   const Map before = window->document().map();
   QFile file(path("torn.handmap"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -124,14 +124,14 @@ TEST_F(WindowTest, ABadFileIsAMessageAndTheDrawingStays) {
 
 TEST_F(WindowTest, AFolderThatIsNoRecordingIsAMessage) {
   const auto window = open();
-  window->runs().openRecording(path("nowhere"));
+  window->sources().openRecording(path("nowhere"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return message(*window).contains("nowhere"); }, kPatienceMs));
   EXPECT_FALSE(action(*window, "run.run")->isEnabled());
 }
 
 TEST_F(WindowTest, ADrawingWithoutAStartIsToldAtTheRun) {
   const auto window = open();
-  window->runs().openTwoRows();
+  window->sources().openTwoRows();
   window->document().setStart({});
   window->runs().runOrResume();
   ASSERT_TRUE(waitFor(*window, RunState::Idle));
@@ -142,7 +142,7 @@ TEST_F(WindowTest, ADrawingWithoutAStartIsToldAtTheRun) {
 TEST_F(WindowTest, TheSimulatorTakesTheDrawingItself) {
   const auto window = open();
   EXPECT_THROW(simulationOfDrawing({}, 1), Error);
-  window->runs().openTwoRows();
+  window->sources().openTwoRows();
   const Map drawing = window->document().map();
   const Robot robot = simulationOfDrawing(drawing, 3);
   ASSERT_TRUE(robot.truth_map);
@@ -153,18 +153,18 @@ TEST_F(WindowTest, TheSimulatorTakesTheDrawingItself) {
 
 TEST_F(WindowTest, LayersReachTheCanvas) {
   const auto window = open();
-  window->runs().openTwoRows();
+  window->sources().openTwoRows();
   window->canvas().zoomToFit();
   const auto picture = [&] { return window->canvas().viewport()->grab().toImage(); };
   const QImage all = picture();
   for (const Layer layer : {Layer::Drawing, Layer::Grid, Layer::Truth}) {
-    window->docks().layers().setOn(layer, false);
+    window->runPanels().layers.setOn(layer, false);
     EXPECT_NE(picture(), all);
-    window->docks().layers().setOn(layer, true);
+    window->runPanels().layers.setOn(layer, true);
     EXPECT_EQ(picture(), all);
   }
   action(*window, "view.grid")->trigger();
-  EXPECT_FALSE(window->docks().layers().isOn(Layer::Grid));
+  EXPECT_FALSE(window->runPanels().layers.isOn(Layer::Grid));
 }
 
 TEST_F(WindowTest, PicturesAreWrittenWholeOrNotAtAll) {
@@ -177,9 +177,9 @@ TEST_F(WindowTest, PicturesAreWrittenWholeOrNotAtAll) {
 
 TEST_F(WindowTest, ATaughtModelIsSavedAndOpenedWithItsMap) {
   const auto window = open();
-  TeachPanel& teach = window->docks().teach();
+  TeachPanel& teach = window->teach();
   const auto chosen = [&] {
-    return window->docks().setup().setup().settings.perception.classifier;
+    return window->runPanels().setup.setup().settings.perception.classifier;
   };
   auto* button = teach.findChild<QPushButton*>("save_with_map");
   EXPECT_FALSE(button->isEnabled());
@@ -209,7 +209,7 @@ TEST_F(WindowTest, ATaughtModelIsSavedAndOpenedWithItsMap) {
 TEST_F(WindowTest, SavingTheMapSavesWhatWasTaughtAndIsInNoFile) {
   const auto window = open();
   document_.save(path("yard.handmap"));
-  TeachPanel& teach = window->docks().teach();
+  TeachPanel& teach = window->teach();
   ASSERT_TRUE(window->files().save());
   EXPECT_FALSE(QFile::exists(path("yard.model.json"))) << "nothing was taught";
   teach.setModel(std::make_shared<const BuildingClassifier>(BuildingClassifier::builtIn(true)));

@@ -8,12 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/run/run_actions.h"
+#include "app/gui/run/result_actions.h"
+#include "app/gui/run/source_actions.h"
+#include "app/gui/run/transport_actions.h"
 #include "app/gui/shell/docks.h"
-#include "app/gui/shell/message_bar.h"
 #include "app/gui/window/application.h"
 #include "app/gui/window/main_window.h"
 #include "widgets/background/background.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/run/panels/run_setup_panel.h"
 #include "widgets/run/panels/transport_bar.h"
 
@@ -41,8 +43,8 @@ class WindowTest : public testing::Test {
     RunSetup setup;
     setup.settings.slam.slam_particles = 5;
     setup.settings.slam.pso_particles = 5;
-    window.docks().setup().setSetup(setup);
-    window.runs().openTwoRows();
+    window.runPanels().setup.setSetup(setup);
+    window.sources().openTwoRows();
     window.transport().setSpeed(0.0);
     window.runs().runOrResume();
   }

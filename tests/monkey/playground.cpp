@@ -15,7 +15,9 @@
 
 #include <unistd.h>
 
-#include "app/gui/run/run_actions.h"
+#include "app/gui/run/result_actions.h"
+#include "app/gui/run/source_actions.h"
+#include "app/gui/run/transport_actions.h"
 #include "app/gui/shell/docks.h"
 #include "app/gui/window/application.h"
 #include "core/map/map_io.h"
@@ -145,11 +147,11 @@ void Playground::openWindow() {
   QObject::connect(document_.get(), &MapDocument::mapChanged, window_.get(),
                    [this] { noteBottom(); });
   window_->show();
-  RunSetup setup = window_->docks().setup().setup();
+  RunSetup setup = window_->runPanels().setup.setup();
   setup.settings.slam.slam_particles = 5;
   setup.settings.slam.pso_particles = 5;
   setup.settings.threads = 1;
-  window_->docks().setup().setSetup(setup);
+  window_->runPanels().setup.setSetup(setup);
   noteBottom();
 }
 
@@ -180,7 +182,7 @@ void Playground::press(std::uint32_t value) {
                                                 tool->objectName() == "qt_toolbar_ext_button");
     // The panel for teaching asks for files by itself.
     if (button->isVisible() && button->isEnabled() && !opens_menu &&
-        !window_->docks().teach().isAncestorOf(button)) {
+        !window_->teach().isAncestorOf(button)) {
       buttons << button;
     }
   }

@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/image_file.h"
-#include "widgets/run/panels/camera_panel.h"
+#include "widgets/pictures/camera_image.h"
 
 namespace handmap {
 

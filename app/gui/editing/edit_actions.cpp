@@ -6,12 +6,12 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/editing/arranging.h"
 #include "widgets/editing/clipboard.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/tools/toolbox.h"
 
 namespace handmap {
@@ -25,30 +25,32 @@ constexpr double kDuplicatePx = 24.0;  // so far from the original
 
 }  // namespace
 
-EditActions::EditActions(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
-  QUndoStack& undo = parts_.document.undoStack();
-  const ActionSet& actions = parts_.actions;
+EditActions::EditActions(const Shell& shell, MapDocument& document, MapCanvas& canvas,
+                         Toolbox& tools, QObject* parent)
+    : QObject(parent), shell_(shell), document_(document), canvas_(canvas), tools_(tools) {
+  QUndoStack& undo = document_.undoStack();
+  const ActionSet& actions = shell_.actions;
   actions.on("edit.undo", &undo, [&undo] { undo.undo(); });
   actions.on("edit.redo", &undo, [&undo] { undo.redo(); });
-  actions.on("edit.delete", this, [this] { parts_.canvas.deleteSelected(); });
-  actions.on("edit.select_all", this, [this] { parts_.document.selectAll(); });
-  actions.on("edit.rename", this, [this] { parts_.canvas.renameSelected(); });
-  actions.on("edit.add_corner", this, [this] { parts_.tools.addCorner(); });
+  actions.on("edit.delete", this, [this] { canvas_.deleteSelected(); });
+  actions.on("edit.select_all", this, [this] { document_.selectAll(); });
+  actions.on("edit.rename", this, [this] { canvas_.renameSelected(); });
+  actions.on("edit.add_corner", this, [this] { tools_.addCorner(); });
   connectClipboard();
   connectArranging();
   connectSnapping();
   connect(&undo, &QUndoStack::indexChanged, this, &EditActions::updateEnabled);
-  connect(&parts_.document, &MapDocument::selectionChanged, this, &EditActions::updateEnabled);
-  connect(&parts_.canvas, &MapCanvas::contextMenuRequested, this, &EditActions::showMenu);
+  connect(&document_, &MapDocument::selectionChanged, this, &EditActions::updateEnabled);
+  connect(&canvas_, &MapCanvas::contextMenuRequested, this, &EditActions::showMenu);
   updateEnabled();
 }
 
 void EditActions::connectClipboard() {
-  const ActionSet& actions = parts_.actions;
+  const ActionSet& actions = shell_.actions;
   actions.on("edit.copy", this, [this] { copy(); });
   actions.on("edit.cut", this, [this] {
     copy();
-    parts_.document.removeSelected();
+    document_.removeSelected();
   });
   actions.on("edit.paste", this, [this] { paste(); });
   actions.on("edit.duplicate", this, [this] { duplicate(); });
@@ -76,23 +78,23 @@ void EditActions::connectArranging() {
 }
 
 void EditActions::arrangeBy(const char* id, Arranging arranging) {
-  QAction& action = parts_.actions[QLatin1String(id)];
+  QAction& action = shell_.actions[QLatin1String(id)];
   connect(&action, &QAction::triggered, this, [this, &action, arranging = std::move(arranging)] {
-    MapDocument& document = parts_.document;
+    MapDocument& document = document_;
     document.apply(arranging(document.map(), document.selection()), action.text().remove(u'&'));
   });
 }
 
 void EditActions::connectSnapping() {
-  const ActionSet& actions = parts_.actions;
-  MapCanvas& canvas = parts_.canvas;
-  QSettings& settings = parts_.settings;
+  const ActionSet& actions = shell_.actions;
+  MapCanvas& canvas = canvas_;
+  QSettings& settings = shell_.settings;
   const auto show = [this] {
-    const SnapModes modes = parts_.canvas.snapModes();
-    parts_.actions["view.snap"].setChecked(modes.grid);
-    parts_.actions["view.snap_objects"].setChecked(modes.objects);
-    parts_.settings.setValue(kSnapGridKey, modes.grid);
-    parts_.settings.setValue(kSnapObjectsKey, modes.objects);
+    const SnapModes modes = canvas_.snapModes();
+    shell_.actions["view.snap"].setChecked(modes.grid);
+    shell_.actions["view.snap_objects"].setChecked(modes.objects);
+    shell_.settings.setValue(kSnapGridKey, modes.grid);
+    shell_.settings.setValue(kSnapObjectsKey, modes.objects);
   };
   canvas.setSnapModes({settings.value(kSnapGridKey, false).toBool(),
                        settings.value(kSnapObjectsKey, true).toBool()});
@@ -107,16 +109,16 @@ void EditActions::connectSnapping() {
   actions.on("view.snap_next", this, [&canvas] { canvas.cycleSnapModes(); });
 
   const bool recognizing = settings.value(kRecognizeKey, true).toBool();
-  parts_.tools.setRecognizing(recognizing);
+  tools_.setRecognizing(recognizing);
   actions["draw.recognize"].setChecked(recognizing);
   actions.on("draw.recognize", this, [this, &settings](bool on) {
-    parts_.tools.setRecognizing(on);
+    tools_.setRecognizing(on);
     settings.setValue(kRecognizeKey, on);
   });
 }
 
 void EditActions::copy() {
-  const MapDocument& document = parts_.document;
+  const MapDocument& document = document_;
   if (document.selection().isEmpty()) return;
   QGuiApplication::clipboard()->setMimeData(
       clipboardData(document.map(), document.selection()).release());
@@ -125,36 +127,36 @@ void EditActions::copy() {
 void EditActions::paste() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
   if (!data || !mayHoldObjects(*data)) {
-    parts_.messages.show(MessageBar::Kind::Warning,
+    shell_.messages.show(MessageBar::Kind::Warning,
                          tr("There is nothing on the clipboard to paste"));
     return;
   }
   try {
-    insert(centredAt(objectsOf(*data), parts_.canvas.pastePosition()), tr("Paste"));
+    insert(centredAt(objectsOf(*data), canvas_.pastePosition()), tr("Paste"));
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Warning, tr("The clipboard holds no part of a drawing"),
+    shell_.messages.show(MessageBar::Kind::Warning, tr("The clipboard holds no part of a drawing"),
                          QString::fromUtf8(error.what()));
   }
 }
 
 void EditActions::duplicate() {
-  const MapDocument& document = parts_.document;
-  const double away = roundedTo({kDuplicatePx / parts_.canvas.pixelsPerMetre(), 0.0}, 0.1).x();
+  const MapDocument& document = document_;
+  const double away = roundedTo({kDuplicatePx / canvas_.pixelsPerMetre(), 0.0}, 0.1).x();
   MapChange objects = selected(document.map(), document.selection());
   insert(moved(std::move(objects), {away, -away}), tr("Duplicate"));
 }
 
 void EditActions::insert(MapChange objects, const QString& text) {
-  MapDocument& document = parts_.document;
+  MapDocument& document = document_;
   const QStringList keys = document.add(copiesFor(document.map(), std::move(objects)), text);
   if (!keys.isEmpty()) document.setSelection(keys);
 }
 
 void EditActions::updateEnabled() {
-  const MapDocument& document = parts_.document;
-  const ActionSet& actions = parts_.actions;
+  const MapDocument& document = document_;
+  const ActionSet& actions = shell_.actions;
   const QStringList keys = document.selection();
-  QUndoStack& undo = parts_.document.undoStack();
+  QUndoStack& undo = document_.undoStack();
   actions.setEnabled({"edit.undo"}, undo.canUndo(), tr("nothing has been changed"));
   actions.setEnabled({"edit.redo"}, undo.canRedo(), tr("nothing has been taken back"));
   const QString nothing = tr("nothing is selected");
@@ -165,7 +167,7 @@ void EditActions::updateEnabled() {
   });
   actions.setEnabled({"edit.rename"}, objects == 1 && keys.size() == 1,
                      tr("not one building or landmark is selected"));
-  actions.setEnabled({"edit.add_corner"}, parts_.tools.canAddCorner(),
+  actions.setEnabled({"edit.add_corner"}, tools_.canAddCorner(),
                      tr("no building that is not locked, and no route, is selected"));
   actions.setEnabled({"arrange.lock", "arrange.square", "arrange.parallel", "arrange.polygon"},
                      objects > 0, nothing);
@@ -179,13 +181,13 @@ void EditActions::updateEnabled() {
 void EditActions::addEnabled(QMenu& menu, std::initializer_list<const char*> ids) const {
   menu.addSeparator();
   for (const char* id : ids) {
-    QAction& action = parts_.actions[QLatin1String(id)];
+    QAction& action = shell_.actions[QLatin1String(id)];
     if (action.isEnabled()) menu.addAction(&action);
   }
 }
 
 void EditActions::showMenu(QPoint global) {
-  auto* menu = new QMenu(&parts_.canvas);
+  auto* menu = new QMenu(&canvas_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName("canvas_menu");
   addEnabled(*menu, {"edit.rename", "edit.add_corner", "edit.delete"});
@@ -194,7 +196,7 @@ void EditActions::showMenu(QPoint global) {
   addEnabled(*menu,
              {"arrange.left", "arrange.right", "arrange.top", "arrange.bottom", "arrange.centre_x",
               "arrange.centre_y", "arrange.distribute_x", "arrange.distribute_y"});
-  if (parts_.document.selection().isEmpty())
+  if (document_.selection().isEmpty())
     addEnabled(*menu, {"edit.select_all", "view.zoom_fit", "view.grid", "view.snap_next"});
   menu->popup(global);
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <functional>
 
+#include "app/gui/shell/shell.h"
 #include "widgets/document/map_change.h"
 
 class QMenu;
@@ -11,24 +12,16 @@ class QSettings;
 
 namespace handmap {
 
-class ActionSet;
 class MapCanvas;
 class MapDocument;
-class MessageBar;
 class Toolbox;
 
 class EditActions : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
-    MapDocument& document;
-    MapCanvas& canvas;
-    Toolbox& tools;
-    const ActionSet& actions;
-    MessageBar& messages;
-    QSettings& settings;
-  };
-  explicit EditActions(const Parts& parts, QObject* parent = nullptr);
+  /// What it is given must outlive it.
+  EditActions(const Shell& shell, MapDocument& document, MapCanvas& canvas, Toolbox& tools,
+              QObject* parent = nullptr);
 
  private:
   using Arranging = std::function<MapChange(const Map&, const QStringList&)>;
@@ -45,7 +38,10 @@ class EditActions : public QObject {
   void showMenu(QPoint global);
   void addEnabled(QMenu& menu, std::initializer_list<const char*> ids) const;
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  MapCanvas& canvas_;
+  Toolbox& tools_;
 };
 
 }  // namespace handmap

@@ -6,14 +6,14 @@
 #include <algorithm>
 
 #include "app/gui/files/reference_trust.h"
-#include "app/gui/shell/dialogs.h"
 #include "app/gui/shell/docks.h"
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "core/map/map_limits.h"
 #include "core/map/references.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/messages/dialogs.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/panels/property_panel.h"
 #include "widgets/pictures/picture_file.h"
 #include "widgets/tools/picture_tool.h"
@@ -41,29 +41,37 @@ Underlay spread(Underlay underlay, const QSize& size, const QRectF& visible, con
 
 }  // namespace
 
-PictureActions::PictureActions(const Parts& parts, QObject* parent)
-    : QObject(parent), parts_(parts) {
-  parts_.actions.on("draw.add_picture", this, [this] { ask(); });
-  parts_.docks.properties().setPictureTool(parts_.tool);
-  connect(&parts_.docks.properties(), &PropertyPanel::pictureToolRequested, &parts_.canvas,
-          [this] { parts_.canvas.setTool(ToolId::Picture); });
+PictureActions::PictureActions(const Shell& shell, MapDocument& document, MapCanvas& canvas,
+                               PictureTool& tool, PropertyPanel& properties, ReferenceTrust& trust,
+                               QObject* parent)
+    : QObject(parent),
+      shell_(shell),
+      document_(document),
+      canvas_(canvas),
+      tool_(tool),
+      properties_(properties),
+      trust_(trust) {
+  shell_.actions.on("draw.add_picture", this, [this] { ask(); });
+  properties_.setPictureTool(tool_);
+  connect(&properties_, &PropertyPanel::pictureToolRequested, &canvas_,
+          [this] { canvas_.setTool(ToolId::Picture); });
 }
 
 void PictureActions::ask() {
-  const QString path = parts_.dialogs.fileToOpen({tr("Add a picture underneath"),
-                                                  parts_.settings.value(kFolderKey).toString(),
+  const QString path = shell_.dialogs.fileToOpen({tr("Add a picture underneath"),
+                                                  shell_.settings.value(kFolderKey).toString(),
                                                   pictureFilter(),
                                                   {},
                                                   {}});
   if (path.isEmpty()) return;
-  parts_.settings.setValue(kFolderKey, QFileInfo(path).path());
+  shell_.settings.setValue(kFolderKey, QFileInfo(path).path());
   add(path);
 }
 
 void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
-  const Map& map = parts_.document.map();
+  const Map& map = document_.map();
   if (map.underlays.size() >= kMaxUnderlays) {
-    parts_.messages.show(MessageBar::Kind::Warning,
+    shell_.messages.show(MessageBar::Kind::Warning,
                          tr("There are %1 pictures, and no room for more.").arg(kMaxUnderlays));
     return;
   }
@@ -71,15 +79,15 @@ void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
   try {
     head = readPictureHead(path);
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
+    shell_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
                          QString::fromStdString(error.hint()), kPictureActionsTopic);
     return;
   }
-  const QRectF visible = parts_.canvas.visibleMetres();
+  const QRectF visible = canvas_.visibleMetres();
   const QPointF centre = middle.value_or(visible.center());
   Underlay underlay;
   underlay.opacity = kUsualOpacity;
-  const QString origin = parts_.document.origin();
+  const QString origin = document_.origin();
   const QString absolute = QFileInfo(path).absoluteFilePath();
   underlay.image =
       origin.isEmpty() ? absolute.toStdString() : referenceFrom(native(origin), native(absolute));
@@ -89,42 +97,41 @@ void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
       head.geometry ? grounded(underlay, *head.geometry, map.georeference, {centre.x(), centre.y()})
                     : std::nullopt;
   if (placed) underlay = placed->fit.underlay;
-  const bool was_trusted = parts_.trust.allows();
-  const QString key =
-      parts_.document.addUnderlay(underlay, placed ? placed->georeference : std::nullopt);
-  if (was_trusted) parts_.document.setTrustsReferences(true);  // this one was chosen by hand
-  parts_.document.setSelection({key});
-  parts_.canvas.setTool(ToolId::Picture);
-  parts_.docks.showProperties();
-  parts_.canvas.setFocus();
+  const bool was_trusted = trust_.allows();
+  const QString key = document_.addUnderlay(underlay, placed ? placed->georeference : std::nullopt);
+  if (was_trusted) document_.setTrustsReferences(true);  // this one was chosen by hand
+  document_.setSelection({key});
+  canvas_.setTool(ToolId::Picture);
+  shell_.docks.show(properties_);
+  canvas_.setFocus();
 
   const QString name = QFileInfo(path).fileName();
   if (placed) {
-    parts_.canvas.zoomToObject(key);
+    canvas_.zoomToObject(key);
     QString hint = placed->georeference ? tr("The map has taken over where on Earth it lies.")
                                         : tr("What is drawn already may have to be moved over it.");
     if (placed->fit.residual > underlay.metres_per_pixel)
       hint = tr("Its pixels are not square: it is off by up to %1 m.")
                  .arg(placed->fit.residual, 0, 'f', 1);
-    parts_.messages.show(MessageBar::Kind::Info, tr("“%1” lies where its file says.").arg(name),
+    shell_.messages.show(MessageBar::Kind::Info, tr("“%1” lies where its file says.").arg(name),
                          hint, kPictureActionsTopic);
     return;
   }
   const QString hint = head.geometry
                            ? tr("It lies too far from where the map is; drag it to its place.")
                            : tr("Drag it to its place. Its scale is a guess:");
-  parts_.messages.show(MessageBar::Kind::Info, tr("“%1” lies under the drawing.").arg(name), hint,
+  shell_.messages.show(MessageBar::Kind::Info, tr("“%1” lies under the drawing.").arg(name), hint,
                        kPictureActionsTopic);
-  parts_.messages.addAction(tr("Scale by a length"),
+  shell_.messages.addAction(tr("Scale by a length"),
                             [this] { adjust(static_cast<int>(PictureTool::Mode::Scale)); });
-  parts_.messages.addAction(tr("Fit by points"),
+  shell_.messages.addAction(tr("Fit by points"),
                             [this] { adjust(static_cast<int>(PictureTool::Mode::Fit)); });
 }
 
 void PictureActions::adjust(int mode) {
-  parts_.canvas.setTool(ToolId::Picture);
-  parts_.tool.setMode(static_cast<PictureTool::Mode>(mode));
-  parts_.canvas.setFocus();
+  canvas_.setTool(ToolId::Picture);
+  tool_.setMode(static_cast<PictureTool::Mode>(mode));
+  canvas_.setFocus();
 }
 
 }  // namespace handmap

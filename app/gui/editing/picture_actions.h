@@ -5,35 +5,24 @@
 #include <QPointF>
 #include <optional>
 
+#include "app/gui/shell/shell.h"
+
 class QSettings;
 
 namespace handmap {
 
-class ActionSet;
-class Dialogs;
-class Docks;
 class MapCanvas;
 class MapDocument;
-class MessageBar;
 class PictureTool;
+class PropertyPanel;
 class ReferenceTrust;
 
 class PictureActions : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    MapDocument& document;
-    MapCanvas& canvas;
-    PictureTool& tool;
-    ActionSet& actions;
-    Docks& docks;
-    MessageBar& messages;
-    ReferenceTrust& trust;
-    QSettings& settings;
-    Dialogs& dialogs;
-  };
-  PictureActions(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  PictureActions(const Shell& shell, MapDocument& document, MapCanvas& canvas, PictureTool& tool,
+                 PropertyPanel& properties, ReferenceTrust& trust, QObject* parent);
 
   /// Lays it where its file tells, else about `middle` (metres; absent: the middle of the canvas),
   /// as large as it shows whole. What goes wrong is told in the message bar.
@@ -43,7 +32,12 @@ class PictureActions : public QObject {
   void ask();
   void adjust(int mode);
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  MapCanvas& canvas_;
+  PictureTool& tool_;
+  PropertyPanel& properties_;
+  ReferenceTrust& trust_;
 };
 
 }  // namespace handmap

@@ -5,22 +5,18 @@
 #include <QObject>
 #include <QTimer>
 
+#include "app/gui/shell/shell.h"
+
 namespace handmap {
 
 class FileActions;
 class MapDocument;
-class MessageBar;
 
 class DiskWatch : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    MapDocument& document;
-    FileActions& files;
-    MessageBar& messages;
-  };
-  DiskWatch(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  DiskWatch(const Shell& shell, MapDocument& document, FileActions& files, QObject* parent);
 
  private:
   void follow();
@@ -29,7 +25,9 @@ class DiskWatch : public QObject {
   /// A short mark of what the file holds; empty: it cannot be read.
   static QByteArray markOf(const QString& path);
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  FileActions& files_;
   QFileSystemWatcher watcher_;
   QTimer timer_;
   QString path_;

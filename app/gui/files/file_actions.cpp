@@ -2,21 +2,20 @@
 
 #include <QDesktopServices>
 #include <QFileInfo>
+#include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
 #include <QUrl>
 
 #include "app/gui/files/exports.h"
-#include "app/gui/run/run_controller.h"
-#include "app/gui/shell/dialogs.h"
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
-#include "core/map/references.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/dialogs.h"
+#include "widgets/messages/message_bar.h"
 
 namespace handmap {
 
@@ -26,12 +25,14 @@ constexpr auto kRecentKey = "files/recent";
 constexpr auto kFolderKey = "files/folder";
 constexpr int kMostRecent = 8;
 
-QString mapFilter() { return FileActions::tr("Handmap drawings (*.handmap)"); }
-
 }  // namespace
 
-FileActions::FileActions(const Parts& parts)
-    : QObject(&parts.window), parts_(parts), recent_(new QMenu(tr("Open Re&cent"), &parts.window)) {
+FileActions::FileActions(const Shell& shell, MapDocument& document, MapCanvas& canvas)
+    : QObject(&shell.window),
+      shell_(shell),
+      document_(document),
+      canvas_(canvas),
+      recent_(new QMenu(tr("Open Re&cent"), &shell.window)) {
   connectActions();
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
 }
@@ -42,44 +43,42 @@ bool FileActions::guarded(Work work) {
     work();
     return true;
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
+    shell_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
                          QString::fromStdString(error.hint()));
   } catch (const std::exception& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()));
+    shell_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()));
   }
   return false;
 }
 
 void FileActions::connectActions() {
-  const ActionSet& actions = parts_.actions;
+  const ActionSet& actions = shell_.actions;
   actions.on("file.new", this, [this] { replace({}); });
   actions.on("file.new_window", this, [this] { openWindow(); });
   actions.on("file.open", this, [this] {
-    const QString path = parts_.dialogs.fileToOpen(
-        {tr("Open a drawing"), parts_.settings.value(kFolderKey).toString(), mapFilter(), {}, {}});
+    const QString path = shell_.dialogs.fileToOpen(
+        {tr("Open a drawing"), shell_.settings.value(kFolderKey).toString(), mapFilter(), {}, {}});
     if (!path.isEmpty()) open(path);
   });
   actions.on("file.save", this, [this] { save(); });
   actions.on("file.save_as", this, [this] { saveAs(); });
-  actions.on("file.export_map", this, [this] { exportMap(); });
   actions.on("file.export_geojson", this, [this] { exportGeoJson(); });
   actions.on("file.export_png", this, [this] { exportPicture(); });
-  actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
 }
 
 void FileActions::startAgain() {
-  if (!parts_.window.close()) return;
-  parts_.settings.sync();  // the other one reads what this one has just left
-  openWindow(parts_.document.filePath());
+  if (!shell_.window.close()) return;
+  shell_.settings.sync();  // the other one reads what this one has just left
+  openWindow(document_.filePath());
 }
 
 bool FileActions::mayLeave() {
-  if (!parts_.document.isModified()) return true;
+  if (!document_.isModified()) return true;
   constexpr int kSave = 0;
   constexpr int kDiscard = 1;
   const int answer =
-      parts_.dialogs.choose({tr("Unsaved changes"),
-                             tr("Save the changes to “%1”?").arg(parts_.document.displayName()),
+      shell_.dialogs.choose({tr("Unsaved changes"),
+                             tr("Save the changes to “%1”?").arg(document_.displayName()),
                              {tr("&Save"), tr("&Discard")}});
   return answer == kSave ? save() : answer == kDiscard;
 }
@@ -87,33 +86,33 @@ bool FileActions::mayLeave() {
 bool FileActions::open(const QString& path) {
   if (!mayLeave()) return false;
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  if (!guarded([&] { parts_.document.open(absolute); })) return false;
+  if (!guarded([&] { document_.open(absolute); })) return false;
   remember(absolute);
   Q_EMIT drawingReplaced();
   return true;
 }
 
 bool FileActions::reload() {
-  const QString path = parts_.document.filePath();
-  if (path.isEmpty() || !guarded([&] { parts_.document.open(path); })) return false;
+  const QString path = document_.filePath();
+  if (path.isEmpty() || !guarded([&] { document_.open(path); })) return false;
   Q_EMIT drawingReplaced();
   return true;
 }
 
 bool FileActions::replace(const Map& map) {
   if (!mayLeave()) return false;
-  parts_.document.reset(map);
+  document_.reset(map);
   Q_EMIT drawingReplaced();
   return true;
 }
 
 bool FileActions::save() {
-  const QString path = parts_.document.filePath();
+  const QString path = document_.filePath();
   return path.isEmpty() ? saveAs() : saveTo(path);
 }
 
 bool FileActions::saveAs() {
-  const QString path = askPath(tr("Save the drawing"), parts_.document.displayName(), mapFilter(),
+  const QString path = askPath(tr("Save the drawing"), document_.displayName(), mapFilter(),
                                QStringLiteral("handmap"));
   return !path.isEmpty() && saveTo(path);
 }
@@ -121,7 +120,7 @@ bool FileActions::saveAs() {
 bool FileActions::saveTo(const QString& path) {
   const auto work = [&] {
     before_save_(path);
-    parts_.document.save(path);
+    document_.save(path);
   };
   if (!guarded(work)) return false;
   remember(path);
@@ -131,58 +130,42 @@ bool FileActions::saveTo(const QString& path) {
 
 QString FileActions::askPath(const QString& title, const QString& suggestion, const QString& filter,
                              const QString& suffix) {
-  QString path = parts_.dialogs.fileToSave(
-      {title, parts_.settings.value(kFolderKey).toString(), filter,
+  QString path = shell_.dialogs.fileToSave(
+      {title, shell_.settings.value(kFolderKey).toString(), filter,
        QFileInfo(suggestion).completeBaseName() + QLatin1Char('.') + suffix, suffix});
-  if (!path.isEmpty()) parts_.settings.setValue(kFolderKey, QFileInfo(path).path());
+  if (!path.isEmpty()) shell_.settings.setValue(kFolderKey, QFileInfo(path).path());
   return path;
-}
-
-Map FileActions::refinedMap() const {
-  Map map = parts_.run.result()->map();
-  map.georeference = parts_.document.map().georeference;
-  return map;
 }
 
 std::optional<Map> FileActions::chosenMap(QString& what) {
   constexpr int kRefined = 0;
   constexpr int kDrawing = 1;
   const QStringList names = {tr("The refined map"), tr("The drawing")};
-  const int choice = parts_.run.result() == nullptr
-                         ? kDrawing
-                         : parts_.dialogs.choose({tr("Export"), tr("Which map?"), names});
+  const std::optional<Map> corrected = corrected_();
+  const int choice =
+      corrected ? shell_.dialogs.choose({tr("Export"), tr("Which map?"), names}) : kDrawing;
   if (choice < 0) return std::nullopt;
   what = names[choice];
-  return choice == kRefined ? refinedMap() : parts_.document.map();
+  return choice == kRefined ? *corrected : document_.map();
 }
 
-void FileActions::tellExported(const QString& what, const QString& path) {
-  parts_.messages
-      .show(MessageBar::Kind::Info, tr("%1 is in “%2”.").arg(what, QFileInfo(path).fileName()),
+void FileActions::exportAs(const Export& what,
+                           const std::function<void(const QString& path)>& write) {
+  const QString path = askPath(what.title, what.suggestion, what.filter, what.suffix);
+  if (path.isEmpty() || !guarded([&] { write(path); })) return;
+  shell_.messages
+      .show(MessageBar::Kind::Info, tr("%1 is in “%2”.").arg(what.what, QFileInfo(path).fileName()),
             path, QStringLiteral("export"))
       .addAction(tr("Show in folder"), [path] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
       });
 }
 
-void FileActions::exportMap() {
-  if (!parts_.run.result()) return;
-  Map map = refinedMap();
-  const QString path = askPath(tr("Export the refined map"),
-                               QFileInfo(parts_.document.displayName()).completeBaseName() +
-                                   tr("-refined") + QStringLiteral(".handmap"),
-                               mapFilter(), QStringLiteral("handmap"));
-  if (path.isEmpty()) return;
-  const auto work = [&] {
-    moveReferences(map, parts_.document.origin().toStdString(), path.toStdString());
-    writeMap(map, path.toStdString());
-  };
-  if (guarded(work)) tellExported(tr("The refined map"), path);
-}
+QString FileActions::mapFilter() { return tr("Handmap drawings (*.handmap)"); }
 
 void FileActions::exportGeoJson() {
-  if (!parts_.document.map().georeference) {
-    parts_.messages
+  if (!document_.map().georeference) {
+    shell_.messages
         .show(MessageBar::Kind::Warning, tr("GeoJSON needs to know where the drawing lies."),
               tr("Its georeference is the latitude and longitude of the origin."))
         .addAction(tr("Say where"), [this] { Q_EMIT georeferenceWanted(); });
@@ -191,46 +174,31 @@ void FileActions::exportGeoJson() {
   QString what;
   const std::optional<Map> map = chosenMap(what);
   if (!map) return;
-  const QString path = askPath(tr("Export GeoJSON"), parts_.document.displayName(),
-                               tr("GeoJSON (*.geojson)"), QStringLiteral("geojson"));
-  if (path.isEmpty()) return;
-  const auto work = [&] { writeFileAtomically(path.toStdString(), formatGeoJson(*map)); };
-  if (guarded(work)) tellExported(what, path);
+  exportAs({tr("Export GeoJSON"), document_.displayName(), tr("GeoJSON (*.geojson)"),
+            QStringLiteral("geojson"), what},
+           [&map](const QString& path) {
+             writeFileAtomically(path.toStdString(), formatGeoJson(*map));
+           });
 }
 
 void FileActions::exportPicture() {
-  const QImage picture = pictureOf(*parts_.canvas.viewport());
-  const QString path = askPath(tr("Export a picture"), parts_.document.displayName(),
-                               tr("Pictures (*.png)"), QStringLiteral("png"));
-  if (path.isEmpty()) return;
-  if (guarded([&] { writePicture(picture, path); })) {
-    tellExported(tr("What the canvas shows"), path);
-  }
-}
-
-void FileActions::exportTrajectory() {
-  const auto result = parts_.run.result();
-  if (!result) return;
-  const QString path = askPath(tr("Export the trajectory"), parts_.document.displayName(),
-                               tr("Trajectories (*.tum)"), QStringLiteral("tum"));
-  if (path.isEmpty()) return;
-  const auto work = [&] {
-    writeFileAtomically(path.toStdString(), formatTum(result->last->trajectory.all()));
-  };
-  if (guarded(work)) tellExported(tr("The way of the robot"), path);
+  const QImage picture = pictureOf(*canvas_.viewport());
+  exportAs({tr("Export a picture"), document_.displayName(), tr("Pictures (*.png)"),
+            QStringLiteral("png"), tr("What the canvas shows")},
+           [&picture](const QString& path) { writePicture(picture, path); });
 }
 
 void FileActions::remember(const QString& path) {
-  QStringList files = parts_.settings.value(kRecentKey).toStringList();
+  QStringList files = shell_.settings.value(kRecentKey).toStringList();
   files.removeAll(path);
   files.prepend(path);
-  parts_.settings.setValue(kRecentKey, files.mid(0, kMostRecent));
-  parts_.settings.setValue(kFolderKey, QFileInfo(path).path());
+  shell_.settings.setValue(kRecentKey, files.mid(0, kMostRecent));
+  shell_.settings.setValue(kFolderKey, QFileInfo(path).path());
 }
 
 void FileActions::fillRecentMenu() {
   recent_->clear();
-  const QStringList files = parts_.settings.value(kRecentKey).toStringList();
+  const QStringList files = shell_.settings.value(kRecentKey).toStringList();
   for (const QString& path : files) {
     QAction* action = recent_->addAction(QFileInfo(path).fileName());
     action->setStatusTip(path);

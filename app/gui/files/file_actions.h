@@ -3,37 +3,23 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
+#include "app/gui/shell/shell.h"
 #include "core/map/map.h"
 
 class QMenu;
-class QSettings;
-class QWidget;
 
 namespace handmap {
 
-class ActionSet;
-class Dialogs;
 class MapCanvas;
 class MapDocument;
-class MessageBar;
-class RunController;
 
 class FileActions : public QObject {
   Q_OBJECT
  public:
-  /// What the menu works on; all of it must outlive this object.
-  struct Parts {
-    QWidget& window;
-    MapDocument& document;
-    MapCanvas& canvas;
-    RunController& run;
-    ActionSet& actions;
-    MessageBar& messages;
-    QSettings& settings;
-    Dialogs& dialogs;
-  };
-  explicit FileActions(const Parts& parts);
+  /// What it is given must outlive it.
+  FileActions(const Shell& shell, MapDocument& document, MapCanvas& canvas);
 
   /// Asks when there are unsaved changes. False: the user wants to stay.
   bool mayLeave();
@@ -57,6 +43,22 @@ class FileActions : public QObject {
   void openWindow(const QString& path = {}) const { open_window_(path); }
   /// Closes this window, which may ask, and opens another one with the same drawing.
   void startAgain();
+  /// What the drawing was corrected to, where there is such a map: exports offer it too.
+  void setCorrected(std::function<std::optional<Map>()> corrected) {
+    corrected_ = std::move(corrected);
+  }
+
+  /// Where an export goes, and what it is called afterwards.
+  struct Export {
+    QString title;       ///< of the dialog
+    QString suggestion;  ///< name of the file; its ending is exchanged
+    QString filter;
+    QString suffix;
+    QString what;  ///< "The refined map"
+  };
+  /// Asks where, writes and tells; what `write` throws is told too.
+  void exportAs(const Export& what, const std::function<void(const QString& path)>& write);
+  static QString mapFilter();
   QMenu& recentMenu() { return *recent_; }
 
  Q_SIGNALS:
@@ -73,22 +75,21 @@ class FileActions : public QObject {
   bool saveTo(const QString& path);
   QString askPath(const QString& title, const QString& suggestion, const QString& filter,
                   const QString& suffix);
-  /// The latest run's, with where the drawing is now said to lie.
-  Map refinedMap() const;
-  /// The drawing, or the refined map where there is one and somebody chooses it; nullopt: neither.
+  /// The drawing, or the corrected map where there is one and somebody chooses it; nullopt:
+  /// neither.
   std::optional<Map> chosenMap(QString& what);
-  void tellExported(const QString& what, const QString& path);
-  void exportMap();
   void exportGeoJson();
   void exportPicture();
-  void exportTrajectory();
   /// Runs `work`; what it throws goes to the message bar. True: it went well.
   template <typename Work>
   bool guarded(Work work);
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  MapCanvas& canvas_;
   QMenu* recent_;
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
+  std::function<std::optional<Map>()> corrected_ = [] { return std::nullopt; };
   std::function<void(const QString& path)> open_window_ = [](const QString&) {};
 };
 

@@ -6,26 +6,20 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/gui/shell/shell.h"
+
 namespace handmap {
 
-class Dialogs;
 class FileActions;
 class MapDocument;
-class MessageBar;
 class TeachPanel;
 
 class MapModel : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    MapDocument& document;
-    FileActions& files;
-    TeachPanel& teach;
-    MessageBar& messages;
-    Dialogs& dialogs;
-  };
-  MapModel(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  MapModel(const Shell& shell, MapDocument& document, FileActions& files, TeachPanel& teach,
+           QObject* parent);
 
   /// Asks when something was taught and is in no file. False: somebody wants to stay.
   bool mayClose();
@@ -39,7 +33,10 @@ class MapModel : public QObject {
   std::optional<std::filesystem::path> modelToRead() const;
   void saveWithMap();
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  FileActions& files_;
+  TeachPanel& teach_;
   bool of_drawing_ = false;  ///< the model of the panel belongs to the drawing
 };
 

@@ -5,9 +5,9 @@
 #include <QWidget>
 #include <algorithm>
 
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "widgets/canvas/map_picture.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {
@@ -37,12 +37,17 @@ QString contentsOf(const UnsavedWork& work) {
 
 }  // namespace
 
-RecoveryOffer::RecoveryOffer(const Parts& parts, QObject* parent)
-    : QObject(parent), parts_(parts) {}
+RecoveryOffer::RecoveryOffer(QWidget& window, MessageBar& messages, Recovery& recovery,
+                             std::function<bool()> may_leave, QObject* parent)
+    : QObject(parent),
+      window_(window),
+      messages_(messages),
+      recovery_(recovery),
+      may_leave_(std::move(may_leave)) {}
 
 void RecoveryOffer::look() {
   if (!waiting_.empty()) return;
-  waiting_ = parts_.recovery.takeLeftBehind();
+  waiting_ = recovery_.takeLeftBehind();
   std::ranges::sort(waiting_, {},
                     [](const LeftBehind& left) { return QFileInfo(left.file).lastModified(); });
   offerNext();
@@ -64,16 +69,16 @@ void RecoveryOffer::answered() {
 }
 
 void RecoveryOffer::offer(const LeftBehind& left, const UnsavedWork& work) {
-  Message& message = parts_.messages.ask(
-      tr("An earlier session ended with unsaved changes to “%1”.").arg(work.name()),
-      contentsOf(work), kRecoveryOfferTopic);
-  const qreal ratio = parts_.window.devicePixelRatioF();
-  QImage picture = pictureOf(work.map, kPictureSize * ratio, Colours::of(parts_.window.palette()));
+  Message& message =
+      messages_.ask(tr("An earlier session ended with unsaved changes to “%1”.").arg(work.name()),
+                    contentsOf(work), kRecoveryOfferTopic);
+  const qreal ratio = window_.devicePixelRatioF();
+  QImage picture = pictureOf(work.map, kPictureSize * ratio, Colours::of(window_.palette()));
   picture.setDevicePixelRatio(ratio);
   message.setPicture(picture);
   message.addAction(tr("Re&cover"), [this, left, work] { recover(left, work); });
   message.addAction(tr("Disc&ard"), [this, left] {
-    parts_.recovery.forget(left);
+    recovery_.forget(left);
     answered();
   });
   connect(&message, &Message::putOff, this, &RecoveryOffer::answered);
@@ -81,22 +86,22 @@ void RecoveryOffer::offer(const LeftBehind& left, const UnsavedWork& work) {
 
 void RecoveryOffer::tellUnreadable(const LeftBehind& left, const QString& problem) {
   Message& message =
-      parts_.messages.ask(tr("What an earlier session left behind cannot be read: %1").arg(problem),
-                          tr("Closing this message keeps the file."), kRecoveryOfferTopic);
+      messages_.ask(tr("What an earlier session left behind cannot be read: %1").arg(problem),
+                    tr("Closing this message keeps the file."), kRecoveryOfferTopic);
   message.addAction(tr("Delete the file"), [this, left] {
-    parts_.recovery.forget(left);
+    recovery_.forget(left);
     answered();
   });
   connect(&message, &Message::putOff, this, &RecoveryOffer::answered);
 }
 
 void RecoveryOffer::recover(const LeftBehind& left, const UnsavedWork& work) {
-  if (!parts_.may_leave()) return offerNext();
+  if (!may_leave_()) return offerNext();
   try {
-    parts_.recovery.recover(left, work);
+    recovery_.recover(left, work);
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
-                         QString::fromStdString(error.hint()));
+    messages_.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
+                   QString::fromStdString(error.hint()));
     return offerNext();
   }
   Q_EMIT recovered(!work.teaching.isEmpty());

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/gui/files/recovery.h"
+#include "widgets/recovery/recovery.h"
 
 namespace handmap {
 
@@ -14,14 +14,9 @@ class MessageBar;
 class RecoveryOffer : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
-    QWidget& window;
-    Recovery& recovery;
-    MessageBar& messages;
-    /// Asks for what is open now; false: it is to stay.
-    std::function<bool()> may_leave;
-  };
-  explicit RecoveryOffer(const Parts& parts, QObject* parent = nullptr);
+  /// `may_leave` asks for what is open now; false: it is to stay.
+  RecoveryOffer(QWidget& window, MessageBar& messages, Recovery& recovery,
+                std::function<bool()> may_leave, QObject* parent = nullptr);
 
   /// Looks for what was left behind. Nothing while an offer is not answered.
   void look();
@@ -36,7 +31,10 @@ class RecoveryOffer : public QObject {
   void recover(const LeftBehind& left, const UnsavedWork& work);
   void answered();
 
-  Parts parts_;
+  QWidget& window_;
+  MessageBar& messages_;
+  Recovery& recovery_;
+  std::function<bool()> may_leave_;
   std::vector<LeftBehind> waiting_;  ///< the one at the back is offered
 };
 

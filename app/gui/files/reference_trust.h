@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "app/gui/shell/shell.h"
 #include "widgets/document/map_document.h"
 
 class QSettings;
@@ -11,22 +12,15 @@ class QSettings;
 namespace handmap {
 
 class FileActions;
-class MessageBar;
 
 class ReferenceTrust : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object. `settings` remembers the answers.
-  struct Parts {
-    MapDocument& document;
-    FileActions& files;
-    MessageBar& messages;
-    QSettings& settings;
-  };
-  ReferenceTrust(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  ReferenceTrust(const Shell& shell, MapDocument& document, FileActions& files, QObject* parent);
 
   /// Whether all that the drawing names is shown: it lies inside, or is trusted.
-  bool allows() const { return parts_.document.trustsReferences() || outside().isEmpty(); }
+  bool allows() const { return document_.trustsReferences() || outside().isEmpty(); }
 
  Q_SIGNALS:
   void granted();
@@ -38,7 +32,9 @@ class ReferenceTrust : public QObject {
   void grant(const QString& path);
   void remember(const QString& path);
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  FileActions& files_;
 };
 
 }  // namespace handmap

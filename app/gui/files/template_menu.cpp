@@ -7,12 +7,12 @@
 #include <array>
 
 #include "app/gui/files/file_actions.h"
-#include "app/gui/shell/dialogs.h"
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/dialogs.h"
+#include "widgets/messages/message_bar.h"
 
 namespace handmap {
 
@@ -32,8 +32,13 @@ constexpr std::array kBuiltIn = {
 
 }  // namespace
 
-TemplateMenu::TemplateMenu(const Parts& parts, QObject* parent)
-    : QObject(parent), parts_(parts), menu_(new QMenu(tr("New fro&m Template"), &parts.window)) {
+TemplateMenu::TemplateMenu(const Shell& shell, MapDocument& document, FileActions& files,
+                           QObject* parent)
+    : QObject(parent),
+      shell_(shell),
+      document_(document),
+      files_(files),
+      menu_(new QMenu(tr("New fro&m Template"), &shell.window)) {
   connect(menu_, &QMenu::aboutToShow, this, &TemplateMenu::fill);
 }
 
@@ -66,28 +71,28 @@ void TemplateMenu::begin(const QString& path) {
                   (path + QStringLiteral(": ") + file.errorString()).toStdString());
     Map map = parseMap(file.readAll().toStdString(), path.toStdString());
     map.name.clear();  // it is somebody's own drawing from now on
-    parts_.files.replace(map);
+    files_.replace(map);
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
+    shell_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
                          QString::fromStdString(error.hint()));
   }
 }
 
 void TemplateMenu::keep() {
   QDir().mkpath(folder());
-  const QString path = parts_.dialogs.fileToSave(
+  const QString path = shell_.dialogs.fileToSave(
       {tr("Keep as a template"), folder(), tr("Handmap drawings (*.handmap)"),
        tr("My template") + QLatin1String(kSuffix), QStringLiteral("handmap")});
   if (path.isEmpty()) return;
   try {
-    Map map = parts_.document.map();
-    moveReferences(map, QFile::encodeName(parts_.document.origin()).toStdString(),
+    Map map = document_.map();
+    moveReferences(map, QFile::encodeName(document_.origin()).toStdString(),
                    QFile::encodeName(path).toStdString());
     writeMap(map, QFile::encodeName(path).toStdString());
-    parts_.messages.show(MessageBar::Kind::Info,
+    shell_.messages.show(MessageBar::Kind::Info,
                          tr("The drawing can be begun with under File / New from Template."));
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
+    shell_.messages.show(MessageBar::Kind::Error, QString::fromUtf8(error.what()),
                          QString::fromStdString(error.hint()));
   }
 }

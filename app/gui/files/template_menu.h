@@ -3,28 +3,21 @@
 
 #include <QObject>
 
+#include "app/gui/shell/shell.h"
+
 class QMenu;
 class QWidget;
 
 namespace handmap {
 
-class Dialogs;
 class FileActions;
 class MapDocument;
-class MessageBar;
 
 class TemplateMenu : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    QWidget& window;
-    MapDocument& document;
-    FileActions& files;
-    MessageBar& messages;
-    Dialogs& dialogs;
-  };
-  TemplateMenu(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  TemplateMenu(const Shell& shell, MapDocument& document, FileActions& files, QObject* parent);
 
   QMenu& menu() { return *menu_; }
   /// Keeps the drawing, under a name that is asked for, to begin with later.
@@ -36,7 +29,9 @@ class TemplateMenu : public QObject {
   void addEntry(const QString& text, const QString& path);
   void begin(const QString& path);
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  FileActions& files_;
   QMenu* menu_;
 };
 

@@ -1,18 +1,22 @@
 #include "app/gui/rig/rig_actions.h"
 
 #include <QFileInfo>
+#include <QMainWindow>
 #include <QSettings>
 #include <filesystem>
 
-#include "app/gui/rig/live_panel.h"
-#include "app/gui/rig/rig_form.h"
+#include "app/gui/files/file_actions.h"
+#include "app/gui/rig/connected_rigs.h"
 #include "app/gui/run/live_robot.h"
-#include "app/gui/run/run_actions.h"
+#include "app/gui/run/run_controller.h"
+#include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
-#include "app/gui/shell/message_bar.h"
 #include "core/base/error.h"
 #include "drivers/connected/connected_devices.h"
 #include "widgets/actions/action_set.h"
+#include "widgets/messages/message_bar.h"
+#include "widgets/rig/live_panel.h"
+#include "widgets/rig/rig_form.h"
 
 namespace handmap {
 
@@ -20,22 +24,25 @@ namespace {
 constexpr auto kRigKey = "files/rig";
 }
 
-RigActions::RigActions(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
-  parts_.actions.on("run.connect", this, [this] { showDialog(); });
-  parts_.actions.on("run.calibrate", this, [this] { showCalibration(); });
-  connect(&parts_.run, &RunController::stateChanged, this, &RigActions::followRun);
-  connect(&parts_.runs, &RunActions::runForgotten, this, &RigActions::followRun);
+RigActions::RigActions(const Shell& shell, RunController& run, SourceActions& sources,
+                       FileActions& files, QObject* parent)
+    : QObject(parent), shell_(shell), run_(run), sources_(sources), panel_(new LivePanel) {
+  shell_.docks.add({"live", tr("Robot"), Docks::Group::Run, Docks::When::Robot}, panel_);
+  shell_.actions.on("run.connect", this, [this] { showDialog(); });
+  shell_.actions.on("run.calibrate", this, [this] { showCalibration(); });
+  connect(&run_, &RunController::stateChanged, this, &RigActions::followRun);
+  connect(&files, &FileActions::drawingReplaced, this, &RigActions::followRun);
 }
 
 void RigActions::showDialog() {
   if (!dialog_) {
-    dialog_ = new RigDialog(parts_.dialogs, connectedDevices(), &parts_.window);
+    dialog_ = new RigDialog(shell_.dialogs, rigAccess(connectedDevices()), &shell_.window);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog_, &RigDialog::chosen, this, &RigActions::use);
     connect(dialog_, &RigDialog::calibrationWanted, this, &RigActions::showCalibration);
     connect(dialog_, &RigDialog::fileUsed, this,
-            [this](const QString& path) { parts_.settings.setValue(kRigKey, path); });
-    const QString last = parts_.settings.value(kRigKey).toString();
+            [this](const QString& path) { shell_.settings.setValue(kRigKey, path); });
+    const QString last = shell_.settings.value(kRigKey).toString();
     if (QFileInfo::exists(last)) dialog_->open(last);
   }
   dialog_->show();
@@ -46,8 +53,8 @@ void RigActions::showDialog() {
 /// With the cameras of the rig that is being put together; what is found goes back there.
 void RigActions::showCalibration() {
   if (!calibration_) {
-    QWidget* over = dialog_ ? static_cast<QWidget*>(dialog_) : &parts_.window;
-    calibration_ = new CalibrationDialog(parts_.dialogs, connectedDevices(), over);
+    QWidget* over = dialog_ ? static_cast<QWidget*>(dialog_) : &shell_.window;
+    calibration_ = new CalibrationDialog(shell_.dialogs, rigAccess(connectedDevices()), over);
     calibration_->setAttribute(Qt::WA_DeleteOnClose);
     connect(calibration_, &CalibrationDialog::calibrated, this, [this](const CameraRig& camera) {
       showDialog();
@@ -64,16 +71,16 @@ void RigActions::showCalibration() {
 void RigActions::openRig(const QString& path) {
   try {
     use(readRig(std::filesystem::absolute(path.toStdString())));
-    parts_.settings.setValue(kRigKey, path);
+    shell_.settings.setValue(kRigKey, path);
   } catch (const Error& error) {
-    parts_.messages.show(MessageBar::Kind::Error, QString::fromStdString(error.what()),
+    shell_.messages.show(MessageBar::Kind::Error, QString::fromStdString(error.what()),
                          QString::fromStdString(error.hint()));
   }
 }
 
 void RigActions::use(const Rig& rig) {
-  parts_.runs.setRobot(liveRobot(rig, connectedDevices()));
-  parts_.messages.show(
+  sources_.setRobot(liveRobot(rig, connectedDevices()));
+  shell_.messages.show(
       MessageBar::Kind::Info, tr("“%1” is the robot now.").arg(QString::fromStdString(rig.name)),
       tr("Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends "
          "the drive."));
@@ -81,16 +88,15 @@ void RigActions::use(const Rig& rig) {
 
 /// Its devices are looked at while the run goes on; what they said last stays.
 void RigActions::followRun() {
-  const auto link = parts_.run.live();
-  LivePanel& panel = parts_.docks.live();
+  const auto link = run_.live();
   if (!link) {
-    panel.clear();
-  } else if (parts_.run.isActive()) {
-    panel.follow([link] { return link->monitor(); });
+    panel_->clear();
+  } else if (run_.isActive()) {
+    panel_->follow([link] { return link->monitor(); });
   } else {
-    panel.follow({});
+    panel_->follow({});
   }
-  parts_.docks.showLiveDock(link != nullptr);
+  shell_.docks.showRobotDock(link != nullptr);
 }
 
 }  // namespace handmap

@@ -4,47 +4,40 @@
 #include <QObject>
 #include <QPointer>
 
-#include "app/gui/calibration/calibration_dialog.h"
-#include "app/gui/rig/rig_dialog.h"
-
-class QSettings;
+#include "app/gui/shell/shell.h"
+#include "widgets/calibration/calibration_dialog.h"
+#include "widgets/rig/rig_dialog.h"
 
 namespace handmap {
 
-class ActionSet;
-class Docks;
-class MessageBar;
-class RunActions;
+class FileActions;
+class LivePanel;
 class RunController;
+class SourceActions;
 
 class RigActions : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    QWidget& window;
-    RunController& run;
-    RunActions& runs;
-    Docks& docks;
-    ActionSet& actions;
-    MessageBar& messages;
-    QSettings& settings;
-    Dialogs& dialogs;
-  };
-  RigActions(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  RigActions(const Shell& shell, RunController& run, SourceActions& sources, FileActions& files,
+             QObject* parent);
 
   /// The robot of a rig file; what is wrong with the file is a message.
   void openRig(const QString& path);
   void showDialog();
   RigDialog* dialog() { return dialog_; }  ///< nullptr when there is none
   void showCalibration();
+  LivePanel& panel() { return *panel_; }
   CalibrationDialog* calibration() { return calibration_; }  ///< nullptr when there is none
 
  private:
   void use(const Rig& rig);
   void followRun();
 
-  Parts parts_;
+  const Shell& shell_;
+  RunController& run_;
+  SourceActions& sources_;
+  LivePanel* panel_;
   QPointer<RigDialog> dialog_;
   QPointer<CalibrationDialog> calibration_;
 };

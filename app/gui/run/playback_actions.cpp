@@ -9,12 +9,13 @@
 
 namespace handmap {
 
-PlaybackActions::PlaybackActions(const Parts& parts, QObject* parent)
-    : QObject(parent), parts_(parts) {
-  const ActionSet& actions = parts_.actions;
-  Timeline& timeline = parts_.transport.timeline();
+PlaybackActions::PlaybackActions(const Shell& shell, RunController& run, TransportBar& transport,
+                                 QObject* parent)
+    : QObject(parent), shell_(shell), run_(run), transport_(transport) {
+  const ActionSet& actions = shell_.actions;
+  Timeline& timeline = transport_.timeline();
   actions.on("run.back", this, [this] {
-    if (!parts_.run.live()) parts_.run.pause();
+    if (!run_.live()) run_.pause();
     playback_.stepBack();
   });
   actions.on("run.newest", this, [this] { playback_.toNewest(); });
@@ -30,17 +31,17 @@ PlaybackActions::PlaybackActions(const Parts& parts, QObject* parent)
     playback_.setLoop(loop);
     if (loop) seek(loop->first);
   });
-  connect(&parts_.transport, &TransportBar::speedChanged, &playback_, &Playback::setSpeed);
+  connect(&transport_, &TransportBar::speedChanged, &playback_, &Playback::setSpeed);
   connect(&playback_, &Playback::changed, this, &PlaybackActions::updateActions);
-  playback_.setSpeed(parts_.transport.speed());
+  playback_.setSpeed(transport_.speed());
 }
 
 void PlaybackActions::begin() {
   last_report_.reset();
   usual_step_s_ = 0.0;
   done_ = 0;
-  parts_.transport.clearProgress();
-  playback_.setHistory(parts_.run.history());  // updates the actions
+  transport_.clearProgress();
+  playback_.setHistory(run_.history());  // updates the actions
 }
 
 void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, int count) {
@@ -48,7 +49,7 @@ void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, 
   for (const FrameReport& report : reports) markGap(report, ++index);
   const bool first = done_ == 0;
   done_ = done;
-  parts_.transport.setExtent(done, count);
+  transport_.setExtent(done, count);
   if (first) updateActions();
 }
 
@@ -56,7 +57,7 @@ void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, 
 void PlaybackActions::markGap(const FrameReport& report, int index) {
   constexpr double kLong = 5.0;   // times the usual
   constexpr double kShare = 0.1;  // of the newest step in the usual one
-  Timeline& timeline = parts_.transport.timeline();
+  Timeline& timeline = transport_.timeline();
   if (report.odometry_guessed) {
     timeline.addMark(index, TimelineMark::Guessed, tr("Motion guessed at %1").arg(report.time_s));
   }
@@ -75,12 +76,12 @@ void PlaybackActions::markGap(const FrameReport& report, int index) {
 }
 
 void PlaybackActions::onSkipped(int frame, const QString& reason) {
-  parts_.transport.timeline().addMark(done_ + 1, TimelineMark::Skipped,
-                                      tr("Frame %1 was skipped: %2").arg(frame).arg(reason));
+  transport_.timeline().addMark(done_ + 1, TimelineMark::Skipped,
+                                tr("Frame %1 was skipped: %2").arg(frame).arg(reason));
 }
 
 void PlaybackActions::showGiven(const std::vector<StampedPose>& given) {
-  Timeline& timeline = parts_.transport.timeline();
+  Timeline& timeline = transport_.timeline();
   timeline.removeMarks(TimelineMark::Given);
   if (playback_.history() == nullptr) return;
   for (const StampedPose& pose : given) {
@@ -90,16 +91,16 @@ void PlaybackActions::showGiven(const std::vector<StampedPose>& given) {
 }
 
 void PlaybackActions::seek(int index) {
-  const RunState state = parts_.run.state();
-  const bool may_wait = !parts_.run.live();
+  const RunState state = run_.state();
+  const bool may_wait = !run_.live();
   if (index > done_) {
     playback_.toNewest();
     if (may_wait && (state == RunState::Running || state == RunState::Paused)) {
-      parts_.run.runUntil(index);
+      run_.runUntil(index);
     }
     return;
   }
-  if (may_wait) parts_.run.pause();
+  if (may_wait) run_.pause();
   playback_.seek(index);
 }
 
@@ -109,10 +110,10 @@ void PlaybackActions::seekTime(double time_s) {
 
 void PlaybackActions::updateActions() {
   const bool has_past = done_ > 0;
-  parts_.actions.setEnabled({"run.back", "run.bookmark"}, has_past);
-  parts_.actions.setEnabled({"run.newest"}, has_past && !playback_.atNewest());
-  parts_.actions.setEnabled({"run.next_bookmark"},
-                            parts_.transport.timeline().nextBookmark().has_value());
+  shell_.actions.setEnabled({"run.back", "run.bookmark"}, has_past);
+  shell_.actions.setEnabled({"run.newest"}, has_past && !playback_.atNewest());
+  shell_.actions.setEnabled({"run.next_bookmark"},
+                            transport_.timeline().nextBookmark().has_value());
 }
 
 }  // namespace handmap

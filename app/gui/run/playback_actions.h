@@ -3,24 +3,20 @@
 
 #include <QObject>
 
+#include "app/gui/shell/shell.h"
 #include "widgets/run/worker/playback.h"
 
 namespace handmap {
 
-class ActionSet;
 class RunController;
 class TransportBar;
 
 class PlaybackActions : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    RunController& run;
-    ActionSet& actions;
-    TransportBar& transport;
-  };
-  explicit PlaybackActions(const Parts& parts, QObject* parent = nullptr);
+  /// What it is given must outlive it.
+  PlaybackActions(const Shell& shell, RunController& run, TransportBar& transport,
+                  QObject* parent = nullptr);
 
   Playback& playback() { return playback_; }
   const Playback& playback() const { return playback_; }
@@ -44,7 +40,9 @@ class PlaybackActions : public QObject {
  private:
   void markGap(const FrameReport& report, int index);
 
-  Parts parts_;
+  const Shell& shell_;
+  RunController& run_;
+  TransportBar& transport_;
   Playback playback_;
   std::optional<FrameReport> last_report_;
   double usual_step_s_ = 0.0;  ///< between observations

@@ -6,11 +6,11 @@
 #include "app/gui/run/live_robot.h"
 #include "app/gui/run/playback_actions.h"
 #include "app/gui/run/run_controller.h"
-#include "app/gui/shell/message_bar.h"
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/run/overlays/path_item.h"
 #include "widgets/tools/toolbox.h"
 
@@ -47,14 +47,20 @@ QString differenceInWords(const Snapshot& before, const Snapshot& after) {
       .arg(robot);
 }
 
-RevisionActions::RevisionActions(const Parts& parts)
-    : parts_(parts), outcome_(std::make_unique<PathItem>(Role::Preview)) {
+RevisionActions::RevisionActions(const Shell& shell, MapDocument& document, RunController& run,
+                                 MapCanvas& canvas, Toolbox& tools, PlaybackActions& past)
+    : shell_(shell),
+      document_(document),
+      run_(run),
+      canvas_(canvas),
+      tools_(tools),
+      past_(past),
+      outcome_(std::make_unique<PathItem>(Role::Preview)) {
   outcome_->setZValue(kOverlayZ + 50.0);
-  parts_.canvas.scene()->addItem(outcome_.get());
-  const ActionSet& actions = parts_.actions;
+  canvas_.scene()->addItem(outcome_.get());
+  const ActionSet& actions = shell_.actions;
   actions.on("run.recompute", this, [this] {
-    revise(parts_.run.settings().given_poses, Then::Ask,
-           tr("Recomputing with the drawing as it is"));
+    revise(run_.settings().given_poses, Then::Ask, tr("Recomputing with the drawing as it is"));
   });
   actions.on("run.right", this, [this] { setRight(); });
   actions.on("run.not_there", this, [this] { removeNotThere(); });
@@ -62,30 +68,30 @@ RevisionActions::RevisionActions(const Parts& parts)
     keep({shownTime(), Act::Kind::ForgetPoses, {}, {}, {}});
     revise({}, Then::Take, tr("Recomputing without the poses that were given"));
   });
-  connect(&parts_.tools, &Toolbox::robotPoseGiven, this, &RevisionActions::give);
+  connect(&tools_, &Toolbox::robotPoseGiven, this, &RevisionActions::give);
   connect(&recorder_, &ActRecorder::failed, this, [this](const QString& message) {
-    parts_.messages.show(MessageBar::Kind::Warning,
+    shell_.messages.show(MessageBar::Kind::Warning,
                          tr("What you said is not kept beside the recording."), message);
   });
-  RunController& run = parts_.run;
-  connect(&run, &RunController::revisionReady, this, &RevisionActions::onReady);
-  connect(&run, &RunController::revisionProgressed, this, [this](double share) {
+  
+  connect(&run_, &RunController::revisionReady, this, &RevisionActions::onReady);
+  connect(&run_, &RunController::revisionProgressed, this, [this](double share) {
     left_.update(share, steadySeconds());
     const QString how_far = tr("%1: %2 %").arg(text_).arg(static_cast<int>(100.0 * share));
-    parts_.messages.show(MessageBar::Kind::Info, how_far + left_.inWords(), {},
+    shell_.messages.show(MessageBar::Kind::Info, how_far + left_.inWords(), {},
                          kRevisionActionsTopic);
-    parts_.messages.addAction(tr("Cancel"), [this] { parts_.run.dropRevision(); });
+    shell_.messages.addAction(tr("Cancel"), [this] { run_.dropRevision(); });
   });
-  connect(&run, &RunController::revisionFailed, this, [this](const Failure& failure) {
+  connect(&run_, &RunController::revisionFailed, this, [this](const Failure& failure) {
     forget();
-    parts_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint);
+    shell_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint);
   });
-  connect(&run, &RunController::stateChanged, this, [this] {
-    if (!parts_.run.isRevising()) forget();
+  connect(&run_, &RunController::stateChanged, this, [this] {
+    if (!run_.isRevising()) forget();
     updateActions();
   });
-  connect(&parts_.document, &MapDocument::mapChanged, this, &RevisionActions::updateActions);
-  connect(&parts_.document, &MapDocument::selectionChanged, this, &RevisionActions::updateActions);
+  connect(&document_, &MapDocument::mapChanged, this, &RevisionActions::updateActions);
+  connect(&document_, &MapDocument::selectionChanged, this, &RevisionActions::updateActions);
   updateActions();
 }
 
@@ -96,34 +102,33 @@ RevisionActions::~RevisionActions() {
 void RevisionActions::forget() {
   outcome_->setPoses({});
   outcome_->setBuildings({});
-  parts_.messages.withdraw(kRevisionActionsTopic);
+  shell_.messages.withdraw(kRevisionActionsTopic);
 }
 
 void RevisionActions::revise(const std::vector<StampedPose>& given, Then then,
                              const QString& text) {
-  if (!parts_.run.canRevise()) {
-    parts_.messages.show(MessageBar::Kind::Warning,
+  if (!run_.canRevise()) {
+    shell_.messages.show(MessageBar::Kind::Warning,
                          tr("The beginning of the run is no longer in memory."),
                          tr("Run its recording with the changed drawing."));
     return;
   }
-  if (parts_.document.map().buildings.empty() || !parts_.document.map().start) {
-    parts_.messages.show(MessageBar::Kind::Warning,
+  if (document_.map().buildings.empty() || !document_.map().start) {
+    shell_.messages.show(MessageBar::Kind::Warning,
                          tr("A run needs at least one building and a start."));
     return;
   }
   then_ = then;
   text_ = text;
   left_.begin();
-  parts_.run.revise(parts_.document.map(), given);
+  run_.revise(document_.map(), given);
 }
 
 void RevisionActions::give(const Pose2& pose) {
-  const auto snapshot =
-      parts_.run.history() ? parts_.run.history()->at(parts_.past.playback().index()) : nullptr;
+  const auto snapshot = run_.history() ? run_.history()->at(past_.playback().index()) : nullptr;
   if (!snapshot) return;
   const double now_s = snapshot->report.time_s;
-  std::vector<StampedPose> given = parts_.run.settings().given_poses;
+  std::vector<StampedPose> given = run_.settings().given_poses;
   handmap::give(given, {now_s, pose});
   keep({now_s, Act::Kind::RobotIsHere, pose, {}, {}});
   revise(given, Then::Take, tr("Recomputing with the pose that you gave"));
@@ -134,13 +139,13 @@ void RevisionActions::takePoses(const std::vector<StampedPose>& poses) {
 }
 
 double RevisionActions::shownTime() const {
-  const auto history = parts_.run.history();
-  const auto snapshot = history ? history->at(parts_.past.playback().index()) : nullptr;
+  const auto history = run_.history();
+  const auto snapshot = history ? history->at(past_.playback().index()) : nullptr;
   return snapshot ? snapshot->report.time_s : 0.0;
 }
 
 void RevisionActions::keep(const Act& act) {
-  const auto live = parts_.run.live();
+  const auto live = run_.live();
   const auto monitor = live ? live->monitor() : nullptr;
   const RecordingStatus recording = monitor ? monitor->status().recording : RecordingStatus();
   if (recording.folder.empty() || !recording.error.empty()) return;
@@ -149,12 +154,12 @@ void RevisionActions::keep(const Act& act) {
 
 /// As it is shown, which is corrected.
 void RevisionActions::setRight() {
-  const auto result = parts_.run.result();
+  const auto result = run_.result();
   if (!result) return;
   MapChange change;
-  const auto snapshot = parts_.run.history()->at(parts_.past.playback().index());
-  for (const QString& key : parts_.document.selection()) {
-    const Building* drawn = find(parts_.document.map(), key.toStdString());
+  const auto snapshot = run_.history()->at(past_.playback().index());
+  for (const QString& key : document_.selection()) {
+    const Building* drawn = find(document_.map(), key.toStdString());
     const Building* shown = find(*snapshot->map, key.toStdString());
     if (drawn == nullptr || shown == nullptr) continue;
     Building right = *drawn;
@@ -164,52 +169,50 @@ void RevisionActions::setRight() {
     change.buildings.push_back(right);
   }
   if (change.buildings.empty()) return;
-  parts_.document.apply(change, tr("Building is right"));
-  revise(parts_.run.settings().given_poses, Then::Take, tr("Recomputing with what is right"));
+  document_.apply(change, tr("Building is right"));
+  revise(run_.settings().given_poses, Then::Take, tr("Recomputing with what is right"));
 }
 
 void RevisionActions::removeNotThere() {
-  for (const QString& key : parts_.document.selection()) {
-    if (find(parts_.document.map(), key.toStdString()) == nullptr) continue;
+  for (const QString& key : document_.selection()) {
+    if (find(document_.map(), key.toStdString()) == nullptr) continue;
     keep({shownTime(), Act::Kind::BuildingIsNotThere, {}, key.toStdString(), {}});
   }
-  parts_.document.removeSelected();
-  revise(parts_.run.settings().given_poses, Then::Take,
-         tr("Recomputing without what is not there"));
+  document_.removeSelected();
+  revise(run_.settings().given_poses, Then::Take, tr("Recomputing without what is not there"));
 }
 
 void RevisionActions::onReady() {
-  const auto before = parts_.run.history()->at(parts_.run.history()->newest());
-  const auto after = parts_.run.revision()->last;
+  const auto before = run_.history()->at(run_.history()->newest());
+  const auto after = run_.revision()->last;
   const QString words = differenceInWords(*before, *after);
-  parts_.messages.withdraw(kRevisionActionsTopic);
+  shell_.messages.withdraw(kRevisionActionsTopic);
   if (then_ == Then::Take) {
-    parts_.run.takeRevision();
-    parts_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words), {},
+    run_.takeRevision();
+    shell_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words), {},
                          kRevisionActionsTopic);
     return;
   }
   outcome_->setPoses(after->trajectory.all());
   outcome_->setBuildings(after->map->buildings);
   Message& question =
-      parts_.messages.ask(tr("The run was done again with the changed drawing. %1").arg(words),
+      shell_.messages.ask(tr("The run was done again with the changed drawing. %1").arg(words),
                           tr("The dashed outlines show what came of it."), kRevisionActionsTopic);
-  question.addAction(tr("Take the new one"), [this] { parts_.run.takeRevision(); });
-  question.addAction(tr("Keep what was"), [this] { parts_.run.dropRevision(); });
+  question.addAction(tr("Take the new one"), [this] { run_.takeRevision(); });
+  question.addAction(tr("Keep what was"), [this] { run_.dropRevision(); });
 }
 
 void RevisionActions::updateActions() {
-  ActionSet& actions = parts_.actions;
-  const bool can = parts_.run.canRevise() && !parts_.run.isRevising();
-  const QStringList selection = parts_.document.selection();
-  const bool has_building =
-      std::any_of(selection.begin(), selection.end(), [this](const QString& key) {
-        return find(parts_.document.map(), key.toStdString()) != nullptr;
-      });
-  actions.setEnabled({"run.recompute"}, can && !(parts_.document.map() == parts_.run.drawing()));
+  ActionSet& actions = shell_.actions;
+  const bool can = run_.canRevise() && !run_.isRevising();
+  const QStringList selection = document_.selection();
+  const bool has_building = std::any_of(
+      selection.begin(), selection.end(),
+      [this](const QString& key) { return find(document_.map(), key.toStdString()) != nullptr; });
+  actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()));
   actions.setEnabled({"run.give_pose"}, can);
   actions.setEnabled({"run.right", "run.not_there"}, can && has_building);
-  actions.setEnabled({"run.forget_poses"}, can && !parts_.run.settings().given_poses.empty());
+  actions.setEnabled({"run.forget_poses"}, can && !run_.settings().given_poses.empty());
 }
 
 }  // namespace handmap

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/gui/run/act_recorder.h"
+#include "app/gui/shell/shell.h"
 #include "core/recording/trajectory.h"
 #include "core/session/snapshot.h"
 #include "widgets/background/time_left.h"
@@ -17,10 +18,8 @@ class QGraphicsScene;
 
 namespace handmap {
 
-class ActionSet;
 class MapCanvas;
 class MapDocument;
-class MessageBar;
 class PathItem;
 class PlaybackActions;
 class RunController;
@@ -33,17 +32,9 @@ class RevisionActions : public QObject {
   Q_OBJECT
   Q_DISABLE_COPY(RevisionActions)
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    MapDocument& document;
-    RunController& run;
-    ActionSet& actions;
-    MessageBar& messages;
-    MapCanvas& canvas;
-    Toolbox& tools;
-    PlaybackActions& past;
-  };
-  explicit RevisionActions(const Parts& parts);
+  /// What it is given must outlive it.
+  RevisionActions(const Shell& shell, MapDocument& document, RunController& run, MapCanvas& canvas,
+                  Toolbox& tools, PlaybackActions& past);
   ~RevisionActions() override;
 
   void updateActions();
@@ -64,7 +55,12 @@ class RevisionActions : public QObject {
   void onReady();
   void forget();
 
-  Parts parts_;
+  const Shell& shell_;
+  MapDocument& document_;
+  RunController& run_;
+  MapCanvas& canvas_;
+  Toolbox& tools_;
+  PlaybackActions& past_;
   std::unique_ptr<PathItem> outcome_;  ///< of a revision that is not taken yet
   Then then_ = Then::Ask;
   QString text_;

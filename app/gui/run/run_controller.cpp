@@ -44,6 +44,7 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   feed_ = worker_->feed();
   history_ = worker_->history();
   listenTo(*worker_);
+  Q_EMIT begun();
   if (begin == Begin::WithOneStep) worker_->step();
   if (begin == Begin::WithPhases) worker_->stepPhases();
   worker_->start();

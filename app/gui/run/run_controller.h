@@ -73,6 +73,8 @@ class RunController : public QObject {
   void dropRevision();
 
  Q_SIGNALS:
+  /// A run was started; nothing of it is there yet.
+  void begun();
   void stateChanged(handmap::RunState state);
   void sourceOpened(const std::shared_ptr<const handmap::SourceInfo>& source);
   void newsArrived(const handmap::RunNews& news);

@@ -1,7 +1,11 @@
 #include "app/gui/run/run_views.h"
 
+#include <QMainWindow>
+
+#include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_controller.h"
 #include "app/gui/run/run_log.h"
+#include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
 #include "core/session/witness_windows.h"
 #include "widgets/actions/action_set.h"
@@ -14,6 +18,7 @@
 #include "widgets/run/panels/buildings_panel.h"
 #include "widgets/run/panels/camera_panel.h"
 #include "widgets/run/panels/charts_panel.h"
+#include "widgets/run/panels/layers_panel.h"
 #include "widgets/run/panels/log_panel.h"
 #include "widgets/run/panels/why_panel.h"
 #include "widgets/run/words/phase_words.h"
@@ -26,43 +31,88 @@ constexpr int kStoryAgain_ms = 1000;
 
 }  // namespace
 
-RunViews::RunViews(const Parts& parts, QObject* parent)
-    : QObject(parent),
-      parts_(parts),
-      strip_(new RunStrip(parts.canvas)),
-      follow_(new FollowRobot(parts.canvas, this)) {
-  new RunLog(parts_.run, parts_.docks.log().model(), this);
+RunViews::RunViews(const Shell& shell, MapCanvas& canvas, MapDocument& document, FileActions& files,
+                   const SourceActions& sources, RunController& run, RunOverlays& overlays,
+                   const RunPanels& panels)
+    : QObject(&shell.window),
+      shell_(shell),
+      canvas_(canvas),
+      document_(document),
+      sources_(sources),
+      run_(run),
+      overlays_(overlays),
+      panels_(panels),
+      strip_(new RunStrip(canvas)),
+      follow_(new FollowRobot(canvas, this)) {
+  new RunLog(run_, panels_.log.model(), this);
   story_later_.setSingleShot(true);
   story_later_.setInterval(kStoryAgain_ms);
   connect(&story_later_, &QTimer::timeout, this, &RunViews::tellStory);
-  connect(&parts_.overlays, &RunOverlays::shown, this, &RunViews::show);
-  connect(&parts_.overlays, &RunOverlays::cleared, this, &RunViews::clear);
-  connect(&parts_.overlays, &RunOverlays::outlinesChanged, &parts_.canvas,
-          &MapCanvas::setLabelOutlines);
-  ChartsPanel& charts = parts_.docks.charts();
-  connect(&parts_.overlays, &RunOverlays::truthChanged, &charts, &ChartsPanel::setTruth);
-  connect(&charts, &ChartsPanel::timeChosen, this, &RunViews::timeChosen);
-  LogPanel& log = parts_.docks.log();
-  connect(&log, &LogPanel::timeChosen, this, &RunViews::timeChosen);
-  connect(&log, &LogPanel::showRequested, this, &RunViews::showBuilding);
-  connect(&parts_.run, &RunController::revised, this, &RunViews::begin);
+  connect(&overlays_, &RunOverlays::shown, this, &RunViews::onShown);
+  connect(&overlays_, &RunOverlays::cleared, this, &RunViews::clear);
+  connect(&overlays_, &RunOverlays::outlinesChanged, &canvas_, &MapCanvas::setLabelOutlines);
+  connect(&overlays_, &RunOverlays::truthChanged, &panels_.charts, &ChartsPanel::setTruth);
+  connect(&panels_.charts, &ChartsPanel::timeChosen, this, &RunViews::timeChosen);
+  connect(&panels_.log, &LogPanel::timeChosen, this, &RunViews::timeChosen);
+  connect(&panels_.log, &LogPanel::showRequested, this, &RunViews::showBuilding);
+  connect(&sources_, &SourceActions::robotChanged, this, &RunViews::forget);
+  connect(&files, &FileActions::drawingReplaced, this, [this] {
+    forget();
+    shell_.docks.showRunDocks(false, false);
+  });
+  connectRun();
   connect(&teller_, &StoryTeller::told, this, &RunViews::hearStory);
   connectFollowing();
   connectTable();
   connectWhy();
 }
 
+void RunViews::connectRun() {
+  connect(&run_, &RunController::begun, this, [this] {
+    panels_.charts.clear();
+    panels_.charts.showSampleSize(run_.settings().method == Method::Paper);
+    panels_.camera.setSnapshot(nullptr);
+    panels_.buildings.model().setDrawing(run_.drawing());
+  });
+  connect(&run_, &RunController::sourceOpened, this,
+          [this](const std::shared_ptr<const SourceInfo>& source) {
+            showTruth(source->truth);
+            shell_.docks.showRunDocks(true, source->camera.has_value());
+            compare();
+          });
+  connect(&run_, &RunController::newsArrived, this,
+          [this](const RunNews& news) { panels_.charts.add(news.reports); });
+  connect(&run_, &RunController::revised, this, [this] {
+    panels_.charts.clear();
+    compare();
+  });
+}
+
+/// Another robot, or another drawing: of the run there was nothing is left.
+void RunViews::forget() {
+  overlays_.clear();
+  const auto& robot = sources_.robot();
+  showTruth(robot ? robot->truth : std::vector<StampedPose>());
+  if (robot && robot->truth_map) overlays_.setTruthMap(*robot->truth_map);
+}
+
+void RunViews::showTruth(const std::vector<StampedPose>& way) {
+  const auto& robot = sources_.robot();
+  overlays_.setTruth(way);
+  panels_.layers.setAvailable(Layer::Truth, !way.empty() || (robot && robot->truth_map));
+}
+
 void RunViews::connectFollowing() {
-  parts_.actions.on("view.follow", follow_, [this] { follow_->next(); });
-  parts_.actions.on("view.zoom_fit", follow_, [this] { follow_->setMode(FollowRobot::Mode::Off); });
+  shell_.actions.on("view.follow", follow_, [this] { follow_->next(); });
+  shell_.actions.on("view.zoom_fit", follow_, [this] { follow_->setMode(FollowRobot::Mode::Off); });
   connect(strip_, &RunStrip::followRequested, follow_, &FollowRobot::next);
   connect(follow_, &FollowRobot::modeChanged, strip_, &RunStrip::setMode);
-  connect(&parts_.canvas, &MapCanvas::turned, &parts_.overlays, &RunOverlays::setViewTurn);
+  connect(&canvas_, &MapCanvas::turned, &overlays_, &RunOverlays::setViewTurn);
 }
 
 void RunViews::connectTable() {
-  BuildingsPanel& table = parts_.docks.buildings();
-  MapDocument& document = parts_.document;
+  BuildingsPanel& table = panels_.buildings;
+  MapDocument& document = document_;
   connect(&table, &BuildingsPanel::selectionChanged, &document, &MapDocument::setSelection);
   connect(&document, &MapDocument::selectionChanged, &table,
           [&table, &document] { table.select(document.selection()); });
@@ -70,35 +120,49 @@ void RunViews::connectTable() {
 }
 
 void RunViews::connectWhy() {
-  WhyPanel& why = parts_.docks.why();
-  auto* hints = new BuildingHints(parts_.canvas, parts_.overlays, this);
+  WhyPanel& why = panels_.why;
+  auto* hints = new BuildingHints(canvas_, overlays_, this);
   connect(hints, &BuildingHints::wallClicked, this, [this](std::size_t building, std::size_t wall) {
-    if (parts_.docks.isWhyShown()) parts_.docks.why().ask(building, wall);
+    if (panels_.why.isVisible()) panels_.why.ask(building, wall);
   });
   connect(&why, &WhyPanel::wallAsked, this, &RunViews::tellStory);
   connect(&why, &WhyPanel::nothingAsked, this, &RunViews::forgetStory);
   connect(&why, &WhyPanel::timeChosen, this, &RunViews::timeChosen);
   connect(&why, &WhyPanel::witnessChosen, this, [this](std::optional<std::size_t> witness) {
-    if (story_) parts_.overlays.showStory(story_.get(), witness);
+    if (story_) overlays_.showStory(story_.get(), witness);
   });
-  connect(&parts_.docks, &Docks::whyShown, this,
+  connect(&why, &WhyPanel::shown, this,
           [this](bool shown) { shown ? tellStory() : forgetStory(); });
-  parts_.actions.on("run.why", this, [this] { parts_.docks.showWhy(); });
+  shell_.actions.on("run.why", this, [this] { shell_.docks.show(panels_.why); });
 }
 
-void RunViews::begin() {
-  const Map& drawing = parts_.run.drawing();
-  parts_.overlays.setDrawing(drawing);
-  parts_.docks.charts().setDrawing(drawing);
-  parts_.docks.charts().setTruthMap(parts_.overlays.truthMap());
-  parts_.docks.buildings().model().setTruth(parts_.overlays.truthMap());
-  parts_.docks.buildings().model().setDrawing(drawing);
+/// With the drawing, and with the truth where it is known.
+void RunViews::compare() {
+  const Map& drawing = run_.drawing();
+  overlays_.setDrawing(drawing);
+  panels_.charts.setDrawing(drawing);
+  panels_.charts.setTruthMap(overlays_.truthMap());
+  panels_.buildings.model().setTruth(overlays_.truthMap());
+  panels_.buildings.model().setDrawing(drawing);
+}
+
+void RunViews::note(double time_s, const QString& text) {
+  panels_.log.model().add({time_s, LogKind::Warning, text, {}});
+}
+
+void RunViews::showPicture(const std::shared_ptr<const Snapshot>& snapshot) {
+  panels_.camera.setSnapshot(snapshot);
+}
+
+void RunViews::show(const Snapshot& snapshot) {
+  overlays_.show(snapshot);
+  panels_.buildings.model().setRefined(*snapshot.map);
 }
 
 void RunViews::showPhase(const Phase& phase, int number, int count) {
-  parts_.overlays.showPhase(phase);
-  const Map* map = parts_.overlays.shownMap();
-  strip_->show(phase.shown.report, map ? *map : parts_.overlays.drawing());
+  overlays_.showPhase(phase);
+  const Map* map = overlays_.shownMap();
+  strip_->show(phase.shown.report, map ? *map : overlays_.drawing());
   strip_->showPhase(tr("Phase %1 of %2: %3. %4")
                         .arg(number)
                         .arg(count)
@@ -106,16 +170,16 @@ void RunViews::showPhase(const Phase& phase, int number, int count) {
   follow_->setPose(phase.shown.report.pose);
 }
 
-void RunViews::show(const Snapshot& snapshot) {
-  const Map* map = parts_.overlays.shownMap();
+void RunViews::onShown(const Snapshot& snapshot) {
+  const Map* map = overlays_.shownMap();
   strip_->showPhase({});
-  strip_->show(snapshot.report, map ? *map : parts_.overlays.drawing());
+  strip_->show(snapshot.report, map ? *map : overlays_.drawing());
   follow_->setPose(snapshot.report.pose);
-  parts_.docks.charts().addSnapshot(snapshot);
-  parts_.docks.charts().setCursor(snapshot.report.time_s);
+  panels_.charts.addSnapshot(snapshot);
+  panels_.charts.setCursor(snapshot.report.time_s);
   showWindows();
-  if (!map || !parts_.docks.isWhyShown()) return;
-  parts_.docks.why().setMap(*map);
+  if (!map || !panels_.why.isVisible()) return;
+  panels_.why.setMap(*map);
   if (story_ && !story_later_.isActive()) story_later_.start();
 }
 
@@ -123,44 +187,44 @@ void RunViews::clear() {
   strip_->showNothing();
   follow_->forgetPose();
   story_later_.stop();
-  parts_.docks.why().clear();
+  panels_.why.clear();
   forgetStory();
 }
 
 void RunViews::showBuilding(const QString& id) {
-  parts_.document.setSelection({id});
-  parts_.canvas.zoomToObject(id);
+  document_.setSelection({id});
+  canvas_.zoomToObject(id);
 }
 
 void RunViews::tellStory() {
-  WhyPanel& why = parts_.docks.why();
-  const Map* map = parts_.overlays.shownMap();
-  if (map == nullptr || !parts_.docks.isWhyShown()) return;
+  WhyPanel& why = panels_.why;
+  const Map* map = overlays_.shownMap();
+  if (map == nullptr || !panels_.why.isVisible()) return;
   if (!why.asked()) why.setMap(*map);
   const auto asked = why.asked();
   if (!asked) return forgetStory();
-  teller_.ask({parts_.overlays.drawing(), *map, parts_.overlays.shownWay(), parts_.run.tape(),
-               asked->building, asked->wall});
+  teller_.ask(
+      {overlays_.drawing(), *map, overlays_.shownWay(), run_.tape(), asked->building, asked->wall});
 }
 
 void RunViews::hearStory(const std::shared_ptr<const WallStory>& story, bool kept) {
   story_ = story;
-  parts_.docks.why().setStory(*story_, kept);
-  parts_.overlays.showStory(story_.get(), {});
+  panels_.why.setStory(*story_, kept);
+  overlays_.showStory(story_.get(), {});
   showWindows();
 }
 
 void RunViews::forgetStory() {
   teller_.forget();
   story_.reset();
-  parts_.overlays.showStory(nullptr, {});
+  overlays_.showStory(nullptr, {});
   showWindows();
 }
 
 /// Of the look that the camera panel shows, where it is one of those that placed the wall.
 void RunViews::showWindows() {
-  CameraPanel& camera = parts_.docks.camera();
-  const auto tape = parts_.run.tape();
+  CameraPanel& camera = panels_.camera;
+  const auto tape = run_.tape();
   const Snapshot* shown = camera.snapshot();
   if (!story_ || !tape || !tape->info().camera || shown == nullptr || shown->image.empty() ||
       shown->pictured != shown->report.frame) {

@@ -6,49 +6,53 @@
 #include <QTimer>
 #include <optional>
 
+#include "app/gui/run/run_panels.h"
 #include "app/gui/run/story_teller.h"
+#include "app/gui/shell/shell.h"
 
 namespace handmap {
 
-class ActionSet;
-class Docks;
+class FileActions;
 class FollowRobot;
 class MapCanvas;
 class MapDocument;
 class RunController;
 class RunOverlays;
 class RunStrip;
+class SourceActions;
 struct Phase;
 struct Snapshot;
 
 class RunViews : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    MapCanvas& canvas;
-    MapDocument& document;
-    RunController& run;
-    RunOverlays& overlays;
-    Docks& docks;
-    ActionSet& actions;
-  };
-  RunViews(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  RunViews(const Shell& shell, MapCanvas& canvas, MapDocument& document, FileActions& files,
+           const SourceActions& sources, RunController& run, RunOverlays& overlays,
+           const RunPanels& panels);
 
-  /// A run begins: what it is compared with.
-  void begin();
+  /// The image of that moment.
+  void showPicture(const std::shared_ptr<const Snapshot>& snapshot);
+  /// Everything of that moment but the image.
+  void show(const Snapshot& snapshot);
   /// In the middle of an observation; until the next snapshot is shown.
   void showPhase(const Phase& phase, int number, int count);
+  /// In the log.
+  void note(double time_s, const QString& text);
 
  Q_SIGNALS:
   /// Somebody wants to see that moment of the recording.
   void timeChosen(double time_s);
 
  private:
+  void connectRun();
   void connectFollowing();
   void connectTable();
   void connectWhy();
-  void show(const Snapshot& snapshot);
+  void compare();
+  void showTruth(const std::vector<StampedPose>& way);
+  void forget();
+  void onShown(const Snapshot& snapshot);
   void clear();
   void showBuilding(const QString& id);
   void tellStory();
@@ -56,7 +60,13 @@ class RunViews : public QObject {
   void showWindows();
   void forgetStory();
 
-  Parts parts_;
+  const Shell& shell_;
+  MapCanvas& canvas_;
+  MapDocument& document_;
+  const SourceActions& sources_;
+  RunController& run_;
+  RunOverlays& overlays_;
+  RunPanels panels_;
   RunStrip* strip_;
   FollowRobot* follow_;
   StoryTeller teller_;

@@ -1,69 +1,18 @@
 #include "app/gui/shell/docks.h"
 
-#include <QDockWidget>
 #include <QGuiApplication>
-#include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
 #include <QTimer>
-#include <QUndoView>
-#include <QVBoxLayout>
 #include <algorithm>
-
-#include "app/gui/rig/live_panel.h"
-#include "widgets/actions/keys_panel.h"
-#include "widgets/document/map_document.h"
-#include "widgets/panels/drawing_layers_panel.h"
-#include "widgets/panels/issues_panel.h"
-#include "widgets/panels/objects_panel.h"
-#include "widgets/panels/property_panel.h"
-#include "widgets/run/panels/buildings_panel.h"
-#include "widgets/run/panels/camera_panel.h"
-#include "widgets/run/panels/charts_panel.h"
-#include "widgets/run/panels/layers_panel.h"
-#include "widgets/run/panels/log_panel.h"
-#include "widgets/run/panels/run_setup_panel.h"
-#include "widgets/run/panels/why_panel.h"
-#include "widgets/teach/teach_panel.h"
 
 namespace handmap {
 
 namespace {
 
 constexpr QSize kRoomyWindow(1000, 700);
-constexpr QSize kKeysSize(640, 520);
 constexpr QPoint kFloatingAt(160, 240);  // below the messages; where nobody has moved them
-
-/// A panel that may be taller than its dock.
-QScrollArea* scrolled(QWidget* panel) {
-  auto* area = new QScrollArea;
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidgetResizable(true);
-  area->setWidget(panel);
-  return area;
-}
-
-/// One below the other.
-QWidget* stacked(std::initializer_list<QWidget*> panels) {
-  auto* stack = new QWidget;
-  auto* layout = new QVBoxLayout(stack);
-  layout->setContentsMargins({});
-  layout->setSpacing(0);
-  for (QWidget* panel : panels) layout->addWidget(panel);
-  layout->addStretch();
-  return stack;
-}
-
-/// Every step since the drawing was opened; a click goes back or forth to it.
-QWidget* historyOf(MapDocument& document) {
-  auto* view = new QUndoView(&document.undoStack());
-  view->setAccessibleName(Docks::tr("Steps of editing"));
-  view->setEmptyLabel(Docks::tr("As it was opened"));
-  view->setFrameShape(QFrame::NoFrame);
-  return view;
-}
 
 /// A floating panel that is partly on no screen, or larger than it, is moved and made smaller.
 void keepOnScreen(QDockWidget& dock) {
@@ -79,64 +28,43 @@ void keepOnScreen(QDockWidget& dock) {
             std::clamp(frame.y(), room.top(), room.bottom() - size.height() + 1));
 }
 
+bool isOfRun(Docks::When when) {
+  return when == Docks::When::Run || when == Docks::When::RunAsked || when == Docks::When::Camera;
+}
+
 }  // namespace
 
-Docks::Docks(QMainWindow& window, MapDocument& document)
-    : QObject(&window),
-      window_(window),
-      objects_(new ObjectsPanel(document)),
-      properties_(new PropertyPanel(document)),
-      layers_(new LayersPanel),
-      issues_(new IssuesPanel(document)),
-      setup_(new RunSetupPanel),
-      charts_(new ChartsPanel),
-      camera_(new CameraPanel),
-      buildings_(new BuildingsPanel),
-      log_(new LogPanel),
-      why_(new WhyPanel),
-      teach_(new TeachPanel),
-      live_(new LivePanel),
-      objects_dock_(add("objects", tr("Objects"), objects_)),
-      properties_dock_(add("properties", tr("Properties"), properties_)),
-      layers_dock_(add("layers", tr("Layers"),
-                       scrolled(stacked({new DrawingLayersPanel(document), layers_})))),
-      issues_dock_(add("issues", tr("Issues"), issues_)),
-      history_dock_(add("history", tr("History"), historyOf(document))),
-      setup_dock_(add("setup", tr("Run settings"), scrolled(setup_))),
-      charts_dock_(add("charts", tr("Charts"), charts_)),
-      camera_dock_(add("camera", tr("Camera"), camera_)),
-      buildings_dock_(add("buildings", tr("Buildings"), buildings_)),
-      log_dock_(add("log", tr("Log"), log_)),
-      why_dock_(add("why", tr("Why"), why_)),
-      teach_dock_(add("teach", tr("Teach buildings"), scrolled(teach_))),
-      live_dock_(add("live", tr("Robot"), live_)),
-      keys_dock_(add("keys", tr("Keyboard shortcuts"), nullptr)) {
+Docks::Docks(QMainWindow& window) : QObject(&window), window_(window) {
   window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                          QMainWindow::AllowNestedDocks);
-  window_.tabifyDockWidget(objects_dock_, layers_dock_);
-  window_.tabifyDockWidget(properties_dock_, issues_dock_);
-  window_.tabifyDockWidget(issues_dock_, history_dock_);
-  window_.tabifyDockWidget(history_dock_, setup_dock_);
-  window_.tabifyDockWidget(charts_dock_, camera_dock_);
-  window_.tabifyDockWidget(camera_dock_, buildings_dock_);
-  window_.tabifyDockWidget(buildings_dock_, log_dock_);
-  window_.tabifyDockWidget(log_dock_, why_dock_);
-  window_.tabifyDockWidget(why_dock_, live_dock_);
-  layers_dock_->raise();
-  properties_dock_->raise();
-  setup_dock_->hide();
-  history_dock_->hide();
-  for (const auto& [dock, size] :
-       {std::pair(teach_dock_, teach_->sizeHint()), std::pair(keys_dock_, kKeysSize)}) {
-    dock->hide();
+}
+
+QWidget* Docks::scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setWidget(panel);
+  return area;
+}
+
+QDockWidget& Docks::add(const Spec& spec, QWidget* panel) {
+  auto* dock = new QDockWidget(spec.title, &window_);
+  dock->setObjectName(spec.name);
+  dock->setWidget(panel);
+  window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+  connect(dock, &QDockWidget::visibilityChanged, this, [dock](bool visible) {
+    if (visible && dock->isFloating()) keepOnScreen(*dock);
+  });
+  tabify(*dock, spec.group);
+  docks_.push_back({spec, dock});
+  if (spec.group == Group::Floating) {
     dock->setFloating(true);
-    dock->resize(size);
+    dock->resize(spec.size);
     dock->move(kFloatingAt);
   }
-  closed_by_user_.insert(why_dock_);  // until it is asked for
-  connect(why_dock_, &QDockWidget::visibilityChanged, this, &Docks::whyShown);
-  for (QDockWidget* dock :
-       {charts_dock_, camera_dock_, buildings_dock_, log_dock_, why_dock_, live_dock_}) {
+  if (spec.when == When::RunAsked) closed_by_user_.insert(dock);
+  if (isOfRun(spec.when) || spec.when == When::Robot) {
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
       if (shown) {
         closed_by_user_.remove(dock);
@@ -144,119 +72,108 @@ Docks::Docks(QMainWindow& window, MapDocument& document)
         closed_by_user_.insert(dock);
       }
     });
+    setShown(docks_.back(), false);
   }
-  showRunDocks(false, false);
-  showLiveDock(false);
-  connect(issues_, &IssuesPanel::found, this, [this] {
-    const auto count = issues_->issues().size();
-    issues_dock_->setWindowTitle(count == 0 ? tr("Issues") : tr("Issues (%1)").arg(count));
-  });
+  if (spec.when == When::Asked) dock->hide();
+  for (const Dock& other : docks_) {
+    if (other.spec.group == spec.group && other.spec.in_front) other.widget->raise();
+  }
+  return *dock;
 }
 
-QDockWidget* Docks::add(const QString& name, const QString& title, QWidget* panel) {
-  auto* dock = new QDockWidget(title, &window_);
-  dock->setObjectName(name);
-  if (panel) dock->setWidget(panel);
-  window_.addDockWidget(Qt::RightDockWidgetArea, dock);
-  connect(dock, &QDockWidget::visibilityChanged, this, [dock](bool visible) {
-    if (visible && dock->isFloating()) keepOnScreen(*dock);
-  });
-  return dock;
+/// Over the last dock of a group.
+void Docks::tabify(QDockWidget& dock, Group group) {
+  if (group == Group::Floating) return;
+  const auto last = std::find_if(docks_.rbegin(), docks_.rend(),
+                                 [group](const Dock& other) { return other.spec.group == group; });
+  if (last != docks_.rend()) window_.tabifyDockWidget(last->widget, &dock);
+}
+
+void Docks::setShown(const Dock& dock, bool wanted) {
+  dock.widget->toggleViewAction()->setEnabled(wanted);
+  dock.widget->setVisible(wanted && !closed_by_user_.contains(dock.widget));
 }
 
 void Docks::showRunDocks(bool run_exists, bool has_camera) {
-  const auto show = [this](QDockWidget* dock, bool wanted) {
-    dock->toggleViewAction()->setEnabled(wanted);
-    dock->setVisible(wanted && !closed_by_user_.contains(dock));
-  };
-  show(charts_dock_, run_exists);
-  show(buildings_dock_, run_exists);
-  show(log_dock_, run_exists);
-  show(why_dock_, run_exists);
-  show(camera_dock_, run_exists && has_camera);
-  if (!run_exists) return;
-  const bool is_live = live_dock_->isVisible();
-  (has_camera ? camera_dock_ : is_live ? live_dock_ : charts_dock_)->raise();
+  QDockWidget* front = nullptr;  // the camera, the robot, or the first of all
+  for (const Dock& dock : docks_) {
+    if (isOfRun(dock.spec.when)) {
+      const bool is_camera = dock.spec.when == When::Camera;
+      setShown(dock, run_exists && (has_camera || !is_camera));
+      if (front == nullptr || (is_camera && has_camera)) front = dock.widget;
+    } else if (dock.spec.when == When::Robot && dock.widget->isVisible() && !has_camera) {
+      front = dock.widget;
+    }
+  }
+  if (!run_exists || front == nullptr) return;
+  front->raise();
   QTimer::singleShot(0, this, &Docks::resize);  // when they have been laid out
 }
 
-void Docks::showLiveDock(bool is_live) {
-  live_dock_->toggleViewAction()->setEnabled(is_live);
-  live_dock_->setVisible(is_live && !closed_by_user_.contains(live_dock_));
-  const bool appears = is_live && !live_shown_;
-  live_shown_ = is_live;
-  if (!appears) return;
-  live_dock_->raise();
-  QTimer::singleShot(0, this, &Docks::resize);
+void Docks::showRobotDock(bool is_live) {
+  const bool appears = is_live && !robot_shown_;
+  robot_shown_ = is_live;
+  for (const Dock& dock : docks_) {
+    if (dock.spec.when != When::Robot) continue;
+    setShown(dock, is_live);
+    if (appears) dock.widget->raise();
+  }
+  if (appears) QTimer::singleShot(0, this, &Docks::resize);
 }
 
-void Docks::showProperties() {
-  properties_dock_->show();
-  properties_dock_->raise();
-}
-
-void Docks::showSetup() {
-  setup_dock_->show();
-  setup_dock_->raise();
-}
-
-void Docks::showTeach() {
-  teach_dock_->show();
-  teach_dock_->raise();
-}
-
-void Docks::showWhy() {
-  if (!why_dock_->toggleViewAction()->isEnabled()) return;
-  closed_by_user_.remove(why_dock_);
-  why_dock_->show();
-  why_dock_->raise();
-  QTimer::singleShot(0, this, &Docks::resize);
-}
-
-bool Docks::isWhyShown() const { return why_->isVisible(); }
-
-void Docks::setKeys(KeysPanel* keys) { keys_dock_->setWidget(keys); }
-
-void Docks::showKeys() {
-  keys_dock_->show();
-  keys_dock_->raise();
+void Docks::show(const QWidget& panel) {
+  for (const Dock& dock : docks_) {
+    if (!dock.widget->isAncestorOf(&panel) || !dock.widget->toggleViewAction()->isEnabled())
+      continue;
+    const bool appears = dock.widget->isHidden();
+    closed_by_user_.remove(dock.widget);
+    dock.widget->show();
+    dock.widget->raise();
+    if (appears && dock.spec.group == Group::Run) QTimer::singleShot(0, this, &Docks::resize);
+  }
 }
 
 void Docks::addSwitches(QMenu& menu) const {
-  for (const QDockWidget* dock : {objects_dock_, layers_dock_, properties_dock_, issues_dock_,
-                                  history_dock_, setup_dock_, charts_dock_, camera_dock_,
-                                  buildings_dock_, log_dock_, why_dock_, live_dock_, teach_dock_}) {
-    menu.addAction(dock->toggleViewAction());
+  for (const Group group : {Group::Drawing, Group::Details, Group::Run, Group::Floating}) {
+    for (const Dock& dock : docks_) {
+      if (dock.spec.group == group && dock.spec.in_menu)
+        menu.addAction(dock.widget->toggleViewAction());
+    }
   }
 }
 
 void Docks::arrange(QSize window) {
   compact_ = window.width() < kRoomyWindow.width() || window.height() < kRoomyWindow.height();
   if (compact_) {
-    window_.tabifyDockWidget(layers_dock_, properties_dock_);
-    window_.tabifyDockWidget(properties_dock_, issues_dock_);
-    window_.tabifyDockWidget(issues_dock_, history_dock_);
-    window_.tabifyDockWidget(history_dock_, setup_dock_);
-    layers_dock_->raise();
+    QDockWidget* over = nullptr;
+    for (const Dock& dock : docks_) {
+      if (dock.spec.group == Group::Drawing) over = dock.widget;
+    }
+    for (const Dock& dock : docks_) {
+      if (dock.spec.group != Group::Details || over == nullptr) continue;
+      window_.tabifyDockWidget(over, dock.widget);
+      over = dock.widget;
+    }
+    for (const Dock& dock : docks_) {
+      if (dock.spec.group == Group::Drawing && dock.spec.in_front) dock.widget->raise();
+    }
   }
   resize();
 }
 
 void Docks::resize() {
   const int width = compact_ ? 220 : 300;
+  const auto height = [this](Group group) {
+    if (group == Group::Drawing) return compact_ ? 200 : 250;
+    if (group == Group::Details) return compact_ ? 200 : 150;
+    return compact_ ? 240 : 290;
+  };
   QList<QDockWidget*> docks;
   QList<int> heights;
-  const auto add = [&](QDockWidget* dock, int height) {
-    if (dock->isHidden() || dock->isFloating()) return;
-    docks << dock;
-    heights << height;
-  };
-  for (QDockWidget* dock : {objects_dock_, layers_dock_}) add(dock, compact_ ? 200 : 250);
-  for (QDockWidget* dock : {properties_dock_, issues_dock_, setup_dock_})
-    add(dock, compact_ ? 200 : 150);
-  for (QDockWidget* dock :
-       {charts_dock_, camera_dock_, buildings_dock_, log_dock_, why_dock_, live_dock_}) {
-    add(dock, compact_ ? 240 : 290);
+  for (const Dock& dock : docks_) {
+    if (dock.widget->isHidden() || dock.widget->isFloating()) continue;
+    docks << dock.widget;
+    heights << height(dock.spec.group);
   }
   window_.resizeDocks(docks, QList<int>(docks.size(), width), Qt::Horizontal);
   window_.resizeDocks(docks, heights, Qt::Vertical);

@@ -9,9 +9,9 @@
 #include <array>
 #include <utility>
 
-#include "app/gui/shell/message_bar.h"
 #include "core/base/phrase.h"
 #include "widgets/actions/action_set.h"
+#include "widgets/messages/message_bar.h"
 
 namespace handmap {
 
@@ -53,24 +53,25 @@ void installLanguage(QCoreApplication& app, const QSettings& settings) {
   install(QStringLiteral("handmap"), QStringLiteral(":/translations"));
 }
 
-Language::Language(Parts parts, QObject* parent) : QObject(parent), parts_(std::move(parts)) {
+Language::Language(const Shell& shell, std::function<void()> start_again, QObject* parent)
+    : QObject(parent), shell_(shell), start_again_(std::move(start_again)) {
   auto* group = new QActionGroup(this);
-  const QString now = chosen(parts_.settings);
+  const QString now = chosen(shell_.settings);
   for (const auto& [action, name] : kChoices) {
-    group->addAction(&parts_.actions[action]);
-    parts_.actions[action].setChecked(now == QLatin1String(name));
-    parts_.actions.on(action, this, [this, its = name] { choose(QLatin1String(its)); });
+    group->addAction(&shell_.actions[action]);
+    shell_.actions[action].setChecked(now == QLatin1String(name));
+    shell_.actions.on(action, this, [this, its = name] { choose(QLatin1String(its)); });
   }
 }
 
 void Language::choose(const QString& name) {
-  if (name == chosen(parts_.settings)) return;
-  parts_.settings.setValue(kKey, name);
-  parts_.settings.sync();
-  parts_.messages
+  if (name == chosen(shell_.settings)) return;
+  shell_.settings.setValue(kKey, name);
+  shell_.settings.sync();
+  shell_.messages
       .show(MessageBar::Kind::Info, tr("The program speaks it from its next start on."), {},
             QStringLiteral("language"))
-      .addAction(tr("Start again"), parts_.start_again);
+      .addAction(tr("Start again"), start_again_);
 }
 
 }  // namespace handmap

@@ -4,13 +4,11 @@
 #include <QObject>
 #include <functional>
 
+#include "app/gui/shell/shell.h"
+
 class QCoreApplication;
-class QSettings;
 
 namespace handmap {
-
-class ActionSet;
-class MessageBar;
 
 /// Installs the translators, for core too. Before the first window and the first thread: what is on
 /// the screen keeps its language.
@@ -20,18 +18,13 @@ void installLanguage(QCoreApplication& app, const QSettings& settings);
 class Language : public QObject {
   Q_OBJECT
  public:
-  struct Parts {
-    const ActionSet& actions;
-    MessageBar& messages;
-    QSettings& settings;
-    std::function<void()> start_again;
-  };
-  Language(Parts parts, QObject* parent);
+  Language(const Shell& shell, std::function<void()> start_again, QObject* parent);
 
  private:
   void choose(const QString& name);
 
-  Parts parts_;
+  const Shell& shell_;
+  std::function<void()> start_again_;
 };
 
 }  // namespace handmap

@@ -17,22 +17,22 @@ namespace handmap {
 
 namespace {
 
-constexpr auto kKey = "view/theme";
+constexpr auto kThemeKey = "view/theme";
 constexpr auto kService = "org.freedesktop.portal.Desktop";
 constexpr auto kPath = "/org/freedesktop/portal/desktop";
 constexpr auto kInterface = "org.freedesktop.portal.Settings";
 constexpr auto kGroup = "org.freedesktop.appearance";
 constexpr auto kScheme = "color-scheme";
 
-struct Named {
+struct NamedTheme {
   Theme::Choice choice;
   const char* action;
   const char* name;  ///< in the settings
 };
-constexpr std::array kChoices = {
-    Named{Theme::Choice::System, "view.theme_system", "system"},
-    Named{Theme::Choice::Light, "view.theme_light", "light"},
-    Named{Theme::Choice::Dark, "view.theme_dark", "dark"},
+constexpr std::array kThemes = {
+    NamedTheme{Theme::Choice::System, "view.theme_system", "system"},
+    NamedTheme{Theme::Choice::Light, "view.theme_light", "light"},
+    NamedTheme{Theme::Choice::Dark, "view.theme_dark", "dark"},
 };
 
 QPalette paletteOf(bool dark) {
@@ -61,13 +61,13 @@ QPalette paletteOf(bool dark) {
 Theme::Theme(const ActionSet& actions, QSettings& settings, QObject* parent)
     : QObject(parent), actions_(actions), settings_(settings) {
   auto* group = new QActionGroup(this);
-  const QString chosen = settings.value(kKey).toString();
-  for (const Named& named : kChoices) {
+  const QString chosen = settings.value(kThemeKey).toString();
+  for (const NamedTheme& named : kThemes) {
     group->addAction(&actions[named.action]);
     actions.on(named.action, this, [this, choice = named.choice] { choose(choice); });
     if (chosen == QLatin1String(named.name)) choice_ = named.choice;
   }
-  for (const Named& named : kChoices)
+  for (const NamedTheme& named : kThemes)
     if (named.choice == choice_) actions[named.action].setChecked(true);
   askSystem();
   if (choice_ != Choice::System) apply();
@@ -105,8 +105,8 @@ void Theme::takeSystem(const QVariant& value) {
 
 void Theme::choose(Choice choice) {
   choice_ = choice;
-  for (const Named& named : kChoices)
-    if (named.choice == choice) settings_.setValue(kKey, QLatin1String(named.name));
+  for (const NamedTheme& named : kThemes)
+    if (named.choice == choice) settings_.setValue(kThemeKey, QLatin1String(named.name));
   apply();
 }
 

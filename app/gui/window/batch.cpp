@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "app/gui/files/exports.h"
-#include "app/gui/run/run_actions.h"
+#include "app/gui/run/result_actions.h"
 #include "app/gui/run/run_score.h"
+#include "app/gui/run/source_actions.h"
+#include "app/gui/run/transport_actions.h"
 #include "app/gui/window/main_window.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
@@ -19,7 +21,7 @@ namespace handmap {
 
 Batch::Batch(MainWindow& window, const CommandLine& line)
     : QObject(&window), window_(window), line_(line) {
-  connect(&window.runs(), &RunActions::failed, this, &Batch::onFailed);
+  connect(&window.sources(), &SourceActions::failed, this, &Batch::onFailed);
   // Later, so that what the window shows of the end is in its picture.
   connect(&window.run(), &RunController::finished, this,
           [this] { QTimer::singleShot(0, this, &Batch::onFinished); });
@@ -42,7 +44,7 @@ void Batch::onFinished() {
 
 void Batch::writeReport(const QString& folder) {
   const auto result = window_.run().result();
-  const auto score = window_.runs().score();
+  const auto score = window_.results().score();
   if (!result || !score) throw Error(ErrorCode::RunFailed, "the run ended before its first step");
   if (!QDir().mkpath(folder)) {
     throw Error(ErrorCode::RunFailed, (folder + ": cannot be made").toStdString());

@@ -1,5 +1,6 @@
 #include "app/gui/window/comfort.h"
 
+#include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
@@ -7,34 +8,31 @@
 #include "app/gui/files/file_actions.h"
 #include "app/gui/shell/docks.h"
 #include "app/gui/shell/language.h"
-#include "app/gui/shell/message_bar.h"
 #include "app/gui/shell/theme.h"
 #include "app/gui/shell/tour.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/command_palette.h"
 #include "widgets/actions/keys_panel.h"
-#include "widgets/canvas/map_canvas.h"
-#include "widgets/panels/issues_panel.h"
 
 namespace handmap {
 
 namespace {
 
-std::vector<Tour::Step> stepsOf(const Comfort::Parts& parts) {
+std::vector<Tour::Step> stepsOf(const Comfort::Sights& sights) {
   return {
-      {&parts.tool_bar, Comfort::tr("Draw"),
+      {&sights.tool_bar, Comfort::tr("Draw"),
        Comfort::tr("Take the rectangle (R) and drag from corner to corner where you remember a "
                    "building. It need not be right: some metres off is fine.")},
-      {&parts.canvas, Comfort::tr("Say where the robot starts"),
+      {&sights.canvas, Comfort::tr("Say where the robot starts"),
        Comfort::tr("With the start tool (T), press where the robot will stand and drag to where it "
                    "will look. The wheel zooms, the middle button moves the view.")},
-      {&parts.docks.issues(), Comfort::tr("See what is missing"),
+      {&sights.issues, Comfort::tr("See what is missing"),
        Comfort::tr(
            "Issues tells what in the drawing is likely to be a slip; a click shows where.")},
-      {&parts.transport, Comfort::tr("Let a robot drive"),
+      {&sights.transport, Comfort::tr("Let a robot drive"),
        Comfort::tr("Open a recording, connect a robot or take the simulator, then press Run: "
                    "the blue map is the drawing as the robot corrects it.")},
-      {&parts.transport, Comfort::tr("Take the correction over"),
+      {&sights.transport, Comfort::tr("Take the correction over"),
        Comfort::tr("Accept Refinement takes the blue map into the drawing; one Undo takes it back. "
                    "Then save or export it.")},
   };
@@ -53,23 +51,24 @@ QMenu* gather(QMenu& menu, const QString& title, const ActionSet& actions,
 
 }  // namespace
 
-Comfort::Comfort(const Parts& parts, QObject* parent)
+Comfort::Comfort(const Shell& shell, FileActions& files, const Sights& sights, QObject* parent)
     : QObject(parent),
-      parts_(parts),
-      palette_(new CommandPalette(parts.actions, parts.window)),
-      tour_(new Tour(stepsOf(parts), parts.window)) {
-  parts_.actions.restoreKeys(parts_.settings);
-  new Theme(parts_.actions, parts_.settings, this);
-  new Language({parts_.actions, parts_.messages, parts_.settings,
-                [files = &parts_.files] { files->startAgain(); }},
-               this);
-  auto* keys = new KeysPanel(parts_.actions);
-  parts_.docks.setKeys(keys);
+      palette_(new CommandPalette(shell.actions, shell.window)),
+      tour_(new Tour(stepsOf(sights), shell.window)) {
+  shell.actions.restoreKeys(shell.settings);
+  new Theme(shell.actions, shell.settings, this);
+  new Language(
+      shell, [&files] { files.startAgain(); }, this);
+  auto* keys = new KeysPanel(shell.actions);
+  constexpr QSize kKeysSize(640, 520);
+  shell.docks.add({"keys", tr("Keyboard shortcuts"), Docks::Group::Floating, Docks::When::Asked,
+                   false, false, kKeysSize},
+                  keys);
   connect(keys, &KeysPanel::keysChanged, this,
-          [this] { parts_.actions.saveKeys(parts_.settings); });
-  parts_.actions.on("help.commands", this, [this] { palette_->open(); });
-  parts_.actions.on("help.shortcuts", this, [this] { parts_.docks.showKeys(); });
-  parts_.actions.on("help.tour", this, [this] { beginTour(); });
+          [&shell] { shell.actions.saveKeys(shell.settings); });
+  shell.actions.on("help.commands", this, [this] { palette_->open(); });
+  shell.actions.on("help.shortcuts", this, [&shell, keys] { shell.docks.show(*keys); });
+  shell.actions.on("help.tour", this, [this] { beginTour(); });
 }
 
 void Comfort::tidy(const QMenuBar& menu_bar, const ActionSet& actions) {

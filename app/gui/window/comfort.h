@@ -4,44 +4,37 @@
 
 #include <QObject>
 
+#include "app/gui/shell/shell.h"
+
 class QMenu;
 class QMenuBar;
-class QSettings;
 class QWidget;
 
 namespace handmap {
 
 class ActionSet;
 class CommandPalette;
-class Docks;
 class FileActions;
-class MapCanvas;
-class MessageBar;
 class Tour;
 
 class Comfort : public QObject {
   Q_OBJECT
  public:
-  /// All of it must outlive this object.
-  struct Parts {
-    QWidget& window;
-    ActionSet& actions;
-    Docks& docks;
-    FileActions& files;
-    MapCanvas& canvas;
+  /// What the tour points at.
+  struct Sights {
     QWidget& tool_bar;
+    QWidget& canvas;
+    QWidget& issues;
     QWidget& transport;
-    MessageBar& messages;
-    QSettings& settings;
   };
-  Comfort(const Parts& parts, QObject* parent);
+  /// What it is given must outlive it.
+  Comfort(const Shell& shell, FileActions& files, const Sights& sights, QObject* parent);
 
   /// Puts what belongs together into menus of its own.
   static void tidy(const QMenuBar& menu_bar, const ActionSet& actions);
   void beginTour();
 
  private:
-  Parts parts_;
   CommandPalette* palette_;
   Tour* tour_;
 };

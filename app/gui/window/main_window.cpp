@@ -21,14 +21,16 @@
 #include "app/gui/files/reference_trust.h"
 #include "app/gui/files/template_menu.h"
 #include "app/gui/rig/rig_actions.h"
+#include "app/gui/run/result_actions.h"
 #include "app/gui/run/revision_actions.h"
-#include "app/gui/run/run_actions.h"
 #include "app/gui/run/run_views.h"
+#include "app/gui/run/source_actions.h"
+#include "app/gui/run/transport_actions.h"
 #include "app/gui/shell/docks.h"
-#include "app/gui/shell/message_bar.h"
 #include "app/gui/shell/welcome_strip.h"
 #include "app/gui/window/comfort.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/panels/issues_panel.h"
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
@@ -73,37 +75,33 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
       messages_(new MessageBar),
       welcome_(new WelcomeStrip),
       transport_(new TransportBar),
+      teach_(new TeachPanel),
+      run_panels_(RunPanels::make()),
+      editing_panels_(EditingPanels::make(document_, &run_panels_.layers, docks_)),
+      shell_{*this, actions_, *messages_, *dialogs_, docks_, settings_},
       hint_(new QLabel),
       cursor_(new QLabel),
       scale_(new QLabel),
       run_state_(new QLabel) {
   setCentralWidget(makeCentre());
-  docks_ = new Docks(*this, document_);
-  overlays_ = std::make_unique<RunOverlays>(*canvas_->scene(), kOverlayZ);
-  overlays_->setColours(Colours::of(palette()));
-  run_.setPrepare(overlays_->preparation());
-  files_ = new FileActions(
-      {*this, document_, *canvas_, run_, actions_, *messages_, settings_, *dialogs_});
-  runs_ = new RunActions({*this, document_, run_, *files_, actions_, *messages_, settings_,
-                          *dialogs_, *overlays_, *transport_, docks_->layers(), docks_->setup(),
-                          docks_->charts(), docks_->camera(), docks_->buildings()});
-  views_ = new RunViews({*canvas_, document_, run_, *overlays_, *docks_, actions_}, this);
-  rigs_ = new RigActions({*this, run_, *runs_, *docks_, actions_, *messages_, settings_, *dialogs_},
-                         this);
-  revisions_ = std::make_unique<RevisionActions>(RevisionActions::Parts{
-      document_, run_, actions_, *messages_, *canvas_, *tools_, runs_->past()});
-  auto* trust = new ReferenceTrust({document_, *files_, *messages_, settings_}, this);
-  pictures_ = new PictureActions({document_, *canvas_, tools_->pictureTool(), actions_, *docks_,
-                                  *messages_, *trust, settings_, *dialogs_},
-                                 this);
-  model_ = new MapModel({document_, *files_, docks_->teach(), *messages_, *dialogs_}, this);
+  run_panels_.addTo(docks_);
+  docks_.add({"teach", tr("Teach buildings"), Docks::Group::Floating, Docks::When::Asked, false,
+              true, teach_->sizeHint()},
+             Docks::scrolled(teach_));
+  files_ = new FileActions(shell_, document_, *canvas_);
+  makeRun();
+  auto* trust = new ReferenceTrust(shell_, document_, *files_, this);
+  pictures_ = new PictureActions(shell_, document_, *canvas_, tools_->pictureTool(),
+                                 editing_panels_.properties, *trust, this);
+  model_ = new MapModel(shell_, document_, *files_, *teach_, this);
   connect(trust, &ReferenceTrust::granted, model_, &MapModel::loadOfDrawing);
-  templates_ = new TemplateMenu({*this, document_, *files_, *messages_, *dialogs_}, this);
-  new DiskWatch({document_, *files_, *messages_}, this);
+  templates_ = new TemplateMenu(shell_, document_, *files_, this);
+  new DiskWatch(shell_, document_, *files_, this);
   connectRecovery();
   makeBars();
   makeStatusBar();
   connectEditing();
+  connectTools();
   connectView();
   connectWelcome();
   setAcceptDrops(true);
@@ -112,9 +110,26 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   updateTitle();
 }
 
+/// From the source of a run to what it comes to: each hears of the run after those before it.
+void MainWindow::makeRun() {
+  overlays_ = std::make_unique<RunOverlays>(*canvas_->scene(), kOverlayZ);
+  overlays_->setColours(Colours::of(palette()));
+  run_.setPrepare(overlays_->preparation());
+  sources_ = new SourceActions(shell_, document_, *files_, run_, run_panels_.setup);
+  views_ =
+      new RunViews(shell_, *canvas_, document_, *files_, *sources_, run_, *overlays_, run_panels_);
+  runs_ = new TransportActions(shell_, document_, *files_, *sources_, run_, *views_, *transport_);
+  results_ = new ResultActions(shell_, document_, *files_, *sources_, run_, run_panels_.buildings);
+  rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
+  revisions_ =
+      std::make_unique<RevisionActions>(shell_, document_, run_, *canvas_, *tools_, runs_->past());
+  connect(sources_, &SourceActions::posesGiven, this,
+          [this](const std::vector<StampedPose>& poses) { revisions_->takePoses(poses); });
+}
+
 MainWindow::~MainWindow() {
   run_.discard();
-  delete views_;  // it hears of docks that go, when the overlays it works with have gone
+  delete views_;  // it hears of panels that go, when the overlays it works with have gone
 }
 
 QWidget* MainWindow::makeCentre() {
@@ -141,9 +156,8 @@ void MainWindow::makeBars() {
   addToolBar(Qt::LeftToolBarArea, tool_bar);
   actions_.fillToolBar(*tool_bar, ToolBar::Tools);
   addToolBar(Qt::BottomToolBarArea, makeTransport());
-  comfort_ = new Comfort(
-      {*this, actions_, *docks_, *files_, *canvas_, *tool_bar, *transport_, *messages_, settings_},
-      this);
+  comfort_ = new Comfort(shell_, *files_,
+                         {*tool_bar, *canvas_, editing_panels_.issues, *transport_}, this);
   Comfort::tidy(*menuBar(), actions_);
 
   for (QAction* top : menuBar()->actions()) {
@@ -154,7 +168,7 @@ void MainWindow::makeBars() {
     }
     if (menu->actions().contains(&actions_["view.grid"])) {
       menu->addSeparator();
-      docks_->addSwitches(*menu);
+      docks_.addSwitches(*menu);
     }
   }
 }
@@ -203,17 +217,17 @@ void MainWindow::makeStatusBar() {
   connect(canvas_, &MapCanvas::scaleChanged, this, show_scale);
   const auto show_run = [this] { run_state_->setText(runs_->stateInWords()); };
   show_run();
-  connect(runs_, &RunActions::stateChanged, this, show_run);
-  connect(runs_, &RunActions::robotChanged, this, show_run);
+  connect(runs_, &TransportActions::stateChanged, this, show_run);
+  connect(sources_, &SourceActions::robotChanged, this, show_run);
 }
 
 void MainWindow::connectEditing() {
-  edits_ = new EditActions({document_, *canvas_, *tools_, actions_, *messages_, settings_}, this);
-  actions_.on("edit.settings", this, [this] { docks_->showSetup(); });
-  actions_.on("run.teach", this, [this] { docks_->showTeach(); });
-  connect(&docks_->teach(), &TeachPanel::classifierChanged, &docks_->setup(),
+  new EditActions(shell_, document_, *canvas_, *tools_, this);
+  actions_.on("edit.settings", this, [this] { docks_.show(run_panels_.setup); });
+  actions_.on("run.teach", this, [this] { docks_.show(*teach_); });
+  connect(teach_, &TeachPanel::classifierChanged, &run_panels_.setup,
           &RunSetupPanel::setTaughtClassifier);
-  connect(&docks_->teach(), &TeachPanel::messageRaised, this,
+  connect(teach_, &TeachPanel::messageRaised, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
   actions_.on("file.keep_template", this, [this] { templates_->keep(); });
   actions_.on("file.quit", this, [this] { close(); });
@@ -223,25 +237,11 @@ void MainWindow::connectEditing() {
                        "drawing. Free software: GPL-3.0-or-later, without any warranty."));
   });
   connect(&document_, &MapDocument::fileChanged, this, &MainWindow::updateTitle);
-  connect(&docks_->properties(), &PropertyPanel::messageRaised, this,
+  connect(&editing_panels_.properties, &PropertyPanel::messageRaised, this,
           [this](const QString& message) { messages_->show(MessageBar::Kind::Warning, message); });
 }
 
-void MainWindow::connectView() {
-  actions_.on("view.zoom_in", canvas_, [this] { canvas_->zoomIn(); });
-  actions_.on("view.zoom_out", canvas_, [this] { canvas_->zoomOut(); });
-  actions_.on("view.zoom_fit", canvas_, [this] { canvas_->zoomToFit(); });
-  actions_["view.grid"].setChecked(canvas_->isGridVisible());
-  actions_.on("view.grid", this, [this](bool on) { docks_->layers().setOn(Layer::Grid, on); });
-  actions_["view.uncertainty"].setChecked(true);
-  actions_.on("view.uncertainty", canvas_, [this](bool on) { canvas_->setDoubtVisible(on); });
-  connect(&docks_->layers(), &LayersPanel::toggled, this, &MainWindow::setLayer);
-  connect(&docks_->layers(), &LayersPanel::opacityChanged, this, [this](Layer layer, double share) {
-    if (layer == Layer::Drawing) return canvas_->setDrawingOpacity(share);
-    overlays_->setLayerOpacity(layer, share);
-  });
-  docks_->layers().setAvailable(Layer::Truth, false);
-
+void MainWindow::connectTools() {
   static constexpr std::pair<const char*, ToolId> kTools[] = {
       {"draw.select", ToolId::Select},
       {"draw.rectangle", ToolId::Rectangle},
@@ -264,39 +264,43 @@ void MainWindow::connectView() {
       if (its_tool == tool) actions_[id].setChecked(true);
     }
   });
+}
 
-  connect(&docks_->objects(), &ObjectsPanel::showRequested, canvas_, &MapCanvas::zoomToObject);
-  connect(&docks_->issues(), &IssuesPanel::showRequested, this, &MainWindow::showIssue);
+void MainWindow::connectView() {
+  actions_.on("view.zoom_in", canvas_, [this] { canvas_->zoomIn(); });
+  actions_.on("view.zoom_out", canvas_, [this] { canvas_->zoomOut(); });
+  actions_.on("view.zoom_fit", canvas_, [this] { canvas_->zoomToFit(); });
+  actions_["view.grid"].setChecked(canvas_->isGridVisible());
+  actions_.on("view.grid", this, [this](bool on) { run_panels_.layers.setOn(Layer::Grid, on); });
+  actions_["view.uncertainty"].setChecked(true);
+  actions_.on("view.uncertainty", canvas_, [this](bool on) { canvas_->setDoubtVisible(on); });
+  connect(&run_panels_.layers, &LayersPanel::toggled, this, &MainWindow::setLayer);
+  connect(&run_panels_.layers, &LayersPanel::opacityChanged, this,
+          [this](Layer layer, double share) {
+            if (layer == Layer::Drawing) return canvas_->setDrawingOpacity(share);
+            overlays_->setLayerOpacity(layer, share);
+          });
+  run_panels_.layers.setAvailable(Layer::Truth, false);
+
+  connect(&editing_panels_.objects, &ObjectsPanel::showRequested, canvas_,
+          &MapCanvas::zoomToObject);
+  connect(&editing_panels_.issues, &IssuesPanel::showRequested, this, &MainWindow::showIssue);
   connect(files_, &FileActions::drawingReplaced, canvas_, &MapCanvas::zoomToFit);
   connect(files_, &FileActions::georeferenceWanted, this, [this] {
     document_.setSelection({});  // the page of the map itself
-    docks_->showProperties();
+    docks_.show(editing_panels_.properties);
   });
-  connect(runs_, &RunActions::runBegan, this, [this](bool has_camera) {
-    docks_->showRunDocks(true, has_camera);
-    views_->begin();
-  });
-  connect(&runs_->past(), &PlaybackActions::noted, docks_,
-          [this](double time_s, const QString& text) {
-            docks_->log().model().add({time_s, LogKind::Warning, text, {}});
-          });
-  connect(runs_, &RunActions::posesGiven, this,
-          [this](const std::vector<StampedPose>& poses) { revisions_->takePoses(poses); });
-  connect(runs_, &RunActions::phaseShown, views_, &RunViews::showPhase);
-  connect(views_, &RunViews::timeChosen, this,
-          [this](double time_s) { runs_->past().seekTime(time_s); });
-  connect(runs_, &RunActions::runForgotten, this, [this] { docks_->showRunDocks(false, false); });
 }
 
 void MainWindow::connectWelcome() {
   connect(welcome_, &WelcomeStrip::demonstrationRequested, this, [this] {
-    if (runs_->openDemonstration()) runs_->runOrResume();
+    if (sources_->openDemonstration()) runs_->runOrResume();
   });
   connect(welcome_, &WelcomeStrip::drawRequested, this, [this] {
     if (files_->replace({})) actions_["draw.rectangle"].trigger();
   });
-  connect(welcome_, &WelcomeStrip::recordingRequested, runs_, &RunActions::askForRecording);
-  connect(welcome_, &WelcomeStrip::simulatorRequested, runs_, &RunActions::openTwoRows);
+  connect(welcome_, &WelcomeStrip::recordingRequested, sources_, &SourceActions::askForRecording);
+  connect(welcome_, &WelcomeStrip::simulatorRequested, sources_, &SourceActions::openTwoRows);
   connect(welcome_, &WelcomeStrip::robotRequested, rigs_, &RigActions::showDialog);
   connect(welcome_, &WelcomeStrip::tourRequested, comfort_, &Comfort::beginTour);
   connect(welcome_, &WelcomeStrip::closed, this,
@@ -305,12 +309,12 @@ void MainWindow::connectWelcome() {
 }
 
 void MainWindow::connectRecovery() {
-  recovery_ = new Recovery({document_, docks_->teach(), settings_}, {}, this);
+  recovery_ = new Recovery(document_, *teach_, settings_, {}, this);
   recovery_offer_ = new RecoveryOffer(
-      {*this, *recovery_, *messages_, [this] { return files_->mayLeave(); }}, this);
+      *this, *messages_, *recovery_, [this] { return files_->mayLeave(); }, this);
   connect(recovery_offer_, &RecoveryOffer::recovered, this, [this](bool with_teaching) {
     Q_EMIT files_->drawingReplaced();
-    if (with_teaching) docks_->showTeach();
+    if (with_teaching) docks_.show(*teach_);
   });
   connect(recovery_, &Recovery::cannotKeep, this,
           [this](const QString& reason, const QString& instead) {
@@ -371,18 +375,18 @@ void MainWindow::restoreState() {
   }
   restoreGeometry(settings_.value(kGeometryKey).toByteArray());
   if (!QMainWindow::restoreState(settings_.value(kStateKey).toByteArray(), kStateVersion)) {
-    docks_->arrange(screen()->availableSize().boundedTo(kFirstSize));
+    docks_.arrange(screen()->availableSize().boundedTo(kFirstSize));
   }
-  docks_->showRunDocks(false, false);
-  docks_->setup().restore(settings_);
-  docks_->layers().restore(settings_);
+  docks_.showRunDocks(false, false);
+  run_panels_.setup.restore(settings_);
+  run_panels_.layers.restore(settings_);
 }
 
 void MainWindow::saveState() {
   settings_.setValue(kGeometryKey, saveGeometry());
   settings_.setValue(kStateKey, QMainWindow::saveState(kStateVersion));
-  docks_->setup().save(settings_);
-  docks_->layers().save(settings_);
+  run_panels_.setup.save(settings_);
+  run_panels_.layers.save(settings_);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -426,7 +430,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (path.isEmpty()) return;
   event->acceptProposedAction();
   if (QDir(path).exists()) {
-    runs_->openRecording(path);
+    sources_->openRecording(path);
   } else if (isPictureName(path)) {
     const QPoint on_canvas = canvas_->viewport()->mapFrom(this, event->position().toPoint());
     pictures_->add(path, canvas_->mapToScene(on_canvas));

@@ -5,11 +5,15 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "app/gui/editing/editing_panels.h"
 #include "app/gui/run/run_controller.h"
-#include "app/gui/shell/dialogs.h"
+#include "app/gui/run/run_panels.h"
+#include "app/gui/shell/docks.h"
+#include "app/gui/shell/shell.h"
 #include "core/map/issues.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/dialogs.h"
 #include "widgets/run/overlays/layers.h"
 
 class QLabel;
@@ -19,8 +23,6 @@ class QToolBar;
 namespace handmap {
 
 class Comfort;
-class Docks;
-class EditActions;
 class FileActions;
 class MapCanvas;
 class MapModel;
@@ -28,13 +30,16 @@ class MessageBar;
 class PictureActions;
 class Recovery;
 class RecoveryOffer;
+class ResultActions;
 class RevisionActions;
 class RigActions;
-class RunActions;
 class RunOverlays;
 class RunViews;
+class SourceActions;
+class TeachPanel;
 class TemplateMenu;
 class Toolbox;
+class TransportActions;
 class TransportBar;
 class WelcomeStrip;
 
@@ -52,10 +57,13 @@ class MainWindow : public QMainWindow {
   Toolbox& tools() { return *tools_; }
   RunController& run() { return run_; }
   FileActions& files() { return *files_; }
-  RunActions& runs() { return *runs_; }
+  SourceActions& sources() { return *sources_; }
+  TransportActions& runs() { return *runs_; }
+  ResultActions& results() { return *results_; }
   RigActions& rigs() { return *rigs_; }
-  Docks& docks() { return *docks_; }
-  RunViews& views() { return *views_; }
+  const RunPanels& runPanels() { return run_panels_; }
+  TeachPanel& teach() { return *teach_; }
+  Docks& docks() { return docks_; }
   TransportBar& transport() { return *transport_; }
   MessageBar& messages() { return *messages_; }
 
@@ -71,10 +79,12 @@ class MainWindow : public QMainWindow {
 
  private:
   QWidget* makeCentre();
+  void makeRun();
   void makeBars();
   QToolBar* makeTransport();
   void makeStatusBar();
   void connectEditing();
+  void connectTools();
   void connectView();
   void connectWelcome();
   void connectRecovery();
@@ -89,22 +99,27 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Dialogs> dialogs_;
   ActionSet actions_{this};
   RunController run_;
+  Docks docks_{*this};
   MapCanvas* canvas_;
   Toolbox* tools_;
   MessageBar* messages_;
   WelcomeStrip* welcome_;
   TransportBar* transport_;
-  Docks* docks_;
+  TeachPanel* teach_;
+  RunPanels run_panels_;
+  EditingPanels editing_panels_;
+  Shell shell_;
   QLabel* hint_;
   QLabel* cursor_;
   QLabel* scale_;
   QLabel* run_state_;
   std::unique_ptr<RunOverlays> overlays_;  ///< before the scene of the canvas goes
   std::unique_ptr<RevisionActions> revisions_;
-  EditActions* edits_;
   FileActions* files_;
-  RunActions* runs_;
+  SourceActions* sources_;
   RunViews* views_;
+  TransportActions* runs_;
+  ResultActions* results_;
   RigActions* rigs_;
   PictureActions* pictures_;
   TemplateMenu* templates_;

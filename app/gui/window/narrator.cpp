@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "app/gui/run/run_actions.h"
-#include "app/gui/shell/message_bar.h"
+#include "app/gui/run/source_actions.h"
+#include "app/gui/run/transport_actions.h"
 #include "app/gui/window/main_window.h"
+#include "widgets/messages/message_bar.h"
 
 namespace handmap {
 
@@ -20,9 +21,9 @@ Narrator::Narrator(MainWindow& window) : QObject(&window) {
   connect(&window.document(), &MapDocument::mapChanged, this, drawing);
   connect(&window.document(), &MapDocument::fileChanged, this, drawing);
   const auto run = [this, &window] { sayChange("run", window.runs().stateInWords()); };
-  connect(&window.runs(), &RunActions::stateChanged, this, run);
-  connect(&window.runs(), &RunActions::robotChanged, this, run);
-  connect(&window.runs(), &RunActions::failed, this,
+  connect(&window.runs(), &TransportActions::stateChanged, this, run);
+  connect(&window.sources(), &SourceActions::robotChanged, this, run);
+  connect(&window.sources(), &SourceActions::failed, this,
           [this](const Failure& failure) { sayChange("failed", failure.message); });
   connect(&window.messages(), &MessageBar::shown, this,
           [this](const QString& text) { sayChange("message", text); });

@@ -16,7 +16,9 @@
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
-#include "app/gui/run/run_actions.h"
+#include "app/gui/run/result_actions.h"
+#include "app/gui/run/source_actions.h"
+#include "app/gui/run/transport_actions.h"
 #include "app/gui/window/application.h"
 #include "app/gui/window/main_window.h"
 #include "core/session/run_history.h"
@@ -117,7 +119,7 @@ void stalls(benchmark::State& state) {
   for (auto _ : state) {
     Window one;
     MainWindow& window = *one.window;
-    window.runs().openTwoRows();
+    window.sources().openTwoRows();
     window.transport().setSpeed(0.0);
     QTimer heart;
     heart.setTimerType(Qt::PreciseTimer);

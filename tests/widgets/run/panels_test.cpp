@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
+#include "widgets/pictures/camera_image.h"
 #include "widgets/run/panels/buildings_panel.h"
 #include "widgets/run/panels/camera_panel.h"
 #include "widgets/run/panels/charts_panel.h"

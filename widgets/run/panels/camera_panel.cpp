@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/classification/overlay.h"
+#include "widgets/pictures/camera_image.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {
@@ -15,15 +16,6 @@ namespace {
 constexpr double kJudgedBuilding = 0.5;  // probability of a window that has a cross
 
 }  // namespace
-
-QImage sharedImage(const cv::Mat& image) {
-  if (image.empty() || image.depth() != CV_8U) return {};
-  if (image.channels() != 1 && image.channels() != 3) return {};
-  const auto format = image.channels() == 1 ? QImage::Format_Grayscale8 : QImage::Format_BGR888;
-  return {image.data, image.cols, image.rows, static_cast<qsizetype>(image.step), format};
-}
-
-QImage cameraImage(const cv::Mat& image) { return sharedImage(image).copy(); }
 
 QImage judgedImage(const cv::Mat& image, const cv::Mat1f& buildings) {
   if (image.empty() || buildings.empty()) return cameraImage(image);

@@ -8,10 +8,6 @@
 
 namespace handmap {
 
-/// Grey or BGR, 8 bit; a null image for anything else.
-QImage cameraImage(const cv::Mat& image);
-/// The same without a copy: only for as long as the pixels live.
-QImage sharedImage(const cv::Mat& image);
 /// The same with a cross on every window judged to show a building.
 QImage judgedImage(const cv::Mat& image, const cv::Mat1f& buildings);
 /// Unknown disparities are black.

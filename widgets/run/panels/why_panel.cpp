@@ -198,4 +198,14 @@ void WhyPanel::fillWitnesses(const WallStory& story) {
 
 QString WhyPanel::words() const { return words_->text(); }
 
+void WhyPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  Q_EMIT shown(true);
+}
+
+void WhyPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  Q_EMIT shown(false);
+}
+
 }  // namespace handmap

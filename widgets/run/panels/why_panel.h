@@ -36,12 +36,18 @@ class WhyPanel : public QWidget {
   QString words() const;
 
  Q_SIGNALS:
+  /// The panel can be seen now, or no more.
+  void shown(bool shown);
   void wallAsked(std::size_t building, std::size_t wall);
   void nothingAsked();
   /// One of the story's, as many rows as it has; nullopt: none.
   void witnessChosen(std::optional<std::size_t> witness);
   /// A row was clicked, or Enter pressed on it.
   void timeChosen(double time_s);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   void fillWalls();

@@ -1,0 +1,159 @@
+#include "app/gui/run/result_actions.h"
+
+#include <QFileInfo>
+#include <QMainWindow>
+#include <algorithm>
+#include <span>
+
+#include "app/gui/files/file_actions.h"
+#include "app/gui/run/run_controller.h"
+#include "app/gui/run/source_actions.h"
+#include "core/base/text.h"
+#include "core/map/map_changes.h"
+#include "core/map/map_io.h"
+#include "core/map/references.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/document/map_document.h"
+#include "widgets/messages/message_bar.h"
+#include "widgets/run/panels/buildings_panel.h"
+#include "widgets/run/words/words.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr auto kAcceptTopic = "accept";
+constexpr std::size_t kMostDoubtfulOffered = 3;
+constexpr qsizetype kMostEditedNamed = 8;
+
+}  // namespace
+
+ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActions& files,
+                             const SourceActions& sources, RunController& run,
+                             BuildingsPanel& buildings)
+    : QObject(&shell.window),
+      shell_(shell),
+      document_(document),
+      files_(files),
+      sources_(sources),
+      run_(run),
+      buildings_(buildings) {
+  const ActionSet& actions = shell_.actions;
+  actions.on("run.accept", this, [this] { accept(); });
+  actions.on("file.export_map", this, [this] { exportMap(); });
+  actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
+  files_.setCorrected([this] { return refinedMap(); });
+  connect(&files_, &FileActions::drawingReplaced, this,
+          [this] { shell_.messages.withdraw(kAcceptTopic); });
+  connect(&run_, &RunController::begun, this, [this] { skipped_ = 0; });
+  connect(&run_, &RunController::frameSkipped, this, &ResultActions::onFrameSkipped);
+  connect(&run_, &RunController::finished, this, &ResultActions::onFinished);
+  connect(&run_, &RunController::stateChanged, this, &ResultActions::updateActions);
+  connect(&run_, &RunController::newsArrived, this, &ResultActions::updateActions);
+  updateActions();
+}
+
+void ResultActions::updateActions() {
+  shell_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"},
+                            run_.result() != nullptr, tr("no run has corrected anything yet"));
+}
+
+void ResultActions::onFrameSkipped(int frame, const QString& reason) {
+  ++skipped_;
+  const QString what =
+      skipped_ == 1
+          ? tr("Frame %1 was skipped: %2").arg(frame).arg(reason)
+          : tr("%1 frames were skipped; the latest, %2: %3").arg(skipped_).arg(frame).arg(reason);
+  shell_.messages.show(MessageBar::Kind::Warning, what, {}, QStringLiteral("skipped"));
+}
+
+void ResultActions::onFinished(bool cancelled) {
+  if (cancelled || warn() || skipped_ > 0) return;
+  if (const auto result = score()) summarize(*result);
+}
+
+bool ResultActions::warn() {
+  const auto result = run_.result();
+  if (!result) return false;
+  for (const RunWarning& warning : result->warnings) {
+    shell_.messages
+        .show(MessageBar::Kind::Warning, QString::fromStdString(warning.message),
+              QString::fromStdString(warning.hint))
+        .addAction(tr("Place the start"), [this] { shell_.actions["draw.start"].trigger(); });
+  }
+  return !result->warnings.empty();
+}
+
+void ResultActions::summarize(const RunScore& score) {
+  const Map& drawing = run_.drawing();
+  const MapChanges changes = changesOf(drawing, run_.result()->map());
+  shell_.messages.show(MessageBar::Kind::Info,
+                       tr("The run is done. %1").arg(Words::changes(changes, drawing)),
+                       scoreInWords(score));
+  const std::size_t offered = std::min(changes.doubtful.size(), kMostDoubtfulOffered);
+  for (const BuildingChange& change : std::span(changes.doubtful).first(offered)) {
+    const QString id = QString::fromStdString(drawing.buildings[change.building].id);
+    shell_.messages.addAction(id, [this, id] { Q_EMIT buildings_.showRequested(id); });
+  }
+  shell_.messages.addAction(tr("Accept refinement"), [this, number = run_.number()] {
+    if (number == run_.number()) accept();
+  });
+}
+
+std::optional<RunScore> ResultActions::score() const {
+  const auto result = run_.result();
+  const auto tape = run_.tape();
+  const auto& robot = sources_.robot();
+  if (!result || !tape || !robot) return std::nullopt;
+  return scoreRun(run_.drawing(), result->map(), robot->truth_map, *result->last,
+                  tape->info().truth);
+}
+
+void ResultActions::accept() {
+  const auto result = run_.result();
+  if (!result) return;
+  const QStringList edited = document_.editedSince(run_.drawing());
+  if (edited.isEmpty()) return document_.acceptRefinement(result->map());
+  Message& question =
+      shell_.messages.ask(tr("%n building(s) were edited since the run began: %1", nullptr,
+                             static_cast<int>(edited.size()))
+                              .arg(edited.mid(0, kMostEditedNamed).join(QStringLiteral(", "))),
+                          tr("Their corrected shapes are of the drawing before."), kAcceptTopic);
+  question.addAction(tr("Take all others"),
+                     [this, result, edited] { document_.acceptRefinement(result->map(), edited); });
+  question.addAction(tr("Take all"), [this, result] { document_.acceptRefinement(result->map()); });
+}
+
+std::optional<Map> ResultActions::refinedMap() const {
+  const auto result = run_.result();
+  if (!result) return std::nullopt;
+  Map map = result->map();
+  map.georeference = document_.map().georeference;
+  return map;
+}
+
+void ResultActions::exportMap() {
+  std::optional<Map> map = refinedMap();
+  if (!map) return;
+  files_.exportAs({tr("Export the refined map"),
+                   QFileInfo(document_.displayName()).completeBaseName() + tr("-refined") +
+                       QStringLiteral(".handmap"),
+                   FileActions::mapFilter(), QStringLiteral("handmap"), tr("The refined map")},
+                  [this, &map](const QString& path) {
+                    moveReferences(*map, document_.origin().toStdString(), path.toStdString());
+                    writeMap(*map, path.toStdString());
+                  });
+}
+
+void ResultActions::exportTrajectory() {
+  const auto result = run_.result();
+  if (!result) return;
+  files_.exportAs({tr("Export the trajectory"), document_.displayName(), tr("Trajectories (*.tum)"),
+                   QStringLiteral("tum"), tr("The way of the robot")},
+                  [&result](const QString& path) {
+                    writeFileAtomically(path.toStdString(),
+                                        formatTum(result->last->trajectory.all()));
+                  });
+}
+
+}  // namespace handmap

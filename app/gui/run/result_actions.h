@@ -1,0 +1,52 @@
+// What a run has come to: its summary and warnings, taking it over into the drawing, and its
+// exports.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/gui/run/run_score.h"
+#include "app/gui/shell/shell.h"
+#include "core/map/map.h"
+
+namespace handmap {
+
+class BuildingsPanel;
+class FileActions;
+class MapDocument;
+class RunController;
+class SourceActions;
+
+class ResultActions : public QObject {
+  Q_OBJECT
+ public:
+  /// What it is given must outlive it. `buildings` shows the doubtful ones when they are clicked.
+  ResultActions(const Shell& shell, MapDocument& document, FileActions& files,
+                const SourceActions& sources, RunController& run, BuildingsPanel& buildings);
+
+  /// The latest run against the truth. nullopt before its first step.
+  std::optional<RunScore> score() const;
+
+ private:
+  void onFinished(bool cancelled);
+  void onFrameSkipped(int frame, const QString& reason);
+  /// Of a run at its end; true: there was something to tell.
+  bool warn();
+  void summarize(const RunScore& score);
+  void accept();
+  /// With where the drawing is now said to lie. nullopt: no run has a result.
+  std::optional<Map> refinedMap() const;
+  void exportMap();
+  void exportTrajectory();
+  void updateActions();
+
+  const Shell& shell_;
+  MapDocument& document_;
+  FileActions& files_;
+  const SourceActions& sources_;
+  RunController& run_;
+  BuildingsPanel& buildings_;
+  int skipped_ = 0;  ///< frames of the latest run
+};
+
+}  // namespace handmap

@@ -1,0 +1,218 @@
+#include "app/gui/run/source_actions.h"
+
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+
+#include "app/gui/files/file_actions.h"
+#include "app/gui/run/run_controller.h"
+#include "core/session/redone_acts.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/document/map_document.h"
+#include "widgets/messages/dialogs.h"
+#include "widgets/messages/message_bar.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr auto kRecordingFolderKey = "files/recording_folder";
+
+}  // namespace
+
+SourceActions::SourceActions(const Shell& shell, MapDocument& document, FileActions& files,
+                             RunController& run, RunSetupPanel& setup)
+    : QObject(&shell.window),
+      shell_(shell),
+      document_(document),
+      files_(files),
+      run_(run),
+      setup_(setup),
+      opener_(this) {
+  shell_.actions.on("run.open_recording", this, [this] { askForRecording(); });
+  shell_.actions.on("run.load_poses", this, [this] { askForPoses(); });
+  addSimulatorMenu();
+  connect(&files_, &FileActions::drawingReplaced, this, &SourceActions::onDrawingReplaced);
+  connect(&run_, &RunController::failed, this, &SourceActions::tell);
+  connect(&opener_, &RecordingOpener::opened, this, &SourceActions::onOpened);
+  connect(&opener_, &RecordingOpener::posesOpened, this, &SourceActions::usePoses);
+  connect(&opener_, &RecordingOpener::simulated, this, &SourceActions::setRobot);
+  connect(&opener_, &RecordingOpener::failed, this, &SourceActions::tell);
+  updateActions();
+}
+
+void SourceActions::addSimulatorMenu() {
+  auto* menu = new QMenu(&shell_.window);
+  menu->addAction(tr("&Two rows of buildings"), this, &SourceActions::openTwoRows);
+  menu->addAction(tr("A &campus"), this, [this] { openSimulation(campusSimulation(seed())); });
+  menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
+  menu->addAction(tr("A &quarter with fences and hedges"), this,
+                  [this] { openSimulation(quarterSimulation(seed())); });
+  menu->addAction(tr("T&his drawing"), this, &SourceActions::simulateDrawing);
+  menu->addSeparator();
+  menu->addAction(tr("A &live robot (virtual rig)"), this, [this] { openVirtualRig(); });
+  menu->addAction(tr("A live robot with a &stereo head"), this,
+                  [this] { openVirtualRig(VirtualRigKind::StereoHead); });
+  menu->addAction(tr("The &demonstration"), this, &SourceActions::openDemonstration);
+  shell_.actions["run.simulator"].setMenu(menu);
+  shell_.actions.on("run.simulator", this, [this, menu] {  // by its key
+    menu->popup(shell_.window.mapToGlobal(shell_.window.rect().center()));
+  });
+}
+
+std::uint64_t SourceActions::seed() const { return setup_.setup().settings.seed; }
+
+void SourceActions::tell(const Failure& failure) {
+  shell_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint);
+  Q_EMIT failed(failure);
+}
+
+void SourceActions::setRobot(Robot robot) {
+  run_.discard();
+  opener_.forget();
+  robot_ = std::move(robot);
+  given_poses_.clear();
+  updateActions();
+  Q_EMIT robotChanged();
+}
+
+void SourceActions::onDrawingReplaced() {
+  run_.discard();
+  opener_.forgetSimulation();
+  shell_.messages.clear();
+  if (robot_ && robot_->truth_map) robot_.reset();  // it lived in the drawing before
+  updateActions();
+}
+
+void SourceActions::updateActions() {
+  shell_.actions.setEnabled({"run.load_poses"}, robot_ && !robot_->live,
+                            tr("no recording or simulator is open"));
+}
+
+// --- Recordings
+
+void SourceActions::askForRecording() {
+  const QString folder = shell_.dialogs.folderToOpen(
+      tr("Open a recording"), shell_.settings.value(kRecordingFolderKey).toString());
+  if (folder.isEmpty()) return;
+  shell_.settings.setValue(kRecordingFolderKey, folder);
+  openRecording(folder);
+}
+
+void SourceActions::openRecording(const QString& folder) { opener_.open(folder); }
+
+void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
+                             const std::vector<Act>& acts) {
+  Robot robot = recordedRobot(recording);
+  robot.acts = acts;
+  setRobot(std::move(robot));
+  shell_.messages.show(
+      MessageBar::Kind::Info,
+      tr("“%1” is open: %n row(s).", nullptr, static_cast<int>(recording->rows.size()))
+          .arg(QString::fromStdString(recording->name)),
+      document_.map().start ? tr("Press Run to localize on the drawing.")
+                            : tr("Draw the buildings and where the robot starts, or open "
+                                 "the drawing; then press Run."));
+  tellActs();
+}
+
+void SourceActions::tellActs() {
+  const auto count = static_cast<int>(robot_->acts.size());
+  if (count == 0) return;
+  shell_.messages
+      .show(MessageBar::Kind::Info,
+            tr("On that drive somebody said %n thing(s): where the robot was, or which building "
+               "is right or not there. The run does it again.",
+               nullptr, count))
+      .addAction(tr("Leave it out"), [this, acts = robot_->acts] {
+        if (robot_ && robot_->acts == acts) robot_->acts.clear();
+      });
+}
+
+// --- Simulators
+
+bool SourceActions::openSimulation(const Demonstration& simulation) {
+  if (!files_.replace(simulation.sketch)) return false;
+  setRobot(simulation.robot);
+  return true;
+}
+
+bool SourceActions::openDemonstration() {
+  if (!openSimulation(demonstration())) return false;
+  Q_EMIT speedWanted(kDemonstrationSpeed);
+  return true;
+}
+
+bool SourceActions::openVirtualRig(VirtualRigKind kind) {
+  return openSimulation(liveSimulation(seed(), kind));
+}
+
+bool SourceActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
+
+void SourceActions::simulateDrawing() {
+  if (isReady(true)) opener_.simulate(document_.map(), seed());
+}
+
+// --- Poses that are given
+
+void SourceActions::askForPoses() {
+  const QString file =
+      shell_.dialogs.fileToOpen({tr("Open poses of the robot"),
+                                 shell_.settings.value(kRecordingFolderKey).toString(),
+                                 tr("Poses in TUM form (*.tum *.txt)"),
+                                 {},
+                                 {}});
+  if (!file.isEmpty()) opener_.openPoses(file);
+}
+
+/// The run that there is, is done again with them; else the next one goes through them.
+void SourceActions::usePoses(const std::vector<StampedPose>& poses) {
+  given_poses_ = poses;
+  if (run_.canRevise()) return Q_EMIT posesGiven(poses);
+  shell_.messages
+      .show(MessageBar::Kind::Info, tr("The next run goes through %n given pose(s).", nullptr,
+                                       static_cast<int>(poses.size())))
+      .addAction(tr("Forget them"), [this] { given_poses_.clear(); });
+}
+
+// --- Before a run
+
+RunSetup SourceActions::nextSetup() {
+  RunSetup setup = setup_.setup();
+  setup.settings.given_poses = given_poses_;
+  if (robot_->acts.empty()) return setup;
+  const RedoneActs done = redone(document_.map(), robot_->acts);
+  MapChange changed;
+  QStringList gone;
+  for (const Building& building : document_.map().buildings) {
+    const Building* now = done.drawing.find(building.id);
+    if (now == nullptr) gone << QString::fromStdString(building.id);
+    if (now != nullptr && !(*now == building)) changed.buildings.push_back(*now);
+  }
+  if (!changed.isEmpty()) document_.apply(changed, tr("Buildings that are right"));
+  if (!gone.isEmpty()) document_.remove(gone);
+  if (setup.settings.given_poses.empty()) setup.settings.given_poses = done.poses;
+  return setup;
+}
+
+bool SourceActions::isReady(bool may_start_on_route) {
+  const auto refuse = [this](const QString& message, const QString& hint, const char* action,
+                             const QString& offer) {
+    tell({ErrorCode::BadInput, message, hint});
+    shell_.messages.addAction(offer, [this, action] { shell_.actions[action].trigger(); });
+    return false;
+  };
+  const Map& drawing = document_.map();
+  if (drawing.buildings.empty()) {
+    return refuse(tr("There are no buildings yet to find the robot among."),
+                  tr("Draw at least one that the robot comes by."), "draw.rectangle", tr("Draw"));
+  }
+  if (!drawing.start && !(may_start_on_route && !drawing.route.empty())) {
+    return refuse(tr("The map has no start."),
+                  tr("Press where the robot begins, drag to where it looks, release."),
+                  "draw.start", tr("Place the start"));
+  }
+  return true;
+}
+
+}  // namespace handmap

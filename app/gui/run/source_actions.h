@@ -1,0 +1,76 @@
+// What a run gets its observations from: a recording, a simulator or a live robot, and what a
+// person has said about it.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/gui/run/demonstration.h"
+#include "app/gui/run/recording_opener.h"
+#include "app/gui/shell/shell.h"
+#include "widgets/run/panels/run_setup_panel.h"
+
+namespace handmap {
+
+class FileActions;
+class MapDocument;
+class RunController;
+
+class SourceActions : public QObject {
+  Q_OBJECT
+ public:
+  /// What it is given must outlive it.
+  SourceActions(const Shell& shell, MapDocument& document, FileActions& files, RunController& run,
+                RunSetupPanel& setup);
+
+  void openRecording(const QString& folder);
+  /// False: the user wants to keep the drawing.
+  bool openDemonstration();
+  bool openTwoRows();
+  /// A live robot that is simulated, among two rows of buildings; it starts when the run does.
+  bool openVirtualRig(VirtualRigKind kind = VirtualRigKind::Laser);
+  void askForRecording();
+  void setRobot(Robot robot);
+
+  /// nullopt: none is chosen yet.
+  const std::optional<Robot>& robot() const { return robot_; }
+  /// False, and the user knows: there is nothing that a robot could be found on.
+  bool isReady(bool may_start_on_route = false);
+  /// As the panel says, with what a person said on that drive or gave for the next run. The drawing
+  /// is changed as it was on the drive, which can be undone.
+  RunSetup nextSetup();
+
+  void tell(const Failure& failure);
+
+ Q_SIGNALS:
+  void robotChanged();
+  /// The demonstration is best watched at this speed, times the clock of the robot.
+  void speedWanted(double speed);
+  /// The run is to be done again with them.
+  void posesGiven(const std::vector<handmap::StampedPose>& poses);
+  /// A recording could not be opened, or the run failed; the user has been told.
+  void failed(const handmap::Failure& failure);
+
+ private:
+  void addSimulatorMenu();
+  void onOpened(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts);
+  bool openSimulation(const Demonstration& simulation);
+  void simulateDrawing();
+  void askForPoses();
+  void usePoses(const std::vector<StampedPose>& poses);
+  void tellActs();
+  void onDrawingReplaced();
+  void updateActions();
+  std::uint64_t seed() const;
+
+  const Shell& shell_;
+  MapDocument& document_;
+  FileActions& files_;
+  RunController& run_;
+  RunSetupPanel& setup_;
+  RecordingOpener opener_;
+  std::optional<Robot> robot_;
+  std::vector<StampedPose> given_poses_;  ///< of the runs that begin with this robot
+};
+
+}  // namespace handmap

@@ -1,0 +1,142 @@
+#include "widgets/messages/message.h"
+
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+#include <utility>
+
+namespace handmap {
+
+namespace {
+
+constexpr int kInfoStaysMs = 12'000;
+
+QStyle::StandardPixmap pictureOf(Message::Kind kind) {
+  switch (kind) {
+    case Message::Kind::Info:
+      return QStyle::SP_MessageBoxInformation;
+    case Message::Kind::Warning:
+      return QStyle::SP_MessageBoxWarning;
+    case Message::Kind::Error:
+      return QStyle::SP_MessageBoxCritical;
+  }
+  return QStyle::SP_MessageBoxInformation;
+}
+
+QColor tintOf(Message::Kind kind) {
+  switch (kind) {
+    case Message::Kind::Info:
+      return QColor(0, 114, 178);
+    case Message::Kind::Warning:
+      return QColor(230, 159, 0);
+    case Message::Kind::Error:
+      return QColor(204, 51, 17);
+  }
+  return {};
+}
+
+}  // namespace
+
+Message::Message(QString topic, QWidget* parent)
+    : QFrame(parent),
+      topic_(std::move(topic)),
+      icon_(new QLabel),
+      picture_(new QLabel),
+      text_(new QLabel),
+      buttons_(new QHBoxLayout),
+      timer_(new QTimer(this)) {
+  setAutoFillBackground(true);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 4, 6, 4);
+  picture_->hide();
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close = new QToolButton;
+  close->setObjectName("close");
+  close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Close this message"));
+  close->setAccessibleName(close->toolTip());
+  layout->addWidget(icon_);
+  layout->addWidget(picture_);
+  layout->addWidget(text_, 1);
+  layout->addLayout(buttons_);
+  layout->addWidget(close);
+  connect(close, &QToolButton::clicked, this, [this] {
+    Q_EMIT dismissed();
+    Q_EMIT putOff();
+  });
+  timer_->setSingleShot(true);
+  timer_->setInterval(kInfoStaysMs);
+  connect(timer_, &QTimer::timeout, this, &Message::dismissed);
+}
+
+QString Message::text() const { return text_->text(); }
+
+void Message::setText(Kind kind, const QString& text, const QString& hint) {
+  const QString plain = hint.isEmpty() ? text : text + QLatin1Char('\n') + hint;
+  times_ = plain == plain_ ? times_ + 1 : 1;
+  plain_ = plain;
+  kind_ = kind;
+  text_->setText(times_ == 1 ? plain : tr("%1 (%2 times)").arg(plain).arg(times_));
+  icon_->setPixmap(style()->standardIcon(pictureOf(kind)).pixmap(18, 18));
+  while (const QLayoutItem* item = buttons_->takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  applyColours();
+  letGoInTime();
+}
+
+void Message::addAction(const QString& text, std::function<void()> action) {
+  auto* button = new QPushButton(text);
+  buttons_->addWidget(button);
+  connect(button, &QPushButton::clicked, this, [this, action = std::move(action)] {
+    Q_EMIT dismissed();
+    action();
+  });
+  letGoInTime();
+}
+
+void Message::setPicture(const QImage& picture) {
+  picture_->setPixmap(QPixmap::fromImage(picture));
+  picture_->setVisible(!picture.isNull());
+}
+
+void Message::setQuestion() {
+  question_ = true;
+  letGoInTime();
+}
+
+/// What can be read and no more goes by itself.
+void Message::letGoInTime() {
+  const bool only_told = kind_ == Kind::Info && !question_ && buttons_->count() == 0;
+  only_told ? timer_->start() : timer_->stop();
+}
+
+void Message::applyColours() {
+  // A tint of the window's own colour keeps the text readable in light and dark.
+  const QColor base = QGuiApplication::palette().window().color();
+  const QColor tint = tintOf(kind_);
+  const auto mixed = [](int a, int b) { return (3 * a + b) / 4; };
+  QPalette tinted = QGuiApplication::palette();
+  tinted.setColor(QPalette::Window,
+                  QColor(mixed(base.red(), tint.red()), mixed(base.green(), tint.green()),
+                         mixed(base.blue(), tint.blue())));
+  setPalette(tinted);
+}
+
+void Message::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ApplicationPaletteChange) applyColours();
+  QFrame::changeEvent(event);
+}
+
+}  // namespace handmap

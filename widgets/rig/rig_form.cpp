@@ -1,0 +1,287 @@
+#include "widgets/rig/rig_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSerialPortInfo>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "widgets/messages/dialogs.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kMostPixels = 16384;
+constexpr int kMostPort = 65535;
+
+QString cameraHint() {
+  return RigForm::tr(
+      "A device (/dev/video0), a video file, or the URL of a network camera; on FireWire the "
+      "number of the head or “first”; of GigE and USB3 Vision its name");
+}
+QString portHint() {
+  return RigForm::tr(
+      "A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or "
+      "tcp://host:port; of ROS the rosbridge: ws://host:9090");
+}
+
+void offer(QComboBox& box, const QStringList& choices) {
+  const QString now = box.currentText();
+  box.clear();
+  box.addItems(choices);
+  box.setEditText(now);
+}
+
+}  // namespace
+
+RigForm::RigForm(Dialogs& dialogs, Cameras cameras, QWidget* parent)
+    : QWidget(parent),
+      dialogs_(dialogs),
+      cameras_(std::move(cameras)),
+      self_(std::make_shared<Lifeline<RigForm>>(*this)),
+      form_(new QFormLayout(this)),
+      name_(new QLineEdit) {
+  form_->setContentsMargins(4, 4, 4, 4);
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  name_->setObjectName("rig_name");
+  form_->addRow(tr("Name"), name_);
+  makeSensorRows(*form_);
+  makeMotionRows(*form_);
+  makeOutputRows(*form_);
+  connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
+  connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::listCameras);
+  connect(odometry_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
+  connect(foxglove_, &QSpinBox::valueChanged, this, &RigForm::showRows);
+  connect(has_head_, &QCheckBox::toggled, this, &RigForm::showRows);
+  listPorts();
+  Rig rig;
+  rig.name = tr("My robot").toStdString();
+  rig.camera = CameraRig{};
+  rig.odometry.kind = OdometryRigKind::Visual;
+  setRig(rig);
+}
+
+RigForm::~RigForm() { self_->cut(); }
+
+void RigForm::makeSensorRows(QFormLayout& form) {
+  sees_ = new QComboBox;
+  sees_->setObjectName("rig_sees");
+  sees_->addItem(tr("Stereo camera, both images in one"), static_cast<int>(Sees::SideBySide));
+  sees_->addItem(tr("Two cameras"), static_cast<int>(Sees::TwoCameras));
+  sees_->addItem(tr("Stereo head on FireWire (Bumblebee)"), static_cast<int>(Sees::FireWire));
+  sees_->addItem(tr("Two GigE or USB3 Vision cameras"), static_cast<int>(Sees::Vision));
+  sees_->addItem(tr("Two cameras over ROS"), static_cast<int>(Sees::RosCameras));
+  sees_->addItem(tr("Laser scanner: Hokuyo"), static_cast<int>(Sees::Hokuyo));
+  sees_->addItem(tr("Laser scanner: RPLIDAR"), static_cast<int>(Sees::Rplidar));
+  sees_->addItem(tr("Laser scanner over ROS"), static_cast<int>(Sees::Ros));
+  sees_->addItem(tr("Point cloud over ROS"), static_cast<int>(Sees::RosCloud));
+  form.addRow(tr("Sees with"), sees_);
+  left_ = addPort(form, tr("Camera"), cameraHint());
+  left_->setObjectName("rig_camera");
+  right_ = addPort(form, tr("Right camera"), cameraHint());
+  camera_ros_ = addRosbridge(form, tr("Rosbridge"));
+  camera_ros_->setObjectName("rig_camera_ros");
+  left_topic_ = new QLineEdit(QStringLiteral("/left/image_raw/compressed"));
+  right_topic_ = new QLineEdit(QStringLiteral("/right/image_raw/compressed"));
+  form.addRow(tr("Topic of the left"), left_topic_);
+  form.addRow(tr("Topic of the right"), right_topic_);
+  calibration_ = new QLineEdit;
+  calibration_->setObjectName("rig_calibration");
+  calibration_->setToolTip(tr("calib.yml as “handmap-cli calibrate” writes it"));
+  calibration_row_ = withBrowse(calibration_, false);
+  auto* calibrate = new QToolButton;
+  calibrate->setObjectName("rig_calibrate");
+  calibrate->setText(tr("Calibrate…"));
+  calibrate->setToolTip(tr("Hold a checkerboard before the cameras"));
+  calibration_row_->layout()->addWidget(calibrate);
+  connect(calibrate, &QToolButton::clicked, this, &RigForm::calibrationWanted);
+  form.addRow(tr("Calibration"), calibration_row_);
+  width_ = new QSpinBox;
+  height_ = new QSpinBox;
+  for (const auto& [box, label] :
+       {std::pair(width_, tr("Image width")), std::pair(height_, tr("Image height"))}) {
+    box->setRange(0, kMostPixels);
+    box->setSpecialValueText(tr("as it comes"));
+    box->setSuffix(tr(" px"));
+    form.addRow(label, box);
+  }
+  scanner_port_ = addPort(form, tr("Scanner"), portHint());
+  scanner_port_->setObjectName("rig_scanner");
+  scanner_topic_ = new QLineEdit(QStringLiteral("/scan"));
+  form.addRow(tr("Topic"), scanner_topic_);
+  x_ = addNumber(form, tr("Sensor ahead"), -100.0, 100.0, tr(" m"));
+  y_ = addNumber(form, tr("Sensor left"), -100.0, 100.0, tr(" m"));
+  z_ = addNumber(form, tr("Sensor height"), -100.0, 100.0, tr(" m"));
+  yaw_ = addNumber(form, tr("Turned left"), -360.0, 360.0, tr("°"));
+  pitch_ = addNumber(form, tr("Looks down by"), -360.0, 360.0, tr("°"));
+  range_ = addNumber(form, tr("Sees at most"), 1.0, 200.0, tr(" m"));
+}
+
+void RigForm::makeMotionRows(QFormLayout& form) {
+  has_head_ = new QCheckBox(tr("It stops, and a pan-tilt head (PTU-D46) looks around"));
+  form.addRow(has_head_);
+  head_port_ = addPort(form, tr("Head"), portHint());
+  odometry_ = new QComboBox;
+  odometry_->setObjectName("rig_odometry");
+  odometry_->addItem(tr("Wheels: lines of text"), static_cast<int>(OdometryRigKind::Lines));
+  odometry_->addItem(tr("Wheels over ROS"), static_cast<int>(OdometryRigKind::Ros));
+  odometry_->addItem(tr("No wheels: the images"), static_cast<int>(OdometryRigKind::Visual));
+  odometry_->addItem(tr("No wheels: the scans"), static_cast<int>(OdometryRigKind::Scan));
+  odometry_->addItem(tr("Nothing"), static_cast<int>(OdometryRigKind::None));
+  form.addRow(tr("Motion told by"), odometry_);
+  odometry_port_ = addPort(form, tr("Wheels"), portHint());
+  odometry_port_->setObjectName("rig_wheels");
+  odometry_topic_ = new QLineEdit(QStringLiteral("/odom"));
+  form.addRow(tr("Topic"), odometry_topic_);
+}
+
+void RigForm::makeOutputRows(QFormLayout& form) {
+  record_ = new QLineEdit;
+  record_->setPlaceholderText(tr("not recorded"));
+  record_->setToolTip(tr("Each run gets a new folder in it"));
+  form.addRow(tr("Record into"), withBrowse(record_, true));
+  publish_ros_ = addRosbridge(form, tr("Tell ROS"));
+  publish_ros_->setObjectName("rig_publish_ros");
+  publish_ros_->setPlaceholderText(tr("not told; a rosbridge is ws://host:9090"));
+  publish_ros_->setToolTip(tr("Pose, occupancy grid and buildings are published there"));
+  foxglove_ = new QSpinBox;
+  foxglove_->setObjectName("rig_foxglove");
+  foxglove_->setRange(0, kMostPort);
+  foxglove_->setSpecialValueText(tr("nobody may look on"));
+  foxglove_->setToolTip(tr("Foxglove connects to this port; its own choice is 8765"));
+  form.addRow(tr("Foxglove port"), foxglove_);
+  beyond_ = new QCheckBox(tr("From other machines too"));
+  form.addRow(beyond_);
+}
+
+QLineEdit* RigForm::addRosbridge(QFormLayout& form, const QString& label) {
+  auto* edit = new QLineEdit;
+  edit->setPlaceholderText(QStringLiteral("ws://host:9090"));
+  form.addRow(label, edit);
+  return edit;
+}
+
+QComboBox* RigForm::addPort(QFormLayout& form, const QString& label, const QString& hint) {
+  auto* box = new QComboBox;
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  box->setToolTip(hint);
+  form.addRow(label, box);
+  return box;
+}
+
+QDoubleSpinBox* RigForm::addNumber(QFormLayout& form, const QString& label, double low, double high,
+                                   const QString& suffix) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(low, high);
+  box->setDecimals(3);
+  box->setSingleStep(0.1);
+  box->setSuffix(suffix);
+  form.addRow(label, box);
+  return box;
+}
+
+QWidget* RigForm::withBrowse(QLineEdit* edit, bool folder) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* browse = new QToolButton;
+  browse->setText(QStringLiteral("…"));
+  browse->setToolTip(folder ? tr("Choose a folder") : tr("Choose a file"));
+  layout->addWidget(edit, 1);
+  layout->addWidget(browse);
+  connect(browse, &QToolButton::clicked, this, [this, edit, folder] {
+    const QString chosen = folder
+                               ? dialogs_.folderToOpen(tr("Record into"), edit->text())
+                               : dialogs_.fileToOpen({tr("Calibration of the camera"),
+                                                      edit->text(),
+                                                      tr("Calibrations (*.yml *.yaml *.xml *.txt)"),
+                                                      {},
+                                                      {}});
+    if (!chosen.isEmpty()) edit->setText(chosen);
+  });
+  return row;
+}
+
+RigForm::Sees RigForm::sees() const { return static_cast<Sees>(sees_->currentData().toInt()); }
+
+ScannerKind RigForm::scannerOf(Sees sees) {
+  switch (sees) {
+    case Sees::Rplidar:
+      return ScannerKind::Rplidar;
+    case Sees::Ros:
+      return ScannerKind::Ros;
+    case Sees::RosCloud:
+      return ScannerKind::RosCloud;
+    default:
+      return ScannerKind::Hokuyo;
+  }
+}
+
+CameraKind RigForm::cameraOf(Sees sees) {
+  if (sees == Sees::FireWire) return CameraKind::FireWire;
+  return sees == Sees::Vision ? CameraKind::Vision : CameraKind::Video;
+}
+
+RigForm::Sees RigForm::seesOf(const CameraRig& camera) {
+  if (!camera.ros.empty()) return Sees::RosCameras;
+  if (camera.kind == CameraKind::FireWire) return Sees::FireWire;
+  if (camera.kind == CameraKind::Vision) return Sees::Vision;
+  return camera.right.empty() ? Sees::SideBySide : Sees::TwoCameras;
+}
+
+void RigForm::showRows() {
+  const bool camera = hasCamera();
+  const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
+  const bool ros = odometry == OdometryRigKind::Ros;
+  const bool over_ros = sees() == Sees::RosCameras;
+  form_->setRowVisible(left_, camera && !over_ros);
+  form_->setRowVisible(right_, seesWithTwo());
+  form_->setRowVisible(calibration_row_, camera);
+  for (QWidget* row : {camera_ros_, left_topic_, right_topic_}) {
+    form_->setRowVisible(row, over_ros);
+  }
+  form_->setRowVisible(width_, camera && !over_ros);
+  form_->setRowVisible(height_, camera && !over_ros);
+  form_->setRowVisible(pitch_, camera);
+  form_->setRowVisible(scanner_port_, !camera);
+  form_->setRowVisible(scanner_topic_, sees() == Sees::Ros || sees() == Sees::RosCloud);
+  form_->setRowVisible(has_head_, camera);
+  form_->setRowVisible(head_port_, camera && has_head_->isChecked());
+  form_->setRowVisible(odometry_port_, ros || odometry == OdometryRigKind::Lines);
+  form_->setRowVisible(odometry_topic_, ros);
+  form_->setRowVisible(beyond_, foxglove_->value() > 0);
+}
+
+void RigForm::listPorts() {
+  QStringList serial;
+  for (const QSerialPortInfo& port : QSerialPortInfo::availablePorts()) {
+    serial << port.systemLocation();
+  }
+  for (QComboBox* box : {scanner_port_, head_port_, odometry_port_}) offer(*box, serial);
+  listCameras();
+}
+
+/// Who asks what is on a bus waits for a second: not the window.
+void RigForm::listCameras() {
+  startInBackground([self = self_, list = cameras_, kind = cameraOf(sees())] {
+    QStringList cameras;
+    try {
+      for (const std::string& name : list(kind)) cameras << QString::fromStdString(name);
+    } catch (const std::exception&) {
+      return;  // a bus that is not there has no cameras
+    }
+    self->post([kind, cameras](RigForm& form) {
+      if (cameraOf(form.sees()) != kind) return;
+      for (QComboBox* box : {form.left_, form.right_}) offer(*box, cameras);
+    });
+  });
+}
+
+}  // namespace handmap
