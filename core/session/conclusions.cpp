@@ -13,6 +13,7 @@ std::optional<Conclusion> Conclusions::take() {
   if (!is_ready) return std::nullopt;
   Made made = made_.get();
   begin_at_ = Clock::now() + kRest * made.took;
+  if (trouble_.empty()) trouble_ = made.trouble;
   return std::move(made.conclusion);
 }
 
@@ -23,15 +24,22 @@ void Conclusions::begin(double way_m, const std::function<Make()>& know) {
   made_ = promise.get_future();
   thread_ = std::jthread(
       [make = know(), promise = std::move(promise)](const std::stop_token& stop) mutable {
-        // One thread: the run itself has the others.
+        const auto begun = Clock::now();
+        Made made;
         try {
-          const auto begun = Clock::now();
-          auto conclusion = Arena(1).execute([&] { return make(stop); });
-          promise.set_value({std::move(conclusion), Clock::now() - begun});
-        } catch (...) {
-          promise.set_exception(std::current_exception());
+          // One thread: the run itself has the others.
+          made.conclusion = Arena(1).execute([&] { return make(stop); });
+        } catch (const std::exception& error) {
+          made.trouble = error.what();
         }
+        made.took = Clock::now() - begun;
+        promise.set_value(std::move(made));
       });
+}
+
+void Conclusions::end() {
+  thread_ = {};
+  made_ = {};
 }
 
 }  // namespace handmap

@@ -6,6 +6,7 @@
 #include <future>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 #include "core/session/conclusion.h"
@@ -14,7 +15,8 @@ namespace handmap {
 
 /// One is begun after each stretch of the way, at least a tenth of it (what is known is copied for
 /// it), and after a rest twice as long as the last one took: together they have a third of one
-/// core. Nobody waits for them: one is there when it is there, and nothing else depends on it.
+/// core. Nobody waits for them: one is there when it is there, and nothing else depends on it, so
+/// that one that cannot be made is only told.
 class Conclusions {
  public:
   /// Makes one; runs in the other thread.
@@ -22,6 +24,10 @@ class Conclusions {
 
   /// One that is ready and was not taken yet.
   std::optional<Conclusion> take();
+  /// Nothing more is wanted; waits for the thread.
+  void end();
+  /// Why the first that could not be made could not; empty: none.
+  const std::string& trouble() const { return trouble_; }
   /// Begins the next one where it is time; `know` is then asked for what makes it.
   void begin(double way_m, const std::function<Make()>& know);
 
@@ -33,10 +39,12 @@ class Conclusions {
 
   struct Made {
     std::optional<Conclusion> conclusion;
+    std::string trouble;  ///< why there is none, if it should have been
     Clock::duration took{};
   };
   double begin_at_m_ = kStretch_m;
   Clock::time_point begin_at_{};
+  std::string trouble_;
   std::future<Made> made_;
   std::jthread thread_;  ///< last: ends before what it writes to
 };

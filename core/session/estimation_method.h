@@ -33,6 +33,8 @@ class EstimationMethod {
     return false;
   }
 
+  /// What went wrong on the way without ending it.
+  virtual std::vector<RunWarning> warnings() const { return {}; }
   /// Fills in what the method knows of the last observation.
   virtual void describe(FrameReport& report) const = 0;
   virtual std::vector<ParticleView> particles() const = 0;

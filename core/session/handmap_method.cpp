@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/phrase.h"
 #include "core/estimation/estimator.h"
 #include "core/map/start_uncertainty.h"
 #include "core/map_match/anchored_way.h"
@@ -75,7 +76,7 @@ class HandmapMethod : public EstimationMethod {
   void trace(PhaseRecorder* recorder) override { recorder_ = recorder; }
 
   bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
-    conclusions_ = {};
+    conclusions_.end();
     estimator_.finish(stop);
     if (anchored_) anchored_->finish(stop);
     auto last = conclude(drawing_, known(), seed_, stop, progress);
@@ -83,6 +84,14 @@ class HandmapMethod : public EstimationMethod {
     show(std::move(*last));
     finished_ = true;
     return true;
+  }
+
+  std::vector<RunWarning> warnings() const override {
+    if (conclusions_.trouble().empty()) return {};
+    return {
+        {"conclusion_failed",
+         phrase("What the run came to on the way could not be told: {}", conclusions_.trouble()),
+         phrase("The end of the run does not depend on it.")}};
   }
 
   void describe(FrameReport& report) const override {

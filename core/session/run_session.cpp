@@ -294,8 +294,12 @@ Map RunSession::refinedMap() const { return state_->refinedMap()(); }
 
 std::vector<RunWarning> RunSession::warnings() const {
   const RunSettings& settings = state_->settings;
-  return runWarnings({state_->counts, source().range_limit_m, state_->drawing,
-                      state_->method->refinedMap()(), trajectory(), settings.slam.refine});
+  std::vector<RunWarning> all = state_->method->warnings();
+  const auto of_outcome =
+      runWarnings({state_->counts, source().range_limit_m, state_->drawing,
+                   state_->method->refinedMap()(), trajectory(), settings.slam.refine});
+  all.insert(all.end(), of_outcome.begin(), of_outcome.end());
+  return all;
 }
 
 std::string RunSession::reportJson() const {

@@ -737,7 +737,7 @@
     </message>
 </context>
 <context>
-    <name>EditingPanels</name>
+    <name>handmap::EditingPanels</name>
     <message>
         <source>Steps of editing</source>
         <translation>編集の履歴</translation>
@@ -1109,7 +1109,7 @@
     </message>
 </context>
 <context>
-    <name>RunPanels</name>
+    <name>handmap::RunPanels</name>
     <message>
         <source>Run settings</source>
         <translation>実行の設定</translation>

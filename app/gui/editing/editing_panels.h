@@ -14,7 +14,7 @@ class ObjectsPanel;
 class PropertyPanel;
 
 struct EditingPanels {
-  Q_DECLARE_TR_FUNCTIONS(EditingPanels)
+  Q_DECLARE_TR_FUNCTIONS(handmap::EditingPanels)
  public:
   ObjectsPanel& objects;
   PropertyPanel& properties;

@@ -15,7 +15,7 @@ class RunSetupPanel;
 class WhyPanel;
 
 struct RunPanels {
-  Q_DECLARE_TR_FUNCTIONS(RunPanels)
+  Q_DECLARE_TR_FUNCTIONS(handmap::RunPanels)
  public:
   LayersPanel& layers;  ///< shown below those of the drawing
   RunSetupPanel& setup;

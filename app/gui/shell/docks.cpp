@@ -58,6 +58,7 @@ QDockWidget& Docks::add(const Spec& spec, QWidget* panel) {
   });
   tabify(*dock, spec.group);
   docks_.push_back({spec, dock});
+  if (spec.when == When::Asked) dock->hide();
   if (spec.group == Group::Floating) {
     dock->setFloating(true);
     dock->resize(spec.size);
@@ -74,7 +75,6 @@ QDockWidget& Docks::add(const Spec& spec, QWidget* panel) {
     });
     setShown(docks_.back(), false);
   }
-  if (spec.when == When::Asked) dock->hide();
   for (const Dock& other : docks_) {
     if (other.spec.group == spec.group && other.spec.in_front) other.widget->raise();
   }

@@ -74,6 +74,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
       tools_(new Toolbox(document_, *canvas_, this)),
       messages_(new MessageBar),
       welcome_(new WelcomeStrip),
+      centre_(makeCentre()),
       transport_(new TransportBar),
       teach_(new TeachPanel),
       run_panels_(RunPanels::make()),
@@ -83,7 +84,6 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
       cursor_(new QLabel),
       scale_(new QLabel),
       run_state_(new QLabel) {
-  setCentralWidget(makeCentre());
   run_panels_.addTo(docks_);
   docks_.add({"teach", tr("Teach buildings"), Docks::Group::Floating, Docks::When::Asked, false,
               true, teach_->sizeHint()},
@@ -143,6 +143,7 @@ QWidget* MainWindow::makeCentre() {
   layout->addWidget(welcome_);
   layout->addWidget(messages_);
   layout->addWidget(canvas_, 1);
+  setCentralWidget(centre);
   return centre;
 }
 

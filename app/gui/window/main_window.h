@@ -99,11 +99,12 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Dialogs> dialogs_;
   ActionSet actions_{this};
   RunController run_;
-  Docks docks_{*this};
   MapCanvas* canvas_;
   Toolbox* tools_;
   MessageBar* messages_;
   WelcomeStrip* welcome_;
+  [[maybe_unused]] QWidget* centre_;  ///< before all docks, so that the canvas has the focus first
+  Docks docks_{*this};
   TransportBar* transport_;
   TeachPanel* teach_;
   RunPanels run_panels_;

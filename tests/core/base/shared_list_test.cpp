@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/lazy.h"
 
 namespace handmap {
 namespace {
@@ -58,18 +57,6 @@ TEST(SharedList, OfManyPagesIsTheSameList) {
     EXPECT_EQ(versions[v].back(), expected[v].back());
   }
   EXPECT_EQ(writer.share()[4097], numbers[4097]);
-}
-
-TEST(Lazy, IsMadeOnceForAllCopies) {
-  int made = 0;
-  const Lazy<int> lazy([&made] { return ++made; });
-  const Lazy<int> copy = lazy;
-  EXPECT_EQ(made, 0);
-  EXPECT_EQ(*copy, 1);
-  EXPECT_EQ(*lazy, 1);
-  EXPECT_EQ(copy, lazy);
-  EXPECT_FALSE(Lazy<int>());
-  EXPECT_TRUE(lazy);
 }
 
 }  // namespace

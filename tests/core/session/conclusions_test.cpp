@@ -95,5 +95,29 @@ TEST(Conclusions, PassOnWhatWentWrong) {
   EXPECT_THROW(waitFor(conclusions), Error);
 }
 
+TEST(Conclusions, OneThatCannotBeMadeIsToldAndEndsNothing) {
+  Conclusions conclusions;
+  conclusions.begin(20.0, [] {
+    return [](const std::stop_token&) -> std::optional<Conclusion> {
+      throw Error(ErrorCode::RunFailed, "too little to go by");
+    };
+  });
+  while (conclusions.trouble().empty()) {
+    EXPECT_FALSE(conclusions.take());
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(conclusions.trouble(), "too little to go by");
+  bool begun = false;
+  for (double way_m = 40.0; !begun; way_m += 1.0) {
+    conclusions.begin(way_m, [&] {
+      begun = true;
+      return [](const std::stop_token&) { return std::optional(named("the next one")); };
+    });
+  }
+  EXPECT_EQ(waitFor(conclusions)->map.name, "the next one");
+  conclusions.end();
+  EXPECT_EQ(conclusions.trouble(), "too little to go by");
+}
+
 }  // namespace
 }  // namespace handmap
