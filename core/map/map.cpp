@@ -35,6 +35,13 @@ Building Building::fitted(const Rectangle& target) const {
   return result;
 }
 
+Uncertainty Map::uncertaintyOf(const Building& building) const {
+  constexpr Uncertainty kFinest{0.05, 0.05};  // of a map that was surveyed
+  if (building.fixed) return kFinest;
+  const Uncertainty stated = building.uncertainty.value_or(uncertainty);
+  return {std::max(stated.position, kFinest.position), std::max(stated.size, kFinest.size)};
+}
+
 const Building* Map::find(const std::string& id) const {
   const auto found = std::find_if(buildings.begin(), buildings.end(),
                                   [&](const Building& building) { return building.id == id; });

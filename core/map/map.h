@@ -104,10 +104,9 @@ struct Map {
   UnknownMembers unknown;
 
   const Building* find(const std::string& id) const;
-  Uncertainty uncertaintyOf(const Building& building) const {
-    constexpr Uncertainty kOfFixed{0.05, 0.05};
-    return building.fixed ? kOfFixed : building.uncertainty.value_or(uncertainty);
-  }
+  /// What a run goes by. Whatever is stated, it is no less than that of a fixed building: a σ of 0
+  /// would leave nothing to weigh it against.
+  Uncertainty uncertaintyOf(const Building& building) const;
   bool operator==(const Map&) const = default;
 };
 

@@ -52,7 +52,9 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
                   const Vec2& origin) {
   Compared building;
   building.fixed = drawn.fixed;
-  building.drawn_sigma = std::hypot(uncertainty.position, 0.5 * uncertainty.size);
+  // Fitting cannot tell a finer drawing from a right one.
+  building.drawn_sigma =
+      std::max(std::hypot(uncertainty.position, 0.5 * uncertainty.size), kLeastSigma_m);
   const Rectangle box = drawn.box();
   const double fitted_heading = fitted.box().heading;
   const Sides sides = sidesOf(fitted);

@@ -114,5 +114,28 @@ TEST(Agreement, NeverDoubtsWhatThePersonFixed) {
   EXPECT_FALSE(agreement.isRight(1));
 }
 
+TEST(Agreement, StandsWhateverTheDrawingStates) {
+  for (const double stated : {0.0, 1e-300, 1e-9, 1e5}) {
+    for (const std::size_t how_many : {1U, 6U}) {
+      Map drawing = sixHouses();
+      for (std::size_t b = 0; b < how_many; ++b) {
+        drawing.buildings[b].uncertainty = Uncertainty{stated, stated};
+      }
+      Map fitted = drawing;
+      for (Building& house : fitted.buildings) see(house);
+      const Agreement as_drawn = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+      for (std::size_t b = 0; b < 6; ++b) EXPECT_TRUE(as_drawn.isRight(b)) << stated << ' ' << b;
+      for (Building& house : fitted.buildings) shift(house, {4.0, -3.0});
+      shift(fitted.buildings[5], {9.0, 7.0});
+      const Agreement off = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+      for (const double right : off.right) {
+        EXPECT_TRUE(right >= 0.0 && right <= 1.0) << stated << ' ' << right;
+      }
+      EXPECT_FALSE(off.isRight(5)) << stated;
+      EXPECT_TRUE(off.covariance.allFinite() && std::isfinite(off.sigmaAt({50.0, 0.0})));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace handmap
