@@ -25,15 +25,15 @@ struct Style {
   bool dashed;
 };
 
-Style styleOf(Look look) {
+Style styleOf(SeriesLook look) {
   switch (look) {
-    case Look::Handmap:
+    case SeriesLook::Handmap:
       return {{178, 114, 0}, cv::MARKER_SQUARE, false};
-    case Look::Paper:
+    case SeriesLook::Paper:
       return {{0, 94, 213}, cv::MARKER_TRIANGLE_UP, false};
-    case Look::Odometry:
+    case SeriesLook::Odometry:
       return {{120, 120, 120}, cv::MARKER_CROSS, true};
-    case Look::Drawing:
+    case SeriesLook::Drawing:
       break;
   }
   return {{40, 40, 40}, cv::MARKER_DIAMOND, true};

@@ -13,7 +13,7 @@ namespace handmap {
 
 /// Colours and markers mean the same everywhere; safe for colour-blind eyes (Okabe and Ito), and
 /// never colour alone.
-enum class Look { Drawing, Handmap, Paper, Odometry };
+enum class SeriesLook { Drawing, Handmap, Paper, Odometry };
 
 struct ChartPoint {
   double x = 0.0;
@@ -22,7 +22,7 @@ struct ChartPoint {
 
 struct ChartSeries {
   std::string name;
-  Look look = Look::Drawing;
+  SeriesLook look = SeriesLook::Drawing;
   std::vector<ChartPoint> points;
 };
 

@@ -62,7 +62,7 @@ void addRows(const TrialGroup& group, Report& report) {
   }
 }
 
-ChartSeries series(const std::string& name, Look look) { return {name, look, {}}; }
+ChartSeries series(const std::string& name, SeriesLook look) { return {name, look, {}}; }
 
 /// Groups of one σ.
 Chart chartOf(const std::vector<const TrialGroup*>& groups, std::size_t measure) {
@@ -72,7 +72,7 @@ Chart chartOf(const std::vector<const TrialGroup*>& groups, std::size_t measure)
   chart.x_label = "building";
   chart.y_label = "median absolute error (m) with 95 % interval";
   for (const char* id : Trial::kBuildings) chart.categories.emplace_back(id);
-  chart.series.push_back(series("drawn", Look::Drawing));
+  chart.series.push_back(series("drawn", SeriesLook::Drawing));
   for (const TrialGroup* group : groups) {
     if (group->trials.empty()) continue;
     ChartSeries found = series(nameOf(group->method), lookOf(group->method));
@@ -93,8 +93,8 @@ Chart chartAgainstSigma(const std::vector<TrialGroup>& groups, std::size_t measu
   chart.title = fmt::format("Error of {} against the error of the drawing", kMeasures[measure]);
   chart.x_label = "error of the drawing, sigma (m)";
   chart.y_label = "mean absolute error (m) with 95 % interval";
-  chart.series = {series("drawn", Look::Drawing), series(nameOf(Method::Handmap), Look::Handmap),
-                  series(nameOf(Method::Paper), Look::Paper)};
+  chart.series = {series("drawn", SeriesLook::Drawing), series(nameOf(Method::Handmap), SeriesLook::Handmap),
+                  series(nameOf(Method::Paper), SeriesLook::Paper)};
   for (const TrialGroup& group : groups) {
     if (group.trials.empty()) continue;
     const Errors errors = errorsOf(group, kBuildings, measure);

@@ -116,7 +116,7 @@ Report reliabilityReport(const std::vector<RunStatements>& runs) {
     chart.x_label = "stated (%)";
     chart.y_label = "true (%) with 95 % interval (Wilson)";
     chart.y_max = kPercent;
-    ChartSeries as_stated{"as stated", Look::Drawing, {}};
+    ChartSeries as_stated{"as stated", SeriesLook::Drawing, {}};
     for (const double edge : {0.0, kPercent})
       as_stated.points.push_back({edge, {edge, edge, edge}});
     chart.series.push_back(as_stated);
@@ -128,7 +128,7 @@ Report reliabilityReport(const std::vector<RunStatements>& runs) {
       if (of_world.empty()) continue;
       const Subject subject = subjectsOf(of_world)[i];
       ChartSeries series{
-          simulated ? "simulated" : "real", simulated ? Look::Odometry : Look::Handmap, {}};
+          simulated ? "simulated" : "real", simulated ? SeriesLook::Odometry : SeriesLook::Handmap, {}};
       addRanges(series.name, subject, report, series);
       chart.title = fmt::format("Reliability: {}", subject.name);
       if (!series.points.empty()) chart.series.push_back(series);

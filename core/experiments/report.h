@@ -32,7 +32,7 @@ struct TrialGroup {
   std::vector<const Trial*> trials;
 };
 
-Look lookOf(Method method);
+SeriesLook lookOf(Method method);
 
 // The parts that each experiment adds. Groups are in the order of σ.
 void addSuccess(const std::vector<TrialGroup>& groups, Report& report);  // Table2

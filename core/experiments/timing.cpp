@@ -94,8 +94,8 @@ Report timeReport(const std::vector<FrameTimes>& measured, int threads) {
   chart.title = "Processing time of a frame here, swarm x particles";
   chart.x_label = "swarm x particles; handmap: ours";
   chart.y_label = "median (ms) with 95 % interval";
-  chart.series = {{nameOf(Method::Paper), Look::Paper, {}},
-                  {nameOf(Method::Handmap), Look::Handmap, {}}};
+  chart.series = {{nameOf(Method::Paper), SeriesLook::Paper, {}},
+                  {nameOf(Method::Handmap), SeriesLook::Handmap, {}}};
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const FrameTimes& times = measured[i];
     const Interval median = medianInterval(times.seconds);

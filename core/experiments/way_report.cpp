@@ -34,7 +34,7 @@ std::string cell(const Interval& interval) {
   return fmt::format("{:.2f} [{:.2f}–{:.2f}]", interval.value, interval.low, interval.high);
 }
 
-ChartSeries curve(const TrialGroup& group, const std::string& name, Look look,
+ChartSeries curve(const TrialGroup& group, const std::string& name, SeriesLook look,
                   double TrialStep::*error) {
   ChartSeries series{name, look, {}};
   for (std::size_t step = 0; step < shortestWay(group); ++step) {
@@ -76,7 +76,7 @@ void addCharts(const std::vector<TrialGroup>& groups, double sigma_m, Report& re
   for (const TrialGroup& group : groups) {
     if (group.sigma_m != sigma_m || group.trials.empty()) continue;
     if (pose.series.empty()) {
-      pose.series.push_back(curve(group, "odometry", Look::Odometry, &TrialStep::odometry));
+      pose.series.push_back(curve(group, "odometry", SeriesLook::Odometry, &TrialStep::odometry));
     }
     const char* name = nameOf(group.method);
     pose.series.push_back(curve(group, name, lookOf(group.method), &TrialStep::pose));

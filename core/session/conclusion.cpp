@@ -10,11 +10,13 @@ namespace {
 constexpr double kMargin = 0.015;     // of sharpness: less is chance
 constexpr double kMostlyRight = 0.6;  // of the buildings that were seen
 
+// What decides is asked for what it must be, so that what is no number decides against.
+
 /// The ways of walls and buildings are dropped where they make what was seen less sharp.
 const Way& believed(const RunKnowledge& known, double sharpness_alone) {
   const double needed = sharpness_alone - kMargin;
   if (known.walls && known.sharpness(known.walls->poses) >= needed) return *known.walls;
-  return known.sharpness(known.buildings.poses) < needed ? known.alone : known.buildings;
+  return known.sharpness(known.buildings.poses) >= needed ? known.buildings : known.alone;
 }
 
 /// As if the drawing were right: the way laid on its walls. nullopt unless that leaves what was
@@ -29,12 +31,12 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
            known.alone.by == Way::By::Scans ? WayNoise::Scans : WayNoise::Recorded, stop);
   if (stop.stop_requested()) return std::nullopt;
   Way way{known.alone.by, laid.poses()};
-  if (known.sharpness(way.poses) < sharpness_alone - kMargin) return std::nullopt;
+  if (!(known.sharpness(way.poses) >= sharpness_alone - kMargin)) return std::nullopt;
   const PlacedRays placed = placeRays(known.seen, way.poses, stop);
   const double limit_m = known.seen.rangeLimit();
-  if (supportOf(drawing, placed, limit_m, stop) < kMostlyRight) return std::nullopt;
+  if (!(supportOf(drawing, placed, limit_m, stop) >= kMostlyRight)) return std::nullopt;
   auto refined = refine(drawing, std::nullopt, placed, limit_m, seed, stop);
-  if (!refined || refined->right < kMostlyRight) return std::nullopt;
+  if (!refined || !(refined->right >= kMostlyRight)) return std::nullopt;
   return Conclusion{std::move(way), std::move(refined->map), laid.covariance()};
 }
 

@@ -1,5 +1,7 @@
 #include "core/session/tape.h"
 
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 
@@ -27,10 +29,10 @@ std::size_t bytesOf(const Tape::Entry& entry) {
 }  // namespace
 
 Tape::Tape(std::unique_ptr<ObservationSource> source, const PerceptionOptions& options,
-           std::size_t most_bytes, std::optional<std::stop_token> until)
-    : source_(std::move(source)),
-      perception_(source_->info(), options),
-      until_(std::move(until)),
+           std::size_t most_bytes)
+    : info_(source->info()),
+      source_(std::move(source)),
+      perception_(info_, options),
       most_bytes_(most_bytes) {}
 
 std::optional<Tape::Taken> Tape::take(std::size_t n, const std::stop_token& stop) {
@@ -46,8 +48,12 @@ std::optional<Tape::Taken> Tape::take(std::size_t n, const std::stop_token& stop
   if (auto taken = kept()) return taken;
   const std::scoped_lock lock(source_mutex_);
   if (auto taken = kept()) return taken;  // somebody else has read it meanwhile
-  if (stop.stop_requested()) return std::nullopt;
-  auto taken = perceive(until_.value_or(stop));
+  if (stop.stop_requested() || closing_.stop_requested()) return std::nullopt;
+  std::stop_source either;
+  const auto interrupt = [&either] { either.request_stop(); };
+  const std::stop_callback on_stop(stop, interrupt);
+  const std::stop_callback on_closing(closing_.get_token(), interrupt);
+  auto taken = perceive(either.get_token());
   if (taken) keep(taken->entry);
   return taken;
 }
@@ -59,16 +65,17 @@ std::optional<Tape::Taken> Tape::perceive(const std::stop_token& stop) {
     taken.entry.skipped = SkippedFrame{frame, reason};
     return taken;
   };
-  std::optional<Observation> observation;
   try {
-    observation = source_->next();
+    if (!waiting_ && source_) waiting_ = source_->next();
   } catch (const FrameError& error) {
     return skip(error.frame(), error.what());
   }
-  if (!observation || stop.stop_requested()) return std::nullopt;
+  if (!waiting_ || stop.stop_requested()) return std::nullopt;
+  std::optional<Observation> observation;
   try {
-    std::optional<Percept> percept = perception_(*observation, stop);
+    std::optional<Percept> percept = perception_(*waiting_, stop);
     if (!percept) return std::nullopt;
+    observation = std::exchange(waiting_, std::nullopt);
     taken.pictures = {percept->image, percept->disparity, percept->buildings,
                       panningOf(observation->views)};
     percept->image = cv::Mat();
@@ -78,9 +85,18 @@ std::optional<Tape::Taken> Tape::perceive(const std::stop_token& stop) {
     taken.entry.perceived =
         std::make_shared<const Perceived>(Perceived{std::move(*observation), std::move(*percept)});
   } catch (const Error& error) {
-    return skip(observation->frame, error.what());
+    const int frame = waiting_->frame;
+    waiting_.reset();
+    return skip(frame, error.what());
   }
   return taken;
+}
+
+void Tape::close() {
+  closing_.request_stop();
+  const std::scoped_lock lock(source_mutex_);
+  waiting_.reset();
+  source_.reset();
 }
 
 void Tape::keep(Entry entry) {

@@ -48,17 +48,21 @@ class Tape {
     bool from_now = false;  ///< it was
   };
 
-  /// Keeps so many bytes at most, the newest. With `until` that alone interrupts what is perceived;
-  /// who takes it then may give up, and nothing is lost for the next one.
+  /// Keeps so many bytes at most, the newest.
   Tape(std::unique_ptr<ObservationSource> source, const PerceptionOptions& options,
-       std::size_t most_bytes, std::optional<std::stop_token> until = std::nullopt);
+       std::size_t most_bytes);
 
-  const SourceInfo& info() const { return source_->info(); }
+  const SourceInfo& info() const { return info_; }
 
   /// The n-th of the run, from memory or from the source, which is asked for it if it is the next
-  /// one. nullopt at the end of the source, and when `stop` was requested; what was interrupted is
-  /// dropped. Throws RunFailed where it is no longer in memory. From any thread.
+  /// one. nullopt at the end of the source, and when `stop` was requested or it was closed; what
+  /// was interrupted is there for who takes it next. Throws RunFailed where it is no longer in
+  /// memory. From any thread.
   std::optional<Taken> take(std::size_t n, const std::stop_token& stop);
+
+  /// Lets go of the source, with all that it holds open: a drive, devices, files. What is in memory
+  /// stays. Interrupts what is perceived and waits for the source. From any thread; once is enough.
+  void close();
 
   std::size_t end() const;    ///< so many were taken
   std::size_t begin() const;  ///< the first that is still in memory
@@ -71,10 +75,12 @@ class Tape {
   std::optional<Taken> perceive(const std::stop_token& stop);
   void keep(Entry entry);
 
-  std::mutex source_mutex_;  // one reads at a time; taken before mutex_
-  std::unique_ptr<ObservationSource> source_;
+  const SourceInfo info_;
+  std::stop_source closing_;
+  std::mutex source_mutex_;                     // one reads at a time; taken before mutex_
+  std::unique_ptr<ObservationSource> source_;   // under source_mutex_; nullptr: closed
+  std::optional<Observation> waiting_;          // under it: of the source, not yet perceived
   Perception perception_;
-  std::optional<std::stop_token> until_;
 
   mutable std::mutex mutex_;
   std::deque<Entry> entries_;  // under mutex_, as all below

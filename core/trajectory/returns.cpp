@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/perception/range_walls.h"
-#include "core/trajectory/range_noise.h"
+#include "core/trajectory/scan_noise.h"
 
 namespace handmap {
 
@@ -38,7 +38,7 @@ std::vector<ScanPoint> features(const Returns& returns) {
 }
 
 SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,
-                              const RangeNoise& noise) {
+                              const ScanNoise& noise) {
   const double most = std::min(kSharpRange_m, kSharpShare * range_limit_m);
   SharpnessFrame near;
   for (const Vec2& at : returns.upright) {

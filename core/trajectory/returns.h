@@ -8,7 +8,7 @@
 
 namespace handmap {
 
-class RangeNoise;
+class ScanNoise;
 
 /// The returns of one observation in the plane, metres, robot frame.
 struct Returns {
@@ -23,6 +23,6 @@ std::vector<ScanPoint> features(const Returns& returns);
 
 /// At most 100 of them, evenly taken, with the noise known now.
 SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,
-                              const RangeNoise& noise);
+                              const ScanNoise& noise);
 
 }  // namespace handmap

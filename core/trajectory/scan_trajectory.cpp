@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/trajectory/local_map_odometry.h"
-#include "core/trajectory/range_noise.h"
+#include "core/trajectory/scan_noise.h"
 #include "core/trajectory/returns.h"
 #include "core/trajectory/way_graph.h"
 #include "core/trajectory/way_sharpness.h"
@@ -44,7 +44,7 @@ struct ScanTrajectory::State {
   TrajectoryOptions options;
   LocalMapOdometry odometry;
   WayGraph graph;
-  RangeNoise noise;
+  ScanNoise noise;
   std::vector<Pose2> recorded;
   std::vector<Pose2> smooth;
   std::vector<std::size_t> keyframe;  ///< the last one at each observation

@@ -56,7 +56,7 @@ double density(const Placed& p, const Placed& other) {
   const double determinant = c(0) * c(2) - c(1) * c(1);
   const double square =
       (c(2) * d.x() * d.x() - 2.0 * c(1) * d.x() * d.y() + c(0) * d.y() * d.y()) / determinant;
-  if (square >= kMostSquare) return 0.0;
+  if (!(square < kMostSquare)) return 0.0;
   return std::exp(-0.5 * square) / (2.0 * kPi * std::sqrt(determinant));
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/trajectory/scan_noise.h"
+
 namespace handmap {
 
 namespace {
@@ -13,7 +15,6 @@ constexpr std::size_t kLeastDeviations = 10;
 constexpr std::size_t kRatios = 300;
 constexpr std::size_t kLeastRatios = 40;
 constexpr double kRatioMotion_m = 0.3;  // shorter ones tell no length
-constexpr double kMedianToSigma = 1.48;
 constexpr double kPulled = 1.6;  // a match lies between the odometry and what the scan says
 constexpr double kLeast = 0.7;
 constexpr double kMostTurn = 6.0;

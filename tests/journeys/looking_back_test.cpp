@@ -159,6 +159,26 @@ TEST_F(LookingBack, AChangedDrawingIsTakenOrNot) {
   EXPECT_EQ(formatMap(window_->run().result()->map()), before);
 }
 
+TEST_F(LookingBack, AStoppedRunThatIsRecomputedGoesOn) {
+  ASSERT_TRUE(waitForPast(4));
+  action(*window_, "run.stop")->trigger();
+  ASSERT_TRUE(waitFor(*window_, RunState::Idle));
+  const int stopped_at = done();
+  const int all = window_->transport().timeline().maximum();
+  ASSERT_LT(stopped_at, all);
+  document_.setSelection({QString::fromStdString(document_.map().buildings.back().id)});
+  document_.removeSelected();
+  QSignalSpy ready(&window_->run(), &RunController::revisionReady);
+  action(*window_, "run.recompute")->trigger();
+  ASSERT_TRUE(ready.wait(kPatienceMs));
+  pressMessage("Take the new one");
+  EXPECT_EQ(window_->run().state(), RunState::Paused);
+  action(*window_, "run.run")->trigger();
+  ASSERT_TRUE(waitDone());
+  EXPECT_EQ(done(), all);
+  EXPECT_TRUE(window_->runs().stateInWords().startsWith("Done"));
+}
+
 TEST_F(LookingBack, APoseThatIsGivenIsTakenInTheMiddleAndTheRunGoesOn) {
   ASSERT_TRUE(waitForPast(4));
   past().seek(4);

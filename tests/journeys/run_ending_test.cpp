@@ -2,9 +2,11 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <atomic>
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/recording_opener.h"
+#include "core/base/error.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/document/map_document.h"
@@ -111,6 +113,39 @@ TEST_F(RunEndingTest, WhileTheRobotIsBeingOpened) {
     QTest::qWait(20);
     EXPECT_TRUE(window.run().isActive());
   });
+}
+
+/// Like the devices of a rig: they are on as long as it is open.
+class Failing : public ObservationSource {
+ public:
+  explicit Failing(std::shared_ptr<std::atomic<bool>> is_on) : is_on_(std::move(is_on)) {
+    *is_on_ = true;
+  }
+  ~Failing() override { *is_on_ = false; }
+  const SourceInfo& info() const override { return info_; }
+  std::optional<Observation> next() override {
+    throw Error(ErrorCode::RunFailed, "the scanner burns");
+  }
+
+ private:
+  std::shared_ptr<std::atomic<bool>> is_on_;
+  SourceInfo info_;
+};
+
+TEST_F(RunEndingTest, ByItsFailureLeavesNoDeviceOn) {
+  const auto window = open();
+  window->sources().openTwoRows();
+  Robot robot;
+  const auto is_on = std::make_shared<std::atomic<bool>>(false);
+  robot.connect = [is_on](const ReplayOptions&, const std::stop_token&,
+                          const std::function<void(double)>&) {
+    return std::make_unique<Failing>(is_on);
+  };
+  window->sources().setRobot(robot);
+  QSignalSpy failed(&window->run(), &RunController::failed);
+  window->runs().runOrResume();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !*is_on; }, kPatienceMs));
 }
 
 TEST_F(RunEndingTest, WithTheWindow) {

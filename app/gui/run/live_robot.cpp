@@ -18,21 +18,42 @@ std::filesystem::path newFolder(const std::filesystem::path& inside) {
 
 }  // namespace
 
-LiveLink::~LiveLink() { endTelling(); }
-
-void LiveLink::begin() {
-  endTelling();
-  const std::scoped_lock lock(mutex_);
-  monitor_ = std::make_shared<RigMonitor>();
-  onlookers_ = Onlookers::of(rig_, monitor_);
+/// They wait for the last messages to leave, which the window may not.
+LiveLink::~LiveLink() {
+  if (!onlookers_) return;
+  startInBackground([onlookers = std::shared_ptr(std::move(onlookers_))] {});
 }
 
-/// It waits for the last messages to leave, which the window may not.
-void LiveLink::endTelling() {
-  if (onlookers_) startInBackground([onlookers = std::exchange(onlookers_, nullptr)] {});
+void LiveLink::begin() {
+  auto monitor = std::make_shared<RigMonitor>();
+  {
+    const std::scoped_lock lock(mutex_);
+    monitor_ = monitor;
+    newest_ = nullptr;
+  }
+  startInBackground([weak = weak_from_this(), monitor = std::move(monitor)] {
+    if (const auto self = weak.lock()) self->exchangeOnlookers(monitor);
+  });
+}
+
+void LiveLink::exchangeOnlookers(const std::shared_ptr<RigMonitor>& monitor) {
+  const std::scoped_lock exchanging(exchanging_);
+  std::unique_ptr<Onlookers> before;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (monitor != monitor_) return;  // the next drive has begun meanwhile
+    before = std::move(onlookers_);
+  }
+  before.reset();
+  auto onlookers = Onlookers::of(rig_, monitor);
+  const std::scoped_lock lock(mutex_);
+  onlookers_ = std::move(onlookers);
+  if (onlookers_ && newest_) onlookers_->tell(newest_);
 }
 
 void LiveLink::tell(const std::shared_ptr<const Snapshot>& snapshot) {
+  const std::scoped_lock lock(mutex_);
+  newest_ = snapshot;
   if (onlookers_) onlookers_->tell(snapshot);
 }
 

@@ -12,26 +12,29 @@
 namespace handmap {
 
 /// The way from the window to the rig of the latest run, and from that run to whoever looks on.
-class LiveLink {
+class LiveLink : public std::enable_shared_from_this<LiveLink> {
  public:
   explicit LiveLink(Rig rig) : rig_(std::move(rig)) {}
   ~LiveLink();
   LiveLink(const LiveLink&) = delete;
   LiveLink& operator=(const LiveLink&) = delete;
 
-  /// A new drive, before its run begins.
+  /// A new drive, before its run begins. Whoever looks on hears of it as soon as those of the drive
+  /// before are told no more: an address has one owner.
   void begin();
   /// nullptr before the first drive. From any thread.
   std::shared_ptr<RigMonitor> monitor() const;
   void tell(const std::shared_ptr<const Snapshot>& snapshot);
 
  private:
-  void endTelling();
+  void exchangeOnlookers(const std::shared_ptr<RigMonitor>& monitor);
 
   const Rig rig_;
   mutable std::mutex mutex_;
-  std::shared_ptr<RigMonitor> monitor_;
-  std::shared_ptr<Onlookers> onlookers_;  ///< until the next drive: what was found stays to be seen
+  std::shared_ptr<RigMonitor> monitor_;   // under mutex_, as all below
+  std::unique_ptr<Onlookers> onlookers_;  ///< until the next drive: what was found stays to be seen
+  std::shared_ptr<const Snapshot> newest_;  ///< of this drive
+  std::mutex exchanging_;                   // one at a time; taken before mutex_
 };
 
 Robot liveRobot(const Rig& rig, MakeDevices make);

@@ -73,7 +73,7 @@ RevisionActions::RevisionActions(const Shell& shell, MapDocument& document, RunC
     shell_.messages.show(MessageBar::Kind::Warning,
                          tr("What you said is not kept beside the recording."), message);
   });
-  
+
   connect(&run_, &RunController::revisionReady, this, &RevisionActions::onReady);
   connect(&run_, &RunController::revisionProgressed, this, [this](double share) {
     left_.update(share, steadySeconds());

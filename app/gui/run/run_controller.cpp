@@ -29,19 +29,17 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   if (live_) live_->begin();
   ++number_;
   pace_ = std::make_shared<Pace>(begin == Begin::Running ? speed_ : kAtOnce);
-  RunJob job;
-  job.drawing = drawing;
-  job.settings = settings_;
-  job.open =
+  endFeed();
+  feed_ = std::make_shared<RunFeed>(
       [connect = robot.connect, replay = setup.replay, pace = pace_, is_live = live_ != nullptr](
           std::stop_token stop,
           const std::function<void(double)>& progress) -> std::unique_ptr<ObservationSource> {
-    auto source = connect(replay, stop, progress);
-    if (!source || is_live) return source;
-    return std::make_unique<PacedSource>(std::move(source), pace, std::move(stop));
-  };
-  worker_ = std::make_unique<RunWorker>(std::move(job));
-  feed_ = worker_->feed();
+        auto source = connect(replay, stop, progress);
+        if (!source || is_live) return source;
+        return std::make_unique<PacedSource>(std::move(source), pace, std::move(stop));
+      },
+      settings_.perception, closing_);
+  worker_ = std::make_unique<RunWorker>(RunJob{drawing, settings_, feed_});
   history_ = worker_->history();
   listenTo(*worker_);
   Q_EMIT begun();
@@ -75,15 +73,24 @@ void RunController::listenTo(RunWorker& worker) {
     Q_EMIT finished(cancelled);
   });
   connect(&worker, &RunWorker::failed, this, [this](const Failure& failure) {
+    endFeed();
     end();
     Q_EMIT failed(failure);
   });
 }
 
+/// A recording that was stopped may go on, when it is recomputed; a drive that has ended is over.
 void RunController::end() {
+  if (at_end_ || live_) endFeed();
   last_result_ = worker_->result();
   letGo();
   setState(RunState::Idle);
+}
+
+void RunController::endFeed() {
+  if (!feed_) return;
+  feed_->end();
+  closing_ = feed_->closed();
 }
 
 void RunController::letGo() {
@@ -132,6 +139,8 @@ void RunController::stop() {
     worker_->resume();
   } else {
     worker_->cancel();
+    pace_->setSpeed(kAtOnce);  // so that it does not sit waiting for the next observation
+    if (live_) endFeed();
   }
   setState(RunState::Stopping);
 }
@@ -139,6 +148,7 @@ void RunController::stop() {
 void RunController::discard() {
   dropRevision();
   letGo();
+  endFeed();
   ++number_;
   last_result_ = nullptr;
   feed_ = nullptr;
@@ -209,13 +219,11 @@ std::shared_ptr<const RunResult> RunController::revision() const {
 void RunController::takeRevision() {
   if (!revision()) return;
   const std::unique_ptr<Revision> revision = std::move(revision_);
-  if (worker_) worker_->setOwnsFeed(false);
   letGo();
   ++number_;
   worker_ = std::move(revision->worker);
   worker_->disconnect(this);
   worker_->mailbox().disconnect(this);
-  worker_->setOwnsFeed(true);
   drawing_ = std::move(revision->drawing);
   settings_ = std::move(revision->settings);
   worker_->history()->borrowPictures(*history_);

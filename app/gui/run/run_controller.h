@@ -103,6 +103,8 @@ class RunController : public QObject {
   void pass(const RunNews& news);
   void setState(RunState state);
   void end();
+  /// Nothing more is read of the source: it is closed, and what it held is free.
+  void endFeed();
   /// It is silent from here on; it may be the sender, so it goes later.
   void letGo();
   void listenTo(RunWorker& worker);
@@ -117,7 +119,8 @@ class RunController : public QObject {
   std::unique_ptr<RunWorker> worker_;
   std::shared_ptr<LiveLink> live_;
   std::shared_ptr<const RunResult> last_result_;
-  std::shared_ptr<RunFeed> feed_;
+  std::shared_ptr<RunFeed> feed_;  ///< of the latest run, also when that has ended
+  RunFeed::Closed closing_;        ///< of the feed that was ended last
   std::shared_ptr<const RunHistory> history_;
   std::unique_ptr<Revision> revision_;
   bool at_end_ = false;  ///< the latest run came to the end of its source

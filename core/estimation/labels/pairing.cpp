@@ -107,7 +107,7 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
     without.log_likelihood += std::log(options.built_on / kSizeRange);
     if (without.log_likelihood > match.log_likelihood) match = without;
   }
-  if (match.distance > kGate) return std::nullopt;
+  if (!(match.distance <= kGate)) return std::nullopt;
   result.log_likelihood += match.log_likelihood;
   motion.mean += match.mean_change;
   motion.covariance -= match.covariance_change;

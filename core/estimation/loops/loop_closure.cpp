@@ -36,7 +36,7 @@ class LoopCloser {
                            .asDiagonal()
                            .toDenseMatrix();
     for (const SameBuilding& pair : candidates) {
-      agreements_.push_back(compare(*findBox(boxes, pair.old), *findBox(boxes, pair.again)));
+      shared_.push_back(compare(*findBox(boxes, pair.old), *findBox(boxes, pair.again)));
     }
   }
 
@@ -68,22 +68,22 @@ class LoopCloser {
   }
 
   std::optional<Trial> extended(const Trial& trial, std::size_t candidate) const {
-    const std::vector<Agreement>& agreements = agreements_[candidate];
-    if (agreements.empty()) return std::nullopt;
+    const std::vector<SharedParameter>& shared = shared_[candidate];
+    if (shared.empty()) return std::nullopt;
     Trial next = trial;
     next.pairs.push_back(candidates_[candidate]);
-    for (const Agreement& agreement : agreements) {
+    for (const SharedParameter& parameter : shared) {
       Eigen::RowVector3d slope(0.0, 0.0, 1.0);
-      if (agreement.old_parameter != kHeading) {
-        slope << agreement.normal.x(), agreement.normal.y(),
-            agreement.normal.dot(perpendicular(agreement.point - here_));
+      if (parameter.old_parameter != kHeading) {
+        slope << parameter.normal.x(), parameter.normal.y(),
+            parameter.normal.dot(perpendicular(parameter.point - here_));
       }
       const Eigen::Vector3d seen = next.covariance * slope.transpose();
-      const double variance = slope.dot(seen) + agreement.variance;
-      const double error = agreement.error - slope.dot(next.drift);
+      const double variance = slope.dot(seen) + parameter.variance;
+      const double error = parameter.error - slope.dot(next.drift);
       const double distance = error * error / variance;
       if (distance > kGate) return std::nullopt;
-      const double spread = agreement.old_parameter == kHeading ? kPi / 2.0 : kChance;
+      const double spread = parameter.old_parameter == kHeading ? kPi / 2.0 : kChance;
       next.evidence += std::log(spread / std::sqrt(2.0 * kPi * variance)) - 0.5 * distance;
       next.drift += seen * (error / variance);
       next.covariance -= seen * seen.transpose() / variance;
@@ -94,7 +94,7 @@ class LoopCloser {
   std::span<const SameBuilding> candidates_;
   Vec2 here_;
   Trial root_;
-  std::vector<std::vector<Agreement>> agreements_;  ///< by candidate
+  std::vector<std::vector<SharedParameter>> shared_;  ///< by candidate
 };
 
 }  // namespace

@@ -13,15 +13,15 @@ constexpr double kHeadingFloor = 0.02;  // radians, the same; choice
 
 }  // namespace
 
-std::vector<Agreement> compare(const FoundBox& old, const FoundBox& again) {
+std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again) {
   const Box& a = old.box;
   const Box& b = again.box;
   const std::size_t quarters = b.quartersTo(a.heading);
-  std::vector<Agreement> agreements;
+  std::vector<SharedParameter> shared;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t j = (k + quarters) % 4;
     if (old.reachSigma(k) > kSeen || again.reachSigma(j) > kSeen) continue;
-    Agreement wall;
+    SharedParameter wall;
     wall.old_parameter = k;
     wall.again_parameter = j;
     wall.normal = a.sideNormal(k);
@@ -35,10 +35,10 @@ std::vector<Agreement> compare(const FoundBox& old, const FoundBox& again) {
     wall.again_slope[kHeading] = -wall.normal.dot(perpendicular(wall.point - b.pivot));
     wall.variance = old.reachSigma(k) * old.reachSigma(k) +
                     again.reachSigma(j) * again.reachSigma(j) + kWallFloor * kWallFloor;
-    agreements.push_back(wall);
+    shared.push_back(wall);
   }
-  if (agreements.empty()) return agreements;
-  Agreement heading{kHeading,
+  if (shared.empty()) return shared;
+  SharedParameter heading{kHeading,
                     kHeading,
                     std::remainder(a.heading - b.heading, kPi / 2.0),
                     {},
@@ -49,8 +49,8 @@ std::vector<Agreement> compare(const FoundBox& old, const FoundBox& again) {
                         again.heading_sigma * again.heading_sigma + kHeadingFloor * kHeadingFloor};
   heading.old_slope = Eigen::Matrix<double, 5, 1>::Unit(kHeading);
   heading.again_slope = -heading.old_slope;
-  agreements.push_back(heading);
-  return agreements;
+  shared.push_back(heading);
+  return shared;
 }
 
 FoundBox merged(const FoundBox& old, const FoundBox& again) {

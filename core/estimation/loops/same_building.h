@@ -18,7 +18,7 @@ struct SameBuilding {
 inline constexpr std::size_t kHeading = 4;
 
 /// A parameter of a box (see Box::reach; the fifth is its heading) that another box has as well.
-struct Agreement {
+struct SharedParameter {
   std::size_t old_parameter;
   std::size_t again_parameter;
   double error;  ///< old less again: metres to the wall of the old box, or radians
@@ -31,7 +31,7 @@ struct Agreement {
 
 /// What two boxes of one building agree in: the walls that were seen both times and, last, the
 /// heading. Empty where there is no such wall.
-std::vector<Agreement> compare(const FoundBox& old, const FoundBox& again);
+std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again);
 
 /// What an old box is after it was found again.
 FoundBox merged(const FoundBox& old, const FoundBox& again);

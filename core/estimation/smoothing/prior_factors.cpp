@@ -56,11 +56,11 @@ void addKnownWalls(const FoundBox& found, int box_at, NormalEquations& equations
 
 void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at,
              NormalEquations& equations) {
-  for (const Agreement& agreement : compare(old, again)) {
-    const double sigma = agreement.old_parameter < 4 ? kSameWall : kSameHeading;
+  for (const SharedParameter& parameter : compare(old, again)) {
+    const double sigma = parameter.old_parameter < 4 ? kSameWall : kSameHeading;
     ScalarFactor<2 * kBoxSize> factor;
-    factor.residual = agreement.error;
-    factor.slope << agreement.old_slope, agreement.again_slope;
+    factor.residual = parameter.error;
+    factor.slope << parameter.old_slope, parameter.again_slope;
     factor.weight = 1.0 / (sigma * sigma);
     equations.add(factor, std::array{NormalEquations::Unknowns{old_at, kBoxSize},
                                      NormalEquations::Unknowns{again_at, kBoxSize}});

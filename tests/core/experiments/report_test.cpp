@@ -113,7 +113,7 @@ TEST(Chart, BarsSpanTheirIntervals) {
   Chart chart;
   chart.y_max = 100.0;
   chart.categories = {"A", "B"};
-  chart.series = {{"handmap", Look::Handmap, {{0.0, {50.0, 25.0, 75.0}}}}};
+  chart.series = {{"handmap", SeriesLook::Handmap, {{0.0, {50.0, 25.0, 75.0}}}}};
   const cv::Rect bar = blueArea(drawn(chart));
   const cv::Size size = drawn(chart).size();
   const double plot = size.height - 170.0;

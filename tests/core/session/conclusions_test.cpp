@@ -85,16 +85,6 @@ TEST(Conclusions, KeepNobodyWaiting) {
   EXPECT_FALSE(conclusions.take());
 }
 
-TEST(Conclusions, PassOnWhatWentWrong) {
-  Conclusions conclusions;
-  conclusions.begin(20.0, [] {
-    return [](const std::stop_token&) -> std::optional<Conclusion> {
-      throw Error(ErrorCode::RunFailed, "no more memory");
-    };
-  });
-  EXPECT_THROW(waitFor(conclusions), Error);
-}
-
 TEST(Conclusions, OneThatCannotBeMadeIsToldAndEndsNothing) {
   Conclusions conclusions;
   conclusions.begin(20.0, [] {

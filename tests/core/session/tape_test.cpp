@@ -97,6 +97,50 @@ TEST(Tape, AStopIsNotTheEnd) {
   EXPECT_TRUE(tape.take(0, {}));
 }
 
+/// A source that asks for the stop while it is read, and says when it goes.
+class Interrupting : public ObservationSource {
+ public:
+  Interrupting(std::stop_source stop, bool& is_open) : stop_(std::move(stop)), is_open_(is_open) {
+    is_open_ = true;
+  }
+  ~Interrupting() override { is_open_ = false; }
+  const SourceInfo& info() const override { return fronts_.info(); }
+  std::optional<Observation> next() override {
+    stop_.request_stop();
+    return fronts_.next();
+  }
+
+ private:
+  int asked_ = 0;
+  Fronts fronts_{asked_};
+  std::stop_source stop_;
+  bool& is_open_;
+};
+
+TEST(Tape, WhatWasInterruptedIsThereForWhoTakesItNext) {
+  std::stop_source stop;
+  bool is_open = false;
+  Tape tape(std::make_unique<Interrupting>(stop, is_open), {}, 1U << 20U);
+  EXPECT_FALSE(tape.take(0, stop.get_token()));
+  EXPECT_EQ(tape.end(), 0U);
+  const auto taken = tape.take(0, {});
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->entry.perceived->observation.frame, 0);
+}
+
+TEST(Tape, ClosedItLetsGoOfTheSourceAndKeepsWhatWasPerceived) {
+  bool is_open = false;
+  Tape tape(std::make_unique<Interrupting>(std::stop_source(), is_open), {}, 1U << 20U);
+  EXPECT_TRUE(tape.take(0, {}));
+  EXPECT_TRUE(is_open);
+  tape.close();
+  EXPECT_FALSE(is_open);
+  EXPECT_TRUE(tape.take(0, {}));
+  EXPECT_FALSE(tape.take(1, {}));
+  EXPECT_EQ(tape.info().observations, 6);
+  tape.close();
+}
+
 struct Scene {
   World world = twoRowWorld(7);
   RunSettings settings;

@@ -66,7 +66,7 @@ class WallStoryTest : public testing::Test {
 TEST_F(WallStoryTest, TellsWhereTheRaysFellAndWhatTheDrawingSaid) {
   const WallStory told = story(lowerWall(refined_));
   EXPECT_NEAR(told.drawn_m, -3.0, 1e-9);  // inwards: the outward side is down
-  EXPECT_NEAR(told.drawn_sigma_m, 3.0, 1e-9);
+  EXPECT_NEAR(told.drawn_sigma_m, 3.0, 1e-3);
   ASSERT_GT(told.witnesses.size(), 20U);
   std::size_t rays = 0;
   for (const WallWitness& witness : told.witnesses) {

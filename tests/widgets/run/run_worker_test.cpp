@@ -46,10 +46,11 @@ RunJob jobOf(int observations, int slam_particles, bool with_gap = false) {
   job.settings.slam.slam_particles = slam_particles;
   job.settings.slam.pso_particles = 5;
   job.settings.slam.pso_iterations = 2;
-  job.open = [world, observations, with_gap](const std::stop_token&,
-                                             const std::function<void(double)>&) {
-    return std::make_unique<Shortened>(simulate(world, {}, 1), observations, with_gap);
-  };
+  job.feed = std::make_shared<RunFeed>(
+      [world, observations, with_gap](const std::stop_token&, const std::function<void(double)>&) {
+        return std::make_unique<Shortened>(simulate(world, {}, 1), observations, with_gap);
+      },
+      job.settings.perception);
   return job;
 }
 
@@ -121,7 +122,7 @@ TEST(RunWorker, RunsToTheEndAndShowsTheLastSnapshotBeforeItSaysSo) {
 
 TEST(RunWorker, GivesTheSameMapAsARunWithoutAThread) {
   const RunJob job = jobOf(3, 10);
-  RunSession session(job.drawing, job.open({}, [](double) {}), job.settings);
+  RunSession session(job.drawing, job.feed->open({}), job.settings);
   while (session.step()) {
   }
   Heard heard(job);
@@ -200,11 +201,13 @@ TEST(RunWorker, NobodyWaitsForASourceThatDoesNotHear) {
   RunJob job = jobOf(2, 10);
   std::promise<void> opened;
   std::promise<void> go_on;
-  job.open = [&](const std::stop_token&, const std::function<void(double)>&) {
-    opened.set_value();
-    go_on.get_future().wait();
-    return std::unique_ptr<ObservationSource>();
-  };
+  job.feed = std::make_shared<RunFeed>(
+      [&](const std::stop_token&, const std::function<void(double)>&) {
+        opened.set_value();
+        go_on.get_future().wait();
+        return std::unique_ptr<ObservationSource>();
+      },
+      job.settings.perception);
   Heard heard(std::move(job));
   heard.worker().start();
   opened.get_future().wait();
@@ -249,10 +252,12 @@ TEST(RunWorker, TellsOfABadJobWithItsCode) {
 
 TEST(RunWorker, TellsOfASourceThatCannotBeOpened) {
   RunJob job = jobOf(2, 10);
-  job.open = [](const std::stop_token&,
-                const std::function<void(double)>&) -> std::unique_ptr<ObservationSource> {
-    throw Error(ErrorCode::BadInput, "frames.csv: gone", "Put it back.");
-  };
+  job.feed = std::make_shared<RunFeed>(
+      [](const std::stop_token&,
+         const std::function<void(double)>&) -> std::unique_ptr<ObservationSource> {
+        throw Error(ErrorCode::BadInput, "frames.csv: gone", "Put it back.");
+      },
+      job.settings.perception);
   Heard heard(std::move(job));
   heard.worker().start();
   ASSERT_TRUE(heard.wait("failed"));
@@ -296,7 +301,8 @@ TEST(RunWorker, AnotherRunGoesOverWhatWasPerceivedAndThenOn) {
   alone.worker().start();
   ASSERT_TRUE(alone.wait("finished"));
 
-  RunJob first = whole;
+  RunJob first = jobOf(5, 10);
+  const auto feed = first.feed;
   first.until = 3;
   auto before = std::make_unique<Heard>(std::move(first));
   before->worker().start();
@@ -304,16 +310,13 @@ TEST(RunWorker, AnotherRunGoesOverWhatWasPerceivedAndThenOn) {
   RunJob second;
   second.drawing = whole.drawing;
   second.settings = whole.settings;
-  second.feed = before->worker().feed();
+  second.feed = feed;
   second.until = 3;
   Heard after(std::move(second));
   after.worker().start();
   ASSERT_TRUE(after.wait("paused"));
-  EXPECT_EQ(after.worker().feed()->tape()->end(), 3U);
-  // The one goes, the other takes the feed over.
-  before->worker().setOwnsFeed(false);
-  before.reset();
-  after.worker().setOwnsFeed(true);
+  EXPECT_EQ(feed->tape()->end(), 3U);
+  before.reset();  // in the middle of a recording: the other goes on with it
   after.worker().resume();
   ASSERT_TRUE(after.wait("finished"));
   EXPECT_EQ(formatMap(after.worker().result()->map()), formatMap(alone.worker().result()->map()));

@@ -173,12 +173,7 @@ void RunWorker::Thread::work(const std::stop_token& stop) {
   }
 }
 
-RunWorker::RunWorker(RunJob job, QObject* parent)
-    : QObject(parent), mailbox_(this), owns_feed_(!job.feed) {
-  if (owns_feed_) {
-    job.feed = std::make_shared<RunFeed>(std::move(job.open), job.settings.perception);
-  }
-  feed_ = job.feed;
+RunWorker::RunWorker(RunJob job, QObject* parent) : QObject(parent), mailbox_(this) {
   thread_ = std::make_shared<Thread>(std::move(job), *this);
   history_ = thread_->history();
   // Who hears that a run stands still or has ended has seen its last snapshot.
@@ -204,9 +199,6 @@ void RunWorker::step() { thread_->give(Thread::Command::Step); }
 void RunWorker::stepPhases() { thread_->give(Thread::Command::StepPhases); }
 void RunWorker::runUntil(int index) { thread_->give(Thread::Command::Run, index); }
 
-void RunWorker::cancel() {
-  stop_.request_stop();
-  if (owns_feed_) feed_->end();
-}
+void RunWorker::cancel() { stop_.request_stop(); }
 
 }  // namespace handmap

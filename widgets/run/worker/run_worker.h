@@ -1,6 +1,7 @@
 // A run in a thread of its own. Everything it has to say comes as signals in the thread of this
 // object (the GUI thread) or through the mailbox. Nothing here waits for the run: a worker that is
-// destroyed requests the stop and is silent at once; its thread ends by itself.
+// destroyed requests the stop and is silent at once; its thread ends by itself. The source that it
+// reads is the feed's, and stays open for who goes on with it.
 #pragma once
 
 #include <QObject>
@@ -21,8 +22,7 @@ namespace handmap {
 struct RunJob {
   Map drawing;
   RunSettings settings;
-  RunFeed::Open open;                  ///< of a feed of its own, or
-  std::shared_ptr<RunFeed> feed = {};  ///< that of another run, to be gone over from its beginning
+  std::shared_ptr<RunFeed> feed;  ///< gone over from its beginning, if another run has used it
   int until = 0;  ///< observations to work in before it pauses for the first time; 0: it does not
 };
 
@@ -49,9 +49,6 @@ class RunWorker : public QObject {
   /// nullptr before the first step is done.
   std::shared_ptr<const RunResult> result() const;
   const std::shared_ptr<RunHistory>& history() const { return history_; }
-  const std::shared_ptr<RunFeed>& feed() const { return feed_; }
-  /// Whether the feed ends with this run. So it is, unless the feed came from another one.
-  void setOwnsFeed(bool owns) { owns_feed_ = owns; }
 
  public Q_SLOTS:
   /// Each takes effect inside a step too: a paused step stands still until it is resumed.
@@ -82,8 +79,6 @@ class RunWorker : public QObject {
 
   RunMailbox mailbox_;
   std::stop_source stop_;
-  std::shared_ptr<RunFeed> feed_;
-  bool owns_feed_;
   std::shared_ptr<RunHistory> history_;
   std::shared_ptr<Thread> thread_;  ///< shared with the thread, which may outlive this object
 };

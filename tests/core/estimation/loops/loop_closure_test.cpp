@@ -51,9 +51,9 @@ class LoopClosureTest : public testing::Test {
 };
 
 TEST_F(LoopClosureTest, ABoxAgreesWithItself) {
-  const std::vector<Agreement> agreements = compare(boxes_[0], boxes_[0].nearestTo(kPi / 2.0));
-  ASSERT_EQ(agreements.size(), 5U);
-  for (const Agreement& agreement : agreements) EXPECT_NEAR(agreement.error, 0.0, 1e-9);
+  const std::vector<SharedParameter> shared = compare(boxes_[0], boxes_[0].nearestTo(kPi / 2.0));
+  ASSERT_EQ(shared.size(), 5U);
+  for (const SharedParameter& parameter : shared) EXPECT_NEAR(parameter.error, 0.0, 1e-9);
 }
 
 TEST_F(LoopClosureTest, SlopesTellHowTheErrorChanges) {

@@ -1,4 +1,4 @@
-#include "core/trajectory/range_noise.h"
+#include "core/trajectory/scan_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,12 @@ constexpr double kBin_m = 10.0;
 constexpr int kLeastCount = 100;
 constexpr double kLeast_m = 1e-3;  // of the histogram
 constexpr double kStepsPerDecade = 15.0;
-constexpr double kMedianToSigma = 1.48;
 constexpr double kLeastNoise_m = 0.01;
 constexpr double kUsual_m = 0.03;
 
 }  // namespace
 
-void RangeNoise::add(const std::vector<Vec2>& returns) {
+void ScanNoise::add(const std::vector<Vec2>& returns) {
   struct Return {
     double bearing;
     double range;
@@ -41,7 +40,7 @@ void RangeNoise::add(const std::vector<Vec2>& returns) {
   }
 }
 
-double RangeNoise::median(const Histogram& histogram, int count) {
+double ScanNoise::median(const Histogram& histogram, int count) {
   int below = 0;
   std::size_t step = 0;
   while (2 * (below + histogram[step]) < count) below += histogram[step++];
@@ -49,7 +48,7 @@ double RangeNoise::median(const Histogram& histogram, int count) {
   return kLeast_m * std::pow(10.0, (static_cast<double>(step) + within) / kStepsPerDecade);
 }
 
-double RangeNoise::sigma(double range_m) const {
+double ScanNoise::sigma(double range_m) const {
   double before_m = 0.0;
   double before = 0.0;
   for (std::size_t bin = 0; bin < kRanges; ++bin) {

@@ -1,4 +1,4 @@
-#include "core/trajectory/range_noise.h"
+#include "core/trajectory/scan_noise.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ std::vector<Vec2> scan(double near_sigma_m, double far_sigma_m, RandomStream& ra
   return returns;
 }
 
-TEST(RangeNoise, IsFoundByDistance) {
-  RangeNoise noise;
+TEST(ScanNoise, IsFoundByDistance) {
+  ScanNoise noise;
   RandomStream random(1);
   for (int i = 0; i < 20; ++i) noise.add(scan(0.05, 0.4, random));
   EXPECT_NEAR(noise.sigma(5.0), 0.05, 0.01);
@@ -29,8 +29,8 @@ TEST(RangeNoise, IsFoundByDistance) {
   EXPECT_EQ(noise.sigma(60.0), noise.sigma(29.0));
 }
 
-TEST(RangeNoise, IsThatOfALaserBeforeMuchWasSeen) {
-  RangeNoise noise;
+TEST(ScanNoise, IsThatOfALaserBeforeMuchWasSeen) {
+  ScanNoise noise;
   EXPECT_EQ(noise.sigma(10.0), 0.03);
   noise.add({});
   noise.add({{1, 0}, {1, 0}, {1, 0}});

@@ -8,9 +8,12 @@
 
 namespace handmap {
 
+/// Of a Gaussian: σ over the median of what is off.
+inline constexpr double kMedianToSigma = 1.48;
+
 /// Collects how far each return is off the line between its two neighbours in bearing; the median
 /// of many is noise, since most neighbours are on one surface.
-class RangeNoise {
+class ScanNoise {
  public:
   /// Returns of one observation, robot frame, metres, in any order.
   void add(const std::vector<Vec2>& returns);
