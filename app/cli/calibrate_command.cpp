@@ -45,7 +45,7 @@ std::string summary(const CalibrationResult& result) {
 }
 
 int calibrate(const CalibrateArguments& arguments) {
-  checkOutputFiles({arguments.out, arguments.report}, {});
+  checkOutputFiles({arguments.out, arguments.report}, {arguments.left, arguments.right});
   const Board board{cornersOf(arguments.board), *arguments.square_m};
   const Interrupt interrupt;
   std::optional<Progress> progress;

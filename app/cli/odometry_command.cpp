@@ -71,7 +71,7 @@ std::optional<Drive> driveToEnd(ObservationSource& source) {
 }
 
 int odometry(OdometryArguments arguments) {
-  checkOutputFiles({arguments.out}, {arguments.replay.odometry});
+  checkOutputFiles({arguments.out}, {arguments.replay.odometry}, NewOdometry::Allowed);
   if (arguments.kind == OdometryKind::Visual) arguments.replay.kind = SourceKind::Images;
   if (arguments.kind == OdometryKind::Scan) arguments.replay.kind = SourceKind::Points;
   std::string taken;

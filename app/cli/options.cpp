@@ -47,7 +47,7 @@ void addBuildingClass(CLI::App& command, std::optional<int>& building_class) {
 }
 
 void checkOutputFiles(const std::vector<std::string>& outputs,
-                      const std::vector<std::string>& inputs) {
+                      const std::vector<std::string>& inputs, NewOdometry odometry) {
   std::error_code error;
   std::set<fs::path> taken;
   for (const std::string& path : outputs) {
@@ -60,8 +60,12 @@ void checkOutputFiles(const std::vector<std::string>& outputs,
     if (fs::is_directory(path, error)) refuse("it is a folder");
     if (access(folder.c_str(), W_OK) != 0) refuse("no permission to write to the folder");
     for (const std::string& input : inputs) {
-      if (fs::equivalent(path, input, error)) refuse("it is an input, and inputs are kept");
+      const bool is_inside = fs::exists(path, error) && fs::equivalent(folder, input, error);
+      if (is_inside || fs::equivalent(path, input, error)) {
+        refuse("it is an input, and inputs are kept");
+      }
     }
+    refuseFileOfRecording(path, odometry);
     if (!taken.insert(fs::weakly_canonical(fs::absolute(path), error)).second) {
       refuse("another output goes there");
     }

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/recording/recording.h"
+#include "core/recording/recording_files.h"
 
 namespace handmap {
 
@@ -66,9 +67,11 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& value,
 }
 
 /// Throws Usage, before any work is done, where an output could not be written: no folder there, no
-/// permission, two to one place, or over an input. Empty paths are fine.
+/// permission, two to one place, over an input or over what lies in a folder of inputs; BadInput
+/// where it is a file of a recording. Empty paths are fine.
 void checkOutputFiles(const std::vector<std::string>& outputs,
-                      const std::vector<std::string>& inputs);
+                      const std::vector<std::string>& inputs,
+                      NewOdometry odometry = NewOdometry::Refused);
 /// The same for a folder that is to be filled: it must be new or empty.
 void checkOutputFolder(const std::string& path);
 

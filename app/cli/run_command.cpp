@@ -44,6 +44,12 @@ struct RunArguments {
   bool allow_outside = false;
 };
 
+void checkOutputs(const RunArguments& arguments, const std::string& model) {
+  checkOutputFiles(
+      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
+      {arguments.map, arguments.replay.odometry, model, arguments.given_poses, arguments.live.rig});
+}
+
 void check(const CLI::App& command, const RunArguments& arguments) {
   checkLive(command, arguments.live, !arguments.recording.empty());
   if (arguments.replay.to && *arguments.replay.to < arguments.replay.from) {
@@ -57,9 +63,7 @@ void check(const CLI::App& command, const RunArguments& arguments) {
   if (!arguments.given_poses.empty() && arguments.live.any()) {
     throw Error(ErrorCode::Usage, "--given-poses: not with a live robot; run its recording");
   }
-  checkOutputFiles(
-      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
-      {arguments.map, arguments.replay.odometry, arguments.model, arguments.given_poses});
+  checkOutputs(arguments, arguments.model);
 }
 
 Map readDrawing(const std::string& path) {
@@ -138,6 +142,7 @@ std::filesystem::path modelFile(const RunArguments& arguments, const Map& drawin
 std::shared_ptr<const WindowClassifier> classifierFor(const RunArguments& arguments,
                                                       const Map& drawing) {
   const std::filesystem::path model = modelFile(arguments, drawing);
+  checkOutputs(arguments, model);
   if (model.empty()) {
     if (!arguments.building_class) return nullptr;
     throw Error(ErrorCode::Usage, "--building-class: only with --model NAME.onnx");

@@ -50,7 +50,8 @@ Confusion validate(const TrainArguments& arguments, const BuildingClassifier& cl
 }
 
 int train(const TrainArguments& arguments) {
-  checkOutputFiles({arguments.out}, {});
+  checkOutputFiles({arguments.out}, {arguments.training.images, arguments.training.labels,
+                                     arguments.validation.images, arguments.validation.labels});
   const Interrupt interrupt;
   const std::stop_token stop = interrupt.token();
   ShareProgress progress;

@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/recording/recording_files.h"
 #include "widgets/calibration/board_view.h"
 #include "widgets/calibration/calibration_words.h"
 #include "widgets/messages/dialogs.h"
@@ -286,6 +287,7 @@ void CalibrationDialog::save() {
                                             QStringLiteral("yml")});
   if (path.isEmpty()) return;
   try {
+    refuseFileOfRecording(path.toStdString());
     writeFileAtomically(path.toStdString(), formatStereoCalibration(captured_->result.calibration));
   } catch (const Error& error) {
     return tell(QString::fromStdString(error.what()));

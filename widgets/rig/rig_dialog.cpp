@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/recording/recording_files.h"
 #include "widgets/messages/dialogs.h"
 #include "widgets/rig/live_panel.h"
 #include "widgets/rig/rig_form.h"
@@ -133,6 +134,7 @@ bool RigDialog::save(const QString& path) {
   const auto rig = enteredRig();
   if (!rig) return false;
   try {
+    refuseFileOfRecording(path.toStdString());
     writeFileAtomically(path.toStdString(), formatRig(*rig, folderOf(path)));
   } catch (const Error& error) {
     tell(QString::fromStdString(error.what()));

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/recording/image_file.h"
+#include "core/recording/recording_files.h"
 #include "widgets/pictures/camera_image.h"
 
 namespace handmap {
@@ -283,6 +284,7 @@ void TeachPanel::setModel(std::shared_ptr<const BuildingClassifier> classifier) 
 bool TeachPanel::saveModel(const QString& path) {
   if (!classifier_) return false;
   try {
+    refuseFileOfRecording(path.toStdString());
     classifier_->save(path.toStdString());
     setSaved();
     return true;

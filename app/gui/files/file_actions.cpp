@@ -1,6 +1,7 @@
 #include "app/gui/files/file_actions.h"
 
 #include <QDesktopServices>
+#include <QFile>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
@@ -11,6 +12,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
+#include "core/map/references.h"
+#include "core/recording/recording_files.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
@@ -119,6 +122,7 @@ bool FileActions::saveAs() {
 
 bool FileActions::saveTo(const QString& path) {
   const auto work = [&] {
+    refuseFileOfRecording(QFile::encodeName(path).toStdString());
     before_save_(path);
     document_.save(path);
   };
@@ -152,13 +156,34 @@ std::optional<Map> FileActions::chosenMap(QString& what) {
 void FileActions::exportAs(const Export& what,
                            const std::function<void(const QString& path)>& write) {
   const QString path = askPath(what.title, what.suggestion, what.filter, what.suffix);
-  if (path.isEmpty() || !guarded([&] { write(path); })) return;
+  const auto work = [&] {
+    refuseWhatIsRead(path);
+    write(path);
+  };
+  if (path.isEmpty() || !guarded(work)) return;
   shell_.messages
       .show(MessageBar::Kind::Info, tr("%1 is in “%2”.").arg(what.what, QFileInfo(path).fileName()),
             path, QStringLiteral("export"))
       .addAction(tr("Show in folder"), [path] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
       });
+}
+
+/// An export is not the drawing's own file, none that it names, and none of a recording.
+void FileActions::refuseWhatIsRead(const QString& path) const {
+  const std::filesystem::path target = QFile::encodeName(path).toStdString();
+  refuseFileOfRecording(target);
+  const std::filesystem::path origin = QFile::encodeName(document_.origin()).toStdString();
+  std::vector<std::filesystem::path> read{QFile::encodeName(document_.filePath()).toStdString()};
+  for (const Reference& reference : referencesOf(document_.map(), origin)) {
+    read.push_back(targetOf(reference, origin));
+  }
+  std::error_code error;
+  for (const std::filesystem::path& file : read) {
+    if (!std::filesystem::equivalent(target, file, error)) continue;
+    throw Error(ErrorCode::BadInput, tr("%1 belongs to the drawing.").arg(path).toStdString(),
+                tr("Choose another name for what is exported.").toStdString());
+  }
 }
 
 QString FileActions::mapFilter() { return tr("Handmap drawings (*.handmap)"); }

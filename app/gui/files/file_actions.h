@@ -80,6 +80,7 @@ class FileActions : public QObject {
   std::optional<Map> chosenMap(QString& what);
   void exportGeoJson();
   void exportPicture();
+  void refuseWhatIsRead(const QString& path) const;
   /// Runs `work`; what it throws goes to the message bar. True: it went well.
   template <typename Work>
   bool guarded(Work work);
