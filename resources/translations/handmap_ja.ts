@@ -737,41 +737,6 @@
     </message>
 </context>
 <context>
-    <name>handmap::EditingPanels</name>
-    <message>
-        <source>Steps of editing</source>
-        <translation>編集の履歴</translation>
-    </message>
-    <message>
-        <source>As it was opened</source>
-        <translation>開いたときの状態</translation>
-    </message>
-    <message>
-        <source>Objects</source>
-        <translation>オブジェクト</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>プロパティ</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>レイヤー</translation>
-    </message>
-    <message>
-        <source>Issues</source>
-        <translation>問題</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>履歴</translation>
-    </message>
-    <message>
-        <source>Issues (%1)</source>
-        <translation>問題 (%1)</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Sketch of %1</source>
@@ -1106,33 +1071,6 @@
     <message>
         <source>a quarter</source>
         <translation>街区</translation>
-    </message>
-</context>
-<context>
-    <name>handmap::RunPanels</name>
-    <message>
-        <source>Run settings</source>
-        <translation>実行の設定</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>グラフ</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>カメラ</translation>
-    </message>
-    <message>
-        <source>Buildings</source>
-        <translation>建物</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>ログ</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>理由</translation>
     </message>
 </context>
 <context>
@@ -3344,6 +3282,18 @@
         <source>the same scan again, though the robot has moved</source>
         <translation>ロボットは動いたのに同じスキャンがまた来ました</translation>
     </message>
+    <message>
+        <source>{}: found a file of the recording {}, expected another place for what is written</source>
+        <translation>{}: 記録 {} のファイルです。書き込み先には別の場所が必要です</translation>
+    </message>
+    <message>
+        <source>What the run came to on the way could not be told: {}</source>
+        <translation>途中経過を示せませんでした: {}</translation>
+    </message>
+    <message>
+        <source>The end of the run does not depend on it.</source>
+        <translation>実行の最終結果には影響しません。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -4185,6 +4135,41 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::EditingPanels</name>
+    <message>
+        <source>Steps of editing</source>
+        <translation>編集の履歴</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>開いたときの状態</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>プロパティ</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>レイヤー</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>問題</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Issues (%1)</source>
+        <translation>問題 (%1)</translation>
+    </message>
+</context>
+<context>
     <name>handmap::EraserTool</name>
     <message>
         <source>Release to erase what is crossed out · Esc: cancel</source>
@@ -4288,6 +4273,14 @@ Observations: %4</source>
     <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the drawing.</source>
+        <translation>%1 は図面が使っているファイルです。</translation>
+    </message>
+    <message>
+        <source>Choose another name for what is exported.</source>
+        <translation>書き出し先に別の名前を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -6253,6 +6246,33 @@ Corrected by a run.</source>
         <translation>
             <numerusform>ループが閉じました (これまで %n 回)</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RunPanels</name>
+    <message>
+        <source>Run settings</source>
+        <translation>実行の設定</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>グラフ</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>ログ</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>理由</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 // What the window does with a drawing: exports, leaving, what a drawing names, menus and keys.
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
 #include <QMenuBar>
@@ -55,6 +56,10 @@ class DocumentWindow : public WindowTest {
     QFile file(path(name));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(content);
+  }
+  QByteArray contentOf(const QString& name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
 
   ScriptedDialogs* dialogs_ = nullptr;
@@ -173,6 +178,28 @@ TEST_F(DocumentWindow, WhatLiesOutsideOfTheFolderIsReadWhenSomebodySaysSo) {
   EXPECT_EQ(texts().size(), 1);
   window_->files().replace({});
   EXPECT_TRUE(texts().isEmpty()) << "the question was of another drawing";
+}
+
+TEST_F(DocumentWindow, NothingIsWrittenOverWhatIsRead) {
+  QDir().mkpath(path("R"));
+  write("R/frames.csv", "frame,time_s,stop,pan_deg,left,right,points\n");
+  write("R/odometry.tum", "# as it was");
+  runALittle();
+  dialogs_->paths = {path("mine.handmap")};
+  trigger("file.save");
+  const QByteArray mine = contentOf("mine.handmap");
+  dialogs_->paths = {path("R/odometry.tum"), path("mine.handmap"), path("R/frames.csv"),
+                     path("R/recording.json")};
+  for (const char* id :
+       {"file.export_trajectory", "file.export_map", "file.export_png", "file.save_as"}) {
+    trigger(id);
+    const QString said = texts().first();
+    EXPECT_TRUE(said.contains("recording") || said.contains("belongs to the drawing"))
+        << id << ": " << said.toStdString();
+  }
+  EXPECT_EQ(contentOf("R/odometry.tum"), "# as it was");
+  EXPECT_EQ(contentOf("mine.handmap"), mine);
+  EXPECT_FALSE(QFile::exists(path("R/recording.json")));
 }
 
 TEST_F(DocumentWindow, FitsASmallScreen) {
