@@ -13,7 +13,7 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
   requireReadyToRun(drawing);
   EstimatorOptions stated = options;
   stated.assignment = withStated(drawing.whole, options.assignment);
-  if (const auto start = startUncertaintyOf(drawing.unknown)) {
+  if (const auto& start = drawing.start_uncertainty) {
     stated.assignment = withStart(*start, stated.assignment);
   }
   state_ = std::make_unique<State>(drawing, stated, seed);

@@ -48,7 +48,7 @@ FastSlamPsom::FastSlamPsom(const Map& drawing, const Pose2& start_odometry,
   first.weight = 1.0 / options.slam_particles;
   first.map = SwarmMap(models_.size());
   particles_.assign(static_cast<std::size_t>(options.slam_particles), first);
-  if (const auto sure = startUncertaintyOf(drawing.unknown)) scatter(*sure);
+  if (drawing.start_uncertainty) scatter(*drawing.start_uncertainty);
 }
 
 /// The paper takes the start for known. Particles of a start that is not lie as it may lie; the

@@ -11,7 +11,6 @@
 #include "core/fastslam/path.h"
 #include "core/fastslam/slam_trace.h"
 #include "core/fastslam/swarm_map.h"
-#include "core/map/start_uncertainty.h"
 
 namespace handmap {
 

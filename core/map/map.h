@@ -1,6 +1,7 @@
 // The map: what a person draws and what a run corrects. Map frame: x right, y up, metres.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/geometry/polygon.h"
+#include "core/map/layers.h"
 
 namespace handmap {
 
@@ -33,6 +35,30 @@ struct WholeUncertainty {
   bool operator==(const WholeUncertainty&) const = default;
 };
 
+/// How sure the drawer is of where the robot starts, one σ.
+struct StartUncertainty {
+  double position = 0.0;  ///< of x and of y, metres
+  double heading = 0.0;   ///< radians
+  bool operator==(const StartUncertainty&) const = default;
+};
+
+/// Of a single object of a drawing.
+struct Flags {
+  bool hidden = false;  ///< not drawn and not met by the pointer
+  bool locked = false;  ///< not changed by the pointer on the canvas; of a building see `fixed`
+  bool operator==(const Flags&) const = default;
+};
+
+/// How sure one side of a building is, across it.
+struct SideEstimate {
+  double sigma = 0.0;  ///< metres
+  bool seen = false;   ///< false: it stands where the drawing has it from the other sides
+  bool operator==(const SideEstimate&) const = default;
+};
+
+/// Side k of a box() has the outward normal heading + k · π/2.
+using Sides = std::array<SideEstimate, 4>;
+
 /// What a run found out about a building: σ in metres and how many observations it rests on.
 struct Estimate {
   double sigma_x = 0.0;
@@ -48,7 +74,12 @@ struct Building {
   std::variant<Rectangle, Polygon> shape;  ///< polygons are simple, counter-clockwise
   std::optional<Uncertainty> uncertainty;  ///< absent: that of the map
   bool fixed = false;                      ///< a run must not move it
+  /// Whoever drew it is not sure that it is there at all: an even bet for a run.
+  bool may_not_exist = false;
+  Flags flags;
   std::optional<Estimate> estimate;
+  std::optional<Sides> sides;   ///< as a run told them one by one; see sidesOf()
+  std::optional<double> doubt;  ///< that it is another building or is not there, 0 … 1
   UnknownMembers unknown;
 
   Polygon footprint() const;
@@ -64,7 +95,8 @@ struct Landmark {
   std::string id;
   std::string name;
   Vec2 position = Vec2::Zero();
-  UnknownMembers unknown;
+  Flags flags = {};
+  UnknownMembers unknown = {};
   bool operator==(const Landmark&) const = default;
 };
 
@@ -76,7 +108,8 @@ struct Underlay {
   double metres_per_pixel = 1.0;
   double heading = 0.0;  ///< radians
   double opacity = 1.0;  ///< 0 … 1
-  UnknownMembers unknown;
+  Flags flags = {};
+  UnknownMembers unknown = {};
   bool operator==(const Underlay&) const = default;
 };
 
@@ -92,7 +125,8 @@ struct Georeference {
 
 struct Map {
   std::string name;
-  std::optional<Pose2> start;  ///< absent: unknown
+  std::optional<Pose2> start;                         ///< absent: unknown
+  std::optional<StartUncertainty> start_uncertainty;  ///< absent: not said
   Uncertainty uncertainty;
   WholeUncertainty whole;
   std::vector<Building> buildings;
@@ -100,6 +134,10 @@ struct Map {
   std::vector<Vec2> route;
   std::vector<Underlay> underlays;
   std::optional<Georeference> georeference;
+  LayerStates layers;
+  /// The taught building model that belongs to the map: a path, absolute or relative to the map's
+  /// folder; empty: none.
+  std::string model;
   std::string refinement;  ///< JSON object text: how a run made this map; empty for a drawing
   UnknownMembers unknown;
 

@@ -13,7 +13,7 @@ std::optional<std::filesystem::path> modelOf(const Map& map,
 }
 
 void setModel(Map& map, const std::filesystem::path& model, const std::filesystem::path& map_file) {
-  map.unknown[kModelKey] = quotedJson(referenceFrom(map_file, model));
+  map.model = referenceFrom(map_file, model);
 }
 
 std::filesystem::path modelBeside(const std::filesystem::path& map_file) {

@@ -10,7 +10,7 @@
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/map_limits.h"
-#include "core/map/start_uncertainty.h"
+#include "core/map/own_members.h"
 
 namespace handmap {
 
@@ -123,6 +123,7 @@ Building readBuilding(const JsonValue& json, const Uncertainty& of_map) {
     keepOthers(*part, "estimate", {"sigma_x", "sigma_y", "sigma_width", "observations"},
                building.unknown);
   }
+  takeOwnMembers(building);
   return building;
 }
 
@@ -132,8 +133,13 @@ std::size_t verticesOf(const Building& building) {
 }
 
 Landmark readLandmark(const JsonValue& json) {
-  return {requiredText(json.at("id")), json.textOr("name", kMaxTextBytes, ""), position(json),
-          json.others({"id", "name", "x", "y"})};
+  Landmark landmark;
+  landmark.id = requiredText(json.at("id"));
+  landmark.name = json.textOr("name", kMaxTextBytes, "");
+  landmark.position = position(json);
+  landmark.unknown = json.others({"id", "name", "x", "y"});
+  takeOwnMembers(landmark);
+  return landmark;
 }
 
 Underlay readUnderlay(const JsonValue& json) {
@@ -145,6 +151,7 @@ Underlay readUnderlay(const JsonValue& json) {
   if (const auto value = json.find("heading_deg")) underlay.heading = heading(*value);
   if (const auto value = json.find("opacity")) underlay.opacity = value->number(0.0, 1.0);
   underlay.unknown = json.others({"image", "x", "y", "metres_per_pixel", "heading_deg", "opacity"});
+  takeOwnMembers(underlay);
   return underlay;
 }
 
@@ -198,7 +205,7 @@ Map parseMap(std::string_view text, const std::string& source) {
   Map map;
   map.unknown = json.others({"format", "version", "name", "start", "uncertainty", "buildings",
                              "landmarks", "route", "underlays", "georeference", "refinement"});
-  startUncertaintyOf(map.unknown, source);  // said here, where it can be told, if it is wrong
+  takeOwnMembers(map, source);
   map.name = json.textOr("name", kMaxTextBytes, "");
   if (const auto start = json.find("start")) {
     const Vec2 at = position(*start);

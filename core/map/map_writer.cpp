@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/map_limits.h"
+#include "core/map/own_members.h"
 
 namespace handmap {
 
@@ -151,7 +152,7 @@ std::string buildingLine(const Building& building) {
     members.add("estimate",
                 estimateMembers(*building.estimate).addKept(unknown, "estimate").line());
   }
-  return members.addUnknown(unknown, {"uncertainty", "estimate"}).line();
+  return members.addUnknown(withOwnMembers(building), {"uncertainty", "estimate"}).line();
 }
 
 std::string landmarkLine(const Landmark& landmark) {
@@ -160,7 +161,7 @@ std::string landmarkLine(const Landmark& landmark) {
   if (!landmark.name.empty()) members.add("name", quotedJson(landmark.name));
   return members.add("x", metres(landmark.position.x()))
       .add("y", metres(landmark.position.y()))
-      .addUnknown(landmark.unknown)
+      .addUnknown(withOwnMembers(landmark))
       .line();
 }
 
@@ -172,7 +173,7 @@ std::string underlayLine(const Underlay& underlay) {
       .add("metres_per_pixel", number(underlay.metres_per_pixel))
       .add("heading_deg", degrees(underlay.heading))
       .add("opacity", number(underlay.opacity))
-      .addUnknown(underlay.unknown)
+      .addUnknown(withOwnMembers(underlay))
       .line();
 }
 
@@ -219,7 +220,7 @@ std::string formatMap(const Map& map) {
   if (!map.refinement.empty()) {
     members.add("refinement", parseJson(map.refinement, "refinement").dump());
   }
-  return members.addUnknown(map.unknown, {"start", "uncertainty"}).block();
+  return members.addUnknown(withOwnMembers(map), {"start", "uncertainty"}).block();
 }
 
 void writeMap(const Map& map, const std::filesystem::path& path) {

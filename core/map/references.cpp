@@ -42,13 +42,11 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 std::optional<Reference> modelReference(const Map& map, const fs::path& map_file) {
-  const auto member = map.unknown.find(kModelKey);
-  if (member == map.unknown.end()) return std::nullopt;
-  const nlohmann::json members{{kModelKey, parseJson(member->second, map_file.string())}};
-  const JsonValue value = JsonValue(members, map_file.string()).at(kModelKey);
-  const std::string path = value.text(kMaxTextBytes);
-  if (path.empty()) value.fail(phrase("a path relative to the folder of the map"));
-  return Reference{kModelKey, path};
+  if (!map.model.empty()) return Reference{kModelKey, map.model};
+  const auto damaged = map.unknown.find(kModelKey);
+  if (damaged == map.unknown.end()) return std::nullopt;
+  throwBadInput(map_file.string(), kModelKey, damaged->second,
+                phrase("a path relative to the folder of the map"));
 }
 
 std::vector<Reference> referencesOf(const Map& map, const fs::path& map_file) {
@@ -80,11 +78,7 @@ void moveReferences(Map& map, const fs::path& from_file, const fs::path& to_file
                                         : referenceFrom(to_file, targetOf(reference, from_file));
   };
   for (Underlay& underlay : map.underlays) underlay.image = moved({"image", underlay.image});
-  try {
-    const auto model = modelReference(map, from_file);
-    if (model) map.unknown[kModelKey] = quotedJson(moved(*model));
-  } catch (const Error&) {  // whoever wants to use it is told
-  }
+  if (!map.model.empty()) map.model = moved({kModelKey, map.model});
 }
 
 bool staysInside(const Reference& reference, const fs::path& map_file) {

@@ -10,7 +10,6 @@
 #include <Eigen/LU>
 
 #include "core/estimation/smoothing/odometry_noise.h"
-#include "core/map/start_uncertainty.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
 
@@ -79,7 +78,7 @@ AnchoredWay::AnchoredWay(const Map& map, const SeenFrames& seen)
       seen_(seen),
       walls_(map),
       pose_(start_) {
-  if (const auto said = startUncertaintyOf(map.unknown)) {
+  if (const auto& said = map.start_uncertainty) {
     start_sigma_ = {std::max(said->position, kLeastStart_m),
                     std::max(said->position, kLeastStart_m),
                     std::max(said->heading, kLeastStartTurn)};

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/map/start_uncertainty.h"
 #include "core/outlines/agreement.h"
 
 namespace handmap {
@@ -160,7 +159,7 @@ std::variant<Rectangle, Polygon> moved(std::variant<Rectangle, Polygon> shape,
 
 /// How well the start tells how a way without the buildings lies on the drawing.
 StartUncertainty startOf(const Map& drawing) {
-  return startUncertaintyOf(drawing.unknown)
+  return drawing.start_uncertainty
       .value_or(StartUncertainty{kStart_m, drawing.whole.turn.value_or(kStartTurn)});
 }
 
@@ -182,7 +181,7 @@ Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
                           building.estimate->observations > 0)) {
       // It stays as drawn; what may be said of it is what the drawing says.
       const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
-      found ? forgetSides(building) : forgetCertainty(building);
+      found ? building.sides.reset() : forgetCertainty(building);
       building.estimate = {uncertainty.position, uncertainty.position, uncertainty.size, 0};
     }
   }

@@ -4,7 +4,6 @@
 
 #include "core/base/phrase.h"
 #include "core/estimation/estimator.h"
-#include "core/map/start_uncertainty.h"
 #include "core/map_match/anchored_way.h"
 #include "core/session/conclusions.h"
 #include "core/session/handmap_phases.h"
@@ -239,7 +238,7 @@ class HandmapMethod : public EstimationMethod {
     covariance.diagonal().head<2>().array() += kReference_m * kReference_m;
     const bool laid = by == Way::By::Walls || (concluded_ && concluded_->covariance);
     if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);
-    if (const auto start = startUncertaintyOf(drawing_.unknown)) {
+    if (const auto& start = drawing_.start_uncertainty) {
       // The walls are corrected from where the robot is: what its start is off, all is off.
       turnAboutStart(start->heading, covariance);
       covariance.diagonal().head<2>().array() += start->position * start->position;

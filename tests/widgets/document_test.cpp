@@ -352,17 +352,17 @@ class DocumentTest : public QObject {
 
   void aDoubtGoesWithItsShape() {
     Map map = sampleMap();
-    map.buildings[0].unknown["doubtful"] = "0.40";
-    map.buildings[1].unknown["doubtful"] = "0.50";
+    map.buildings[0].doubt = 0.40;
+    map.buildings[1].doubt = 0.50;
     document_->reset(map);
     Map refined = map;
-    refined.buildings[0].unknown.erase("doubtful");
-    refined.buildings[1].unknown["doubtful"] = "0.90";
+    refined.buildings[0].doubt.reset();
+    refined.buildings[1].doubt = 0.90;
     document_->acceptRefinement(refined);
-    QVERIFY(!building(*document_, "N1").unknown.contains("doubtful"));
-    QCOMPARE(building(*document_, "N2").unknown.at("doubtful"), "0.90");
+    QVERIFY(!building(*document_, "N1").doubt);
+    QCOMPARE(building(*document_, "N2").doubt.value_or(0.0), 0.9);
     document_->changeBuilding("N2", moved(building(*document_, "N2"), Vec2(1.0, 0.0)), "Move");
-    QVERIFY(!building(*document_, "N2").unknown.contains("doubtful"));
+    QVERIFY(!building(*document_, "N2").doubt);
     document_->undoStack().undo();
     document_->undoStack().undo();
     QCOMPARE(document_->map(), map);

@@ -2,7 +2,6 @@
 #include <QTest>
 #include <memory>
 
-#include "core/map/map_flags.h"
 #include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/tools/toolbox.h"
@@ -50,7 +49,7 @@ class DoubtTest : public QObject {
     document_->setUncertainty({0.0, 0.0});
     const QImage before = picture();
     Building doubted = document_->map().buildings[0];
-    setFlag(doubted.unknown, kMayNotExistKey, true);
+    doubted.may_not_exist = true;
     document_->changeBuilding("A", doubted, "Doubt");
     QVERIFY(picture() != before);
   }
@@ -73,7 +72,7 @@ class DoubtTest : public QObject {
     QCOMPARE(key(), QString());
     document_->undoStack().undo();
     Building hidden = document_->map().buildings[0];
-    setFlag(hidden.unknown, kHiddenKey, true);
+    hidden.flags.hidden = true;
     document_->changeBuilding("A", hidden, "Hide");
     QCOMPARE(at(5.0), ground);
     QCOMPARE(key(), QString());

@@ -13,9 +13,7 @@
 #include <QTreeWidget>
 #include <memory>
 
-#include "core/map/map_flags.h"
 #include "core/map/map_io.h"
-#include "core/map/map_layers.h"
 #include "widgets/panels/drawing_layers_panel.h"
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/objects_panel.h"
@@ -288,13 +286,13 @@ class PanelsTest : public QObject {
       QCOMPARE(rowOf(model, key).siblingAtColumn(1).data(Qt::CheckStateRole).toInt(),
                int(Qt::Unchecked));
     }
-    QVERIFY(isHidden(building("A")) && isHidden(document_->map().landmarks[0]));
-    QVERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Route).hidden);
+    QVERIFY(building("A").flags.hidden && document_->map().landmarks[0].flags.hidden);
+    QVERIFY(stateOf(document_->map().layers, DrawingLayer::Route).hidden);
     QVERIFY(set(model.index(2, 0), 2, Qt::Checked));  // all buildings
-    QVERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Buildings).locked);
+    QVERIFY(stateOf(document_->map().layers, DrawingLayer::Buildings).locked);
     const std::string file = formatMap(document_->map());
     QCOMPARE(formatMap(parseMap(file, "m")), file);  // which keeps it
-    QVERIFY(isHidden(parseMap(file, "m").buildings[0]));
+    QVERIFY(parseMap(file, "m").buildings[0].flags.hidden);
     QVERIFY(!(model.flags(rowOf(model, "@start")) & Qt::ItemIsEditable));
     QVERIFY(!(model.flags(model.index(2, 0)) & Qt::ItemIsEditable));
     document_->undoStack().setIndex(0);
@@ -306,13 +304,13 @@ class PanelsTest : public QObject {
     QCOMPARE(number("start_position_sigma").text(), "0 m");
     type(number("start_position_sigma"), "2.5");
     type(number("start_heading_sigma"), "15");
-    const auto said = startUncertaintyOf(document_->map().unknown);
+    const auto said = document_->map().start_uncertainty;
     QVERIFY(said);
     QCOMPARE(said->position, 2.5);
     QCOMPARE(said->heading, toRadians(15.0));
     QCOMPARE(formatMap(parseMap(formatMap(document_->map()), "m")), formatMap(document_->map()));
     document_->undoStack().undo();
-    QCOMPARE(startUncertaintyOf(document_->map().unknown)->heading, 0.0);
+    QCOMPARE(document_->map().start_uncertainty->heading, 0.0);
     document_->undoStack().setIndex(0);
     QCOMPARE(document_->map(), sampleMap());  // where nothing was said
   }
@@ -323,14 +321,14 @@ class PanelsTest : public QObject {
     auto* tree = layers.findChild<QTreeWidget*>("drawing_layers");
     QCOMPARE(tree->topLevelItemCount(), 4);
     tree->topLevelItem(0)->setCheckState(1, Qt::Unchecked);
-    QTRY_VERIFY(stateOf(layersOf(document_->map()), DrawingLayer::Buildings).hidden);
+    QTRY_VERIFY(stateOf(document_->map().layers, DrawingLayer::Buildings).hidden);
     tree->setCurrentItem(tree->topLevelItem(3));
     layers.findChild<QSlider*>("layer_opacity")->setValue(40);
-    QCOMPARE(stateOf(layersOf(document_->map()), DrawingLayer::Route).opacity, 0.4);
+    QCOMPARE(stateOf(document_->map().layers, DrawingLayer::Route).opacity, 0.4);
     document_->setUnderlays({{"a.png", 0, 0, 1, 0, 1, {}}}, "Add");
     QCOMPARE(tree->topLevelItemCount(), 5);
     tree->topLevelItem(4)->setCheckState(2, Qt::Checked);
-    QTRY_VERIFY(isLocked(document_->map().underlays[0]));
+    QTRY_VERIFY(document_->map().underlays[0].flags.locked);
     document_->undoStack().setIndex(0);
     QCOMPARE(document_->map(), sampleMap());
   }
@@ -370,7 +368,7 @@ class PanelsTest : public QObject {
     type(number("position_sigma"), "1.7");
     QCOMPARE(sure.currentText(), QString("in numbers"));
     field<QCheckBox>("may_not_exist").click();
-    QVERIFY(mayNotExist(building("A")));
+    QVERIFY(building("A").may_not_exist);
     document_->setSelection({});
     auto& whole = field<QComboBox>("sure");
     whole.setCurrentIndex(2);

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/map/map_flags.h"
 #include "core/map/tangent_plane.h"
 #include "widgets/canvas/building_handles.h"
 #include "widgets/pictures/picture_file.h"
@@ -153,10 +152,10 @@ class PicturesTest : public QObject {
   }
 
   void lockedAndHiddenPicturesStayWhereTheyAre() {
-    for (const char* flag : {kLockedKey, kHiddenKey}) {
+    for (bool Flags::*const flag : {&Flags::locked, &Flags::hidden}) {
       Underlay locked = underlay();
       locked.unknown.clear();
-      setFlag(locked.unknown, flag, true);
+      locked.flags.*flag = true;
       document_->setUnderlays({locked}, "Lock");
       QVERIFY(!tool_->current());
       drag({30.0, 40.0}, {35.0, 42.0});

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/map/map_flags.h"
-#include "core/map/map_layers.h"
 
 namespace handmap {
 
@@ -48,10 +46,10 @@ void DoubtItem::rebuild() {
   any_may_not_exist_ = false;
   drawn_ = {};
   update();
-  const LayerStates layers = layersOf(map);
+  const LayerStates layers = map.layers;
   start_.reset();
   if (map.start && !stateOf(layers, DrawingLayer::Start).hidden) {
-    start_ = startUncertaintyOf(map.unknown);
+    start_ = map.start_uncertainty;
   }
   if (start_) {
     const double reach = std::max(kConeReach * start_->position, kCone_m);
@@ -63,7 +61,7 @@ void DoubtItem::rebuild() {
     const Vec2 size = boxes.box(i).high - boxes.box(i).low;
     bounds_ |= QRectF(boxes.box(i).low.x(), boxes.box(i).low.y(), size.x(), size.y());
     reach_ = std::max(reach_, sigmaOfWall(map.uncertaintyOf(map.buildings[i])));
-    any_may_not_exist_ |= mayNotExist(map.buildings[i]);
+    any_may_not_exist_ |= map.buildings[i].may_not_exist;
   }
   bounds_.adjust(-reach_, -reach_, reach_, reach_);
 }
@@ -79,9 +77,9 @@ std::vector<DoubtItem::Edge> DoubtItem::edgesIn(const QRectF& exposed,
                     {exposed.right() + reach_, exposed.bottom() + reach_}};
   for (const std::size_t i : document_.buildingIndex().touching(area)) {
     const Building& building = map.buildings[i];
-    Edge edge{{}, sigmaOfWall(map.uncertaintyOf(building)), mayNotExist(building)};
+    Edge edge{{}, sigmaOfWall(map.uncertaintyOf(building)), building.may_not_exist};
     const bool is_soft = edge.sigma * pixels_per_metre >= kLeastPx || edge.may_not_exist;
-    if (!is_soft || isHidden(building)) continue;
+    if (!is_soft || building.flags.hidden) continue;
     if (edges.size() == kMostEdges) return {};  // from so far away it would only be fog
     for (const Vec2& corner : building.footprint()) edge.outline << QPointF(corner.x(), corner.y());
     edges.push_back(std::move(edge));

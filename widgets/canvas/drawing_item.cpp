@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/map/map_flags.h"
 #include "widgets/canvas/symbols.h"
 
 namespace handmap {
@@ -68,12 +67,12 @@ void DrawingItem::rebuild() {
   bool same_ids = shapes_.size() == buildings.size();
   shapes_.resize(buildings.size());
   drawn_ = {};
-  layers_ = layersOf(document_.map());
+  layers_ = document_.map().layers;
   const bool none = layer(DrawingLayer::Buildings).hidden;
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     same_ids &= shapes_[i].id == buildings[i].id;
     if (!shapes_[i].shows(buildings[i])) shapes_[i] = shapeOf(buildings[i]);
-    shapes_[i].off = none || isHidden(buildings[i]);
+    shapes_[i].off = none || buildings[i].flags.hidden;
     if (!shapes_[i].off) drawn_ |= shapes_[i].bounds;
   }
   if (!same_ids) {
@@ -264,7 +263,7 @@ const Landmark& DrawingItem::shown(const Landmark& on_map) const {
 void DrawingItem::paintLandmarkLabels(QPainter& painter, const QTransform& to_device) const {
   if (layer(DrawingLayer::Landmarks).hidden) return;
   for (const Landmark& on_map : document_.map().landmarks) {
-    if (isHidden(on_map)) continue;
+    if (on_map.flags.hidden) continue;
     const Landmark& landmark = shown(on_map);
     const QString text =
         QString::fromStdString(landmark.name.empty() ? landmark.id : landmark.name);
@@ -293,7 +292,7 @@ void DrawingItem::paintSigns(QPainter& painter, const QTransform& to_device) con
 
   painter.setOpacity(layer(DrawingLayer::Landmarks).opacity);
   for (const Landmark& landmark : map.landmarks) {
-    if (layer(DrawingLayer::Landmarks).hidden || isHidden(landmark)) continue;
+    if (layer(DrawingLayer::Landmarks).hidden || landmark.flags.hidden) continue;
     const QString id = QString::fromStdString(landmark.id);
     paintLandmarkSymbol(painter, device(shown(landmark).position), ink(id, Role::Landmark), ground);
   }

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/map/map_layers.h"
 #include "widgets/canvas/tool.h"
 #include "widgets/style/colours.h"
 

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/map/map_flags.h"
-#include "core/map/map_layers.h"
 
 namespace handmap {
 
@@ -29,9 +27,9 @@ bool isOpen(const LayerStates& layers, DrawingLayer layer) {
 
 QString objectAt(const MapDocument& document, const Vec2& position, double reach) {
   const Map& map = document.map();
-  const LayerStates layers = layersOf(map);
+  const LayerStates layers = map.layers;
   for (const Landmark& landmark : map.landmarks)
-    if (isOpen(layers, DrawingLayer::Landmarks) && !isHidden(landmark) &&
+    if (isOpen(layers, DrawingLayer::Landmarks) && !landmark.flags.hidden &&
         (landmark.position - position).norm() <= 1.5 * reach)
       return QString::fromStdString(landmark.id);
   if (map.start && isOpen(layers, DrawingLayer::Start) &&
@@ -46,7 +44,7 @@ QString objectAt(const MapDocument& document, const Vec2& position, double reach
   const Bounds around{position.array() - reach, position.array() + reach};
   for (const std::size_t i : document.buildingIndex().touching(around)) {
     const Building& building = map.buildings[i];
-    if (isHidden(building)) continue;
+    if (building.flags.hidden) continue;
     const Polygon footprint = building.footprint();
     if (distanceTo(footprint, position) > reach) continue;
     const double area = std::abs(signedArea(footprint));
@@ -60,14 +58,14 @@ QString objectAt(const MapDocument& document, const Vec2& position, double reach
 QStringList objectsIn(const MapDocument& document, const Bounds& box) {
   const Map& map = document.map();
   QStringList keys;
-  const LayerStates layers = layersOf(map);
+  const LayerStates layers = map.layers;
   for (const std::size_t i : document.buildingIndex().touching(box)) {
     const Building& building = map.buildings[i];
-    if (isOpen(layers, DrawingLayer::Buildings) && !isHidden(building))
+    if (isOpen(layers, DrawingLayer::Buildings) && !building.flags.hidden)
       keys << QString::fromStdString(building.id);
   }
   for (const Landmark& landmark : map.landmarks)
-    if (isOpen(layers, DrawingLayer::Landmarks) && !isHidden(landmark) &&
+    if (isOpen(layers, DrawingLayer::Landmarks) && !landmark.flags.hidden &&
         isInside(box, landmark.position))
       keys << QString::fromStdString(landmark.id);
   if (map.start && isOpen(layers, DrawingLayer::Start) && isInside(box, map.start->position()))

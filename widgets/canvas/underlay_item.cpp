@@ -8,7 +8,6 @@
 #include <QThreadPool>
 
 #include "core/base/error.h"
-#include "core/map/map_flags.h"
 #include "core/map/references.h"
 #include "widgets/canvas/symbols.h"
 
@@ -118,14 +117,14 @@ void UnderlayItem::updateBounds() {
   prepareGeometryChange();
   bounds_ = {};
   for (const Underlay& underlay : shown())
-    if (!isHidden(underlay))
+    if (!underlay.flags.hidden)
       bounds_ |= toMap(underlay).mapRect(QRectF(QPointF(), sizeOf(underlay)));
   update();
 }
 
 void UnderlayItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   for (const Underlay& underlay : shown()) {
-    if (isHidden(underlay)) continue;
+    if (underlay.flags.hidden) continue;
     const Entry entry = entries_.value(pathOf(underlay));
     painter->save();
     painter->setTransform(toMap(underlay), true);

@@ -4,9 +4,6 @@
 #include <QObject>
 #include <QSet>
 
-#include "core/map/map_flags.h"
-#include "core/map/map_layers.h"
-
 namespace handmap {
 
 namespace {
@@ -63,8 +60,8 @@ MapChange selected(const Map& map, const QStringList& keys) {
 MapChange movable(const Map& map, const QStringList& keys) {
   MapChange objects = selected(map, keys);
   std::erase_if(objects.buildings, [](const Building& building) { return building.fixed; });
-  std::erase_if(objects.landmarks, [](const Landmark& landmark) { return isLocked(landmark); });
-  const LayerStates layers = layersOf(map);
+  std::erase_if(objects.landmarks, [](const Landmark& landmark) { return landmark.flags.locked; });
+  const LayerStates layers = map.layers;
   if (stateOf(layers, DrawingLayer::Buildings).locked) objects.buildings.clear();
   if (stateOf(layers, DrawingLayer::Landmarks).locked) objects.landmarks.clear();
   if (stateOf(layers, DrawingLayer::Start).locked) objects.start.reset();

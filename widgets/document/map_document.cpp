@@ -11,7 +11,6 @@
 
 #include "core/map/certainty.h"
 #include "core/map/map_io.h"
-#include "core/map/map_model.h"
 #include "core/map/references.h"
 
 namespace handmap {
@@ -161,10 +160,8 @@ void MapDocument::save(const QString& path) {
 
 void MapDocument::setModel(const QString& model, const QString& map_path) {
   if (origin_.isEmpty()) origin_ = map_path;
-  Map named;
-  named.unknown = map_.unknown;
-  handmap::setModel(named, nativePath(model), nativePath(origin_));
-  setMember(&Map::unknown, named.unknown, tr("Save Model with the Map"), false);
+  setMember(&Map::model, referenceFrom(nativePath(origin_), nativePath(model)),
+            tr("Save Model with the Map"), false);
 }
 
 void MapDocument::setTrustsReferences(bool trusts) {
@@ -336,9 +333,7 @@ void MapDocument::setStart(std::optional<Pose2> start, bool mergeable) {
 
 void MapDocument::setStartUncertainty(const std::optional<StartUncertainty>& uncertainty,
                                       bool mergeable) {
-  UnknownMembers members = map_.unknown;
-  handmap::setStartUncertainty(members, uncertainty);
-  setMember(&Map::unknown, std::move(members), tr("Change Uncertainty"), mergeable);
+  setMember(&Map::start_uncertainty, uncertainty, tr("Change Uncertainty"), mergeable);
 }
 
 void MapDocument::setRoute(std::vector<Vec2> route, bool mergeable) {
@@ -373,9 +368,7 @@ void MapDocument::setUnderlays(std::vector<Underlay> underlays, const QString& t
 }
 
 void MapDocument::setLayers(const LayerStates& layers, const QString& text, bool mergeable) {
-  UnknownMembers members = map_.unknown;
-  handmap::setLayers(members, layers);
-  setMember(&Map::unknown, std::move(members), text, mergeable);
+  setMember(&Map::layers, layers, text, mergeable);
 }
 
 void MapDocument::setGeoreference(std::optional<Georeference> georeference, bool mergeable) {

@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "core/map/map.h"
-#include "core/map/map_layers.h"
-#include "core/map/start_uncertainty.h"
 #include "core/sketching/box_index.h"
 #include "widgets/document/map_change.h"
 #include "widgets/document/toggle.h"

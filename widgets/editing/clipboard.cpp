@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
+#include "core/map/certainty.h"
 #include "core/map/map_io.h"
 #include "core/map/map_limits.h"
 
@@ -55,7 +56,7 @@ MapChange copiesFor(const Map& map, MapChange objects) {
   for (const Landmark& landmark : map.landmarks) names.insert(landmark.name);
   for (Building& building : objects.buildings) {
     building.estimate.reset();
-    building.unknown.erase("doubtful");
+    forgetCertainty(building);
     if (names.contains(building.name)) building.name.clear();
   }
   for (Landmark& landmark : objects.landmarks)

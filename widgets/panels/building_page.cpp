@@ -5,7 +5,6 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "core/map/map_flags.h"
 #include "core/map/map_limits.h"
 #include "widgets/canvas/building_handles.h"
 #include "widgets/panels/sure_box.h"
@@ -68,8 +67,7 @@ BuildingPage::BuildingPage(MapDocument& document) : PropertyPage(document, tr("B
   addField("may_not_exist", {}, may_not_exist_);
   connect(may_not_exist_, &QCheckBox::clicked, this, [this] {
     const bool may = may_not_exist_->checkState() != Qt::Unchecked;
-    edit(tr("Doubt Building"),
-         [may](Building& building) { setFlag(building.unknown, kMayNotExistKey, may); });
+    edit(tr("Doubt Building"), [may](Building& building) { building.may_not_exist = may; });
     this->document().finishMerging();
   });
   addUncertainty();
@@ -160,7 +158,7 @@ void BuildingPage::refresh() {
   depth_->showValue(box([](const Rectangle& b) { return b.depth; }));
   heading_->showValue(box(degrees));
   showFlag(*fixed_, common(shown, [](const Building& b) { return b.fixed; }));
-  showFlag(*may_not_exist_, common(shown, mayNotExist));
+  showFlag(*may_not_exist_, common(shown, [](const Building& b) { return b.may_not_exist; }));
   const auto* polygon = single ? std::get_if<Polygon>(&shown.front().shape) : nullptr;
   showField(*vertices_, polygon != nullptr);
   if (polygon != nullptr) vertices_->showPolygon(*polygon);

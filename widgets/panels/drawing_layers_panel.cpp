@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/map/map_flags.h"
-
 namespace handmap {
 
 namespace {
@@ -34,7 +32,7 @@ QString nameOf(DrawingLayer layer) {
 }
 
 LayerState stateOf(const Underlay& underlay) {
-  return {isHidden(underlay), isLocked(underlay), underlay.opacity};
+  return {underlay.flags.hidden, underlay.flags.locked, underlay.opacity};
 }
 
 }  // namespace
@@ -85,7 +83,7 @@ void DrawingLayersPanel::rebuild() {
   const QString before = chosen();
   filling_ = true;
   tree_->clear();
-  const LayerStates layers = layersOf(document_.map());
+  const LayerStates layers = document_.map().layers;
   for (std::size_t i = 0; i < layers.size(); ++i)
     addRow(QString::number(i), nameOf(static_cast<DrawingLayer>(i)), layers[i]);
   const std::vector<Underlay>& pictures = document_.map().underlays;
@@ -115,7 +113,7 @@ void DrawingLayersPanel::addRow(const QString& key, const QString& name, const L
 
 LayerState DrawingLayersPanel::stateOfRow(const QString& key) const {
   if (const auto place = pictureIndex(key)) return stateOf(document_.map().underlays.at(*place));
-  return layersOf(document_.map()).at(key.toULongLong());
+  return document_.map().layers.at(key.toULongLong());
 }
 
 void DrawingLayersPanel::setState(const QString& key, const LayerState& state, const QString& text,
@@ -124,12 +122,12 @@ void DrawingLayersPanel::setState(const QString& key, const LayerState& state, c
     std::vector<Underlay> pictures = document_.map().underlays;
     if (*place >= pictures.size()) return;  // gone meanwhile
     Underlay& picture = pictures[*place];
-    setFlag(picture.unknown, kHiddenKey, state.hidden);
-    setFlag(picture.unknown, kLockedKey, state.locked);
+    picture.flags.hidden = state.hidden;
+    picture.flags.locked = state.locked;
     picture.opacity = state.opacity;
     return document_.setUnderlays(std::move(pictures), text, mergeable);
   }
-  LayerStates layers = layersOf(document_.map());
+  LayerStates layers = document_.map().layers;
   layers.at(key.toULongLong()) = state;
   document_.setLayers(layers, text, mergeable);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/map/map_flags.h"
 #include "widgets/style/icons.h"
 
 namespace handmap {
@@ -95,7 +94,7 @@ void ObjectTreeModel::rebuild() {
 
 ObjectTreeModel::Look ObjectTreeModel::lookOf(const Building& building) {
   return {building.name,
-          {isHidden(building), building.fixed},
+          {building.flags.hidden, building.fixed},
           std::holds_alternative<Rectangle>(building.shape)};
 }
 
@@ -292,18 +291,18 @@ std::optional<ObjectTreeModel::State> ObjectTreeModel::stateOf(const QModelIndex
   const std::size_t row = placeOf(index);
   if (isTop(index)) {
     if (kind == Kind::Pictures) return std::nullopt;
-    const LayerStates layers = layersOf(map);
+    const LayerStates layers = map.layers;
     const LayerState& state = handmap::stateOf(layers, layerOf(kind));
     return State{state.hidden, state.locked};
   }
   if (kind == Kind::Buildings && row < map.buildings.size()) {
-    return State{isHidden(map.buildings[row]), map.buildings[row].fixed};
+    return State{map.buildings[row].flags.hidden, map.buildings[row].fixed};
   }
   if (kind == Kind::Landmarks && row < map.landmarks.size()) {
-    return State{isHidden(map.landmarks[row]), isLocked(map.landmarks[row])};
+    return State{map.landmarks[row].flags.hidden, map.landmarks[row].flags.locked};
   }
   if (kind == Kind::Pictures && row < map.underlays.size()) {
-    return State{isHidden(map.underlays[row]), isLocked(map.underlays[row])};
+    return State{map.underlays[row].flags.hidden, map.underlays[row].flags.locked};
   }
   return std::nullopt;
 }
@@ -378,31 +377,28 @@ bool ObjectTreeModel::rename(const QModelIndex& index, const QString& name) {
 bool ObjectTreeModel::setFlag(const QModelIndex& index, bool on) {
   if (!stateOf(index)) return false;
   const bool is_lock = index.column() == LockedColumn;
-  const char* flag = is_lock ? kLockedKey : kHiddenKey;
+  bool Flags::*flag = is_lock ? &Flags::locked : &Flags::hidden;
   const bool wanted = is_lock ? on : !on;
   const QString name = textOf(index);
   const QString text = is_lock ? tr("Lock %1").arg(name) : tr("Show or Hide %1").arg(name);
   if (isTop(index)) return setLayerFlag(kindOf(index), is_lock, wanted, text);
   if (kindOf(index) == Kind::Pictures) {
     std::vector<Underlay> pictures = document_.map().underlays;
-    handmap::setFlag(pictures[placeOf(index)].unknown, flag, wanted);
+    pictures[placeOf(index)].flags.*flag = wanted;
     document_.setUnderlays(std::move(pictures), text);
     return true;
   }
   MapChange change = selected(document_.map(), {keyOf(index)});
   for (Building& building : change.buildings) {
-    if (is_lock)
-      building.fixed = wanted;
-    else
-      handmap::setFlag(building.unknown, flag, wanted);
+    (is_lock ? building.fixed : building.flags.hidden) = wanted;
   }
-  for (Landmark& landmark : change.landmarks) handmap::setFlag(landmark.unknown, flag, wanted);
+  for (Landmark& landmark : change.landmarks) landmark.flags.*flag = wanted;
   document_.apply(change, text);
   return true;
 }
 
 bool ObjectTreeModel::setLayerFlag(Kind kind, bool is_lock, bool wanted, const QString& text) {
-  LayerStates layers = layersOf(document_.map());
+  LayerStates layers = document_.map().layers;
   LayerState& state = layers[static_cast<std::size_t>(layerOf(kind))];
   (is_lock ? state.locked : state.hidden) = wanted;
   document_.setLayers(layers, text);

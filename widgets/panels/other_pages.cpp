@@ -64,7 +64,7 @@ StartPage::StartPage(MapDocument& document) : PropertyPage(document, tr("Start o
 }
 
 void StartPage::editUncertainty(double StartUncertainty::*member, double value) {
-  auto changed = startUncertaintyOf(document().map().unknown).value_or(StartUncertainty{});
+  auto changed = document().map().start_uncertainty.value_or(StartUncertainty{});
   changed.*member = value;
   const bool said = changed != StartUncertainty{};
   document().setStartUncertainty(said ? std::optional(changed) : std::nullopt, true);
@@ -82,7 +82,7 @@ void StartPage::refresh() {
   x_->showValue(start->x);
   y_->showValue(start->y);
   heading_->showValue(toDegrees(normalizedAngle(start->heading)));
-  const auto sure = startUncertaintyOf(document().map().unknown).value_or(StartUncertainty{});
+  const auto sure = document().map().start_uncertainty.value_or(StartUncertainty{});
   position_sigma_->showValue(sure.position);
   heading_sigma_->showValue(toDegrees(sure.heading));
 }

@@ -6,7 +6,6 @@
 #include <QPushButton>
 #include <utility>
 
-#include "core/map/map_flags.h"
 #include "core/map/map_limits.h"
 #include "widgets/tools/picture_tool.h"
 
@@ -33,8 +32,8 @@ PicturePage::PicturePage(MapDocument& document) : PropertyPage(document, tr("Pic
   heading_ = addHeading(set(&Underlay::heading, tr("Turn Picture"), toRadians(1.0)));
   opacity_ = addNumber("opacity", tr("Opacity"), 0.0, kPercent, tr(" %"),
                        set(&Underlay::opacity, tr("Fade Picture"), 1.0 / kPercent));
-  hidden_ = addFlag("hidden", tr("Hidden"), tr("Hide Picture"), kHiddenKey);
-  locked_ = addFlag("locked", tr("Locked: stays where it is"), tr("Lock Picture"), kLockedKey);
+  hidden_ = addFlag("hidden", tr("Hidden"), tr("Hide Picture"), &Flags::hidden);
+  locked_ = addFlag("locked", tr("Locked: stays where it is"), tr("Lock Picture"), &Flags::locked);
   addTool();
 }
 
@@ -74,11 +73,11 @@ void PicturePage::setTool(PictureTool& tool) {
 }
 
 QCheckBox* PicturePage::addFlag(const char* name, const QString& text, const QString& step,
-                                const char* key) {
+                                bool Flags::*flag) {
   auto* box = new QCheckBox(text);
   addField(name, {}, box);
-  connect(box, &QCheckBox::clicked, this, [this, step, key](bool on) {
-    edit(step, false, [&](Underlay& underlay) { setFlag(underlay.unknown, key, on); });
+  connect(box, &QCheckBox::clicked, this, [this, step, flag](bool on) {
+    edit(step, false, [&](Underlay& underlay) { underlay.flags.*flag = on; });
   });
   return box;
 }
@@ -109,8 +108,8 @@ void PicturePage::refresh() {
   scale_->showValue(underlay.metres_per_pixel);
   heading_->showValue(toDegrees(normalizedAngle(underlay.heading)));
   opacity_->showValue(kPercent * underlay.opacity);
-  hidden_->setChecked(handmap::isHidden(underlay));
-  locked_->setChecked(isLocked(underlay));
+  hidden_->setChecked(underlay.flags.hidden);
+  locked_->setChecked(underlay.flags.locked);
   refreshTool();
 }
 

@@ -28,7 +28,7 @@ class PicturePage : public PropertyPage {
   std::optional<std::size_t> place() const;
   template <typename Change>
   void edit(const QString& text, bool mergeable, Change change);
-  QCheckBox* addFlag(const char* name, const QString& text, const QString& step, const char* key);
+  QCheckBox* addFlag(const char* name, const QString& text, const QString& step, bool Flags::*flag);
   void addTool();
   void refreshTool();
 

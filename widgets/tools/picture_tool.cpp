@@ -4,7 +4,6 @@
 #include <QSize>
 #include <algorithm>
 
-#include "core/map/map_flags.h"
 #include "core/map/map_limits.h"
 #include "widgets/canvas/building_handles.h"
 #include "widgets/tools/tool_painting.h"
@@ -99,7 +98,7 @@ std::optional<std::size_t> PictureTool::current() const {
   const auto selected = pictureIndex(document().selection().value(0));
   const std::size_t place = selected ? *selected : underlays.size() - 1;
   const bool can =
-      place < underlays.size() && !isLocked(underlays[place]) && !isHidden(underlays[place]);
+      place < underlays.size() && !underlays[place].flags.locked && !underlays[place].flags.hidden;
   return can ? std::optional(place) : std::nullopt;
 }
 

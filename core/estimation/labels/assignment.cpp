@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/map/map_flags.h"
 
 namespace handmap {
 
@@ -47,7 +46,7 @@ class Assigner {
         log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
       drawn_.push_back(building.box());
-      const double phantom = mayNotExist(building) ? options.uncertain_phantom : options.phantom;
+      const double phantom = building.may_not_exist ? options.uncertain_phantom : options.phantom;
       log_present_.push_back(std::log((1.0 - phantom) / phantom));
     }
     for (const FoundBox& box : found) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/estimation/labels/pairing.h"
-#include "core/map/start_uncertainty.h"
 
 namespace handmap {
 

@@ -219,7 +219,7 @@ TEST(HandmapEstimator, SwarmsLieAroundTheBuildingsAsTheEstimateSays) {
   for (const BuildingSwarm& swarm : swarms) {
     ASSERT_EQ(swarm.members.size(), 50u);
     const Building& building = refined.buildings[swarm.building];
-    if (building.unknown.contains("doubtful")) continue;
+    if (building.doubt) continue;
     double squares = 0.0;
     for (const Rectangle& member : swarm.members) {
       squares += std::pow(member.centre.x() - building.box().centre.x(), 2);

@@ -280,7 +280,7 @@ TEST(FastSlamPsom, ParticlesOfAStartThatIsNotSureLieAsItMayLie) {
   options.slam_particles = 4000;
   const FastSlamPsom sure(map, {}, options, 1);
   for (const Particle& particle : sure.particles()) EXPECT_EQ(particle.pose, *map.start);
-  setStartUncertainty(map.unknown, StartUncertainty{2.0, toRadians(10.0)});
+  map.start_uncertainty = StartUncertainty{2.0, toRadians(10.0)};
   const FastSlamPsom slam(map, {}, options, 1);
   EXPECT_EQ(slam.particles().front().pose, *map.start);
   double squares = 0.0;

@@ -39,17 +39,20 @@ TEST(Certainty, WhatTheRunToldIsKeptInTheFile) {
   EXPECT_EQ(doubtOf(read.buildings[0]), 0.25);
   Building forgotten = read.buildings[0];
   forgetCertainty(forgotten);
-  EXPECT_EQ(forgotten.unknown, box(0.3).unknown);
+  EXPECT_FALSE(forgotten.sides || forgotten.doubt);
+  EXPECT_TRUE(forgotten.unknown.empty());
   EXPECT_EQ(doubtOf(forgotten), 0.0);
 }
 
-TEST(Certainty, NonsenseInTheFileIsAsIfItWereNotThere) {
-  for (const char* sigmas : {"[1,2,3]", "[1,2,3,-4]", "[1,2,3,\"x\"]", "7", "[", "{\"a\":1}", ""}) {
-    Building building = box(0.0);
-    const Sides usual = sidesOf(building);
-    building.unknown["wall_sigma_m"] = sigmas;
-    building.unknown["walls_seen"] = "[true,true,true,true]";
-    EXPECT_EQ(sidesOf(building), usual) << sigmas;
+TEST(Certainty, NonsenseInTheFileIsAsIfItWereNotThereAndStays) {
+  Map map;
+  map.buildings = {box(0.0)};
+  const Sides usual = sidesOf(map.buildings[0]);
+  for (const char* sigmas : {"[1,2,3]", "[1,2,3,-4]", "[1,2,3,\"x\"]", "7", "{\"a\":1}", "null"}) {
+    map.buildings[0].unknown = {{"wall_sigma_m", sigmas}, {"walls_seen", "[true,true,true,true]"}};
+    const Map read = parseMap(formatMap(map), "text");
+    EXPECT_EQ(sidesOf(read.buildings[0]), usual) << sigmas;
+    EXPECT_EQ(read, map);
   }
 }
 

@@ -1,5 +1,3 @@
-#include "core/map/start_uncertainty.h"
-
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -18,28 +16,26 @@ Map parsed(const std::string& member) {
 
 TEST(StartUncertainty, IsReadFromItsMember) {
   const Map map = parsed(R"({"position_m":2.5,"heading_deg":20})");
-  const auto uncertainty = startUncertaintyOf(map.unknown);
+  const auto uncertainty = map.start_uncertainty;
   ASSERT_TRUE(uncertainty);
   EXPECT_DOUBLE_EQ(uncertainty->position, 2.5);
   EXPECT_DOUBLE_EQ(toDegrees(uncertainty->heading), 20.0);
 }
 
 TEST(StartUncertainty, MayBeAbsentAndBeTakenAway) {
-  Map map;
-  EXPECT_FALSE(startUncertaintyOf(map.unknown));
-  setStartUncertainty(map.unknown, StartUncertainty{1.0, 0.1});
-  ASSERT_TRUE(startUncertaintyOf(map.unknown));
-  setStartUncertainty(map.unknown, std::nullopt);
-  EXPECT_TRUE(map.unknown.empty());
+  EXPECT_FALSE(Map().start_uncertainty);
+  Map map = parsed(R"({"position_m":2.5,"heading_deg":20})");
+  map.start_uncertainty.reset();
+  EXPECT_EQ(formatMap(map).find("start_uncertainty"), std::string::npos);
 }
 
 TEST(StartUncertainty, SurvivesTheFile) {
   Map map;
   map.start = Pose2{1.0, 2.0, 0.0};
-  setStartUncertainty(map.unknown, StartUncertainty{1.25, toRadians(12.5)});
+  map.start_uncertainty = StartUncertainty{1.25, toRadians(12.5)};
   const Map again = parseMap(formatMap(map), "again");
   EXPECT_EQ(again, map);
-  EXPECT_NEAR(startUncertaintyOf(again.unknown)->heading, toRadians(12.5), 1e-12);
+  EXPECT_NEAR(again.start_uncertainty->heading, toRadians(12.5), 1e-12);
 }
 
 TEST(StartUncertainty, OfNonsenseTheFileAndThePlaceAreTold) {

@@ -37,7 +37,7 @@ TEST(UnderlayFit, PixelsGoDownAndTheMapUp) {
 }
 
 TEST(UnderlayFit, TwoOrThreePairsFindTheSimilarity) {
-  const Underlay before{"plan.png", 0.0, 0.0, 1.0, 0.0, 0.5, {{"source", "\"city\""}}};
+  const Underlay before{"plan.png", 0.0, 0.0, 1.0, 0.0, 0.5, {}, {{"source", "\"city\""}}};
   for (const std::size_t count : {2u, 3u}) {
     const auto fit = fitted(before, pairsOf(kTurned, count));
     ASSERT_TRUE(fit);

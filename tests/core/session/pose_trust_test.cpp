@@ -39,7 +39,7 @@ TEST(PoseTrust, TellsOfTheBuildingsThatWereSeen) {
     building.estimate = Estimate{0.1, 0.3, 0.8, i};
     map.buildings.push_back(building);
   }
-  map.buildings[2].unknown["doubtful"] = "0.50";
+  map.buildings[2].doubt = 0.5;
   const auto trust = trustOf(map);
   ASSERT_EQ(trust.size(), 2U);
   EXPECT_EQ(trust[0].building, 1U);

@@ -15,8 +15,8 @@ namespace {
 constexpr double kTickM = 1.0;
 constexpr double kTickAtLeastPx = 7.0;
 constexpr double kDensityAtLeastPx = 5.0;
-constexpr double kCloudMarginM = 20.0;   // room for ticks of that many pixels when zoomed out far
-constexpr int kDensityCells = 256;  // on the longer side
+constexpr double kCloudMarginM = 20.0;  // room for ticks of that many pixels when zoomed out far
+constexpr int kDensityCells = 256;      // on the longer side
 
 QRectF boundsOf(const std::vector<ParticleView>& particles) {
   if (particles.empty()) return {};
@@ -40,7 +40,8 @@ void ParticlesItem::setParticles(const std::vector<ParticleView>& particles) {
   prepareGeometryChange();
   particle_bounds_ = boundsOf(particles);
   bounds_ = particles.empty() ? QRectF()
-                              : particle_bounds_.adjusted(-kCloudMarginM, -kMarginM, kMarginM, kMarginM);
+                              : particle_bounds_.adjusted(-kCloudMarginM, -kCloudMarginM,
+                                                          kCloudMarginM, kCloudMarginM);
   for (auto& shade : shades_) shade.clear();
   density_ = {};
   if (particles.size() > kDensityFrom) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/map/map_flags.h"
 
 namespace handmap {
 namespace {
@@ -231,7 +230,7 @@ TEST(Assignment, WhatMayNotExistNeedsABetterMatch) {
   building.id = "A";
   building.shape = Rectangle{{40.0, 20.0}, 20.0, 15.0, 0.0};
   const auto share = [&](double off, bool may_not_exist) {
-    setFlag(building.unknown, kMayNotExistKey, may_not_exist);
+    building.may_not_exist = may_not_exist;
     c.drawing.buildings = {building};
     c.found = {foundAt({{40.0 + off, 20.0}, 20.0, 15.0, 0.0})};
     double with = 0.0;

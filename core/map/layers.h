@@ -1,10 +1,9 @@
-// The layers of a drawing: how all objects of a kind are shown and edited. Kept in the file as a
-// member of our own, "handmap:layers"; a run does not look at it.
+// The layers of a drawing: how all objects of a kind are shown and edited. A run does not look at
+// it.
 #pragma once
 
 #include <array>
-
-#include "core/map/map.h"
+#include <cstddef>
 
 namespace handmap {
 
@@ -18,11 +17,6 @@ struct LayerState {
 };
 
 using LayerStates = std::array<LayerState, static_cast<std::size_t>(DrawingLayer::Count)>;
-
-/// What the map says; a damaged member counts as absent.
-LayerStates layersOf(const Map& map);
-/// `members` are the unknown members of a map.
-void setLayers(UnknownMembers& members, const LayerStates& states);
 
 inline const LayerState& stateOf(const LayerStates& states, DrawingLayer layer) {
   return states[static_cast<std::size_t>(layer)];
