@@ -17,6 +17,7 @@
 #include "app/gui/window/application.h"
 #include "app/gui/window/batch.h"
 #include "app/gui/window/command_line.h"
+#include "app/gui/window/guide_pictures.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/narrator.h"
 #include "core/base/error.h"
@@ -107,6 +108,10 @@ int runProgram(Application& app, const CommandLine& line) {
   });
   applySetup(window, line);
   if (line.verbose) new Narrator(window);
+  if (!line.guide_folder.isEmpty()) {
+    new GuidePictures(window, line.guide_folder);
+    return app.exec();
+  }
   if (line.isBatch()) new Batch(window, line);
   window.show();
   openDrawing(window, line);

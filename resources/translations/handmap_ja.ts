@@ -735,6 +735,14 @@
         <source>Hold a checkerboard before a stereo camera, so that it measures.</source>
         <translation>ステレオカメラの前に市松模様の板をかざし、距離を測れるようにします。</translation>
     </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>手引き(&amp;G)</translation>
+    </message>
+    <message>
+        <source>How everything is done, with pictures.</source>
+        <translation>すべてのやり方を画像つきで説明します。</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -4300,6 +4308,38 @@ Observations: %4</source>
     <message>
         <source>Straighten to %1</source>
         <translation>%1に整える</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::GuideWindow</name>
+    <message>
+        <source>The guide</source>
+        <translation>手引き</translation>
+    </message>
+    <message>
+        <source>A page of the guide</source>
+        <translation>手引きのページ</translation>
+    </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>手引きの中を探す</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>進む</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <extracomment>The folder of the guide in this language, under resources/guide.</extracomment>
+        <translation>ja</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@
 namespace handmap {
 namespace {
 
-constexpr int kPatienceMs = 20'000;
+constexpr int kRecoveryPatienceMs = 20'000;
 
 Building house(double x) {
   Building building;
@@ -46,7 +46,7 @@ struct Session {
         [&] {
           return std::ranges::any_of(settings.allKeys().filter("recovery_sessions"), is_there);
         },
-        kPatienceMs);
+        kRecoveryPatienceMs);
   }
 
   MapDocument document;
@@ -69,8 +69,8 @@ class RecoveryTest : public testing::Test {
     crashing->document.reset({}, project);
     const qsizetype before = crashing->settings.allKeys().size();
     for (int i = 0; i < buildings; ++i) crashing->document.addBuilding(house(20.0 * i));
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return crashing->settings.allKeys().size() > before; }, kPatienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return crashing->settings.allKeys().size() > before; },
+                                kRecoveryPatienceMs));
     return crashing->document.map();
   }
   QStringList recoveryFiles(const QString& folder) const {
@@ -148,7 +148,8 @@ TEST_F(RecoveryTest, NothingIsKeptOfWhatIsSavedOrTakenBack) {
   here->document.addBuilding(house(0.0));
   ASSERT_TRUE(here->hasKept());
   here->document.undoStack().undo();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return recoveryFiles(path("kept")).isEmpty(); }, kPatienceMs));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return recoveryFiles(path("kept")).isEmpty(); }, kRecoveryPatienceMs));
 }
 
 TEST_F(RecoveryTest, AnotherFolderIsTriedAndSaidOnce) {
@@ -168,7 +169,7 @@ TEST_F(RecoveryTest, AnotherFolderIsTriedAndSaidOnce) {
   const auto nowhere = session({path("no-folder") + "/below"});
   QSignalSpy lost(&nowhere->recovery, &Recovery::cannotKeep);
   nowhere->document.addBuilding(house(0.0));
-  ASSERT_TRUE(lost.wait(kPatienceMs));
+  ASSERT_TRUE(lost.wait(kRecoveryPatienceMs));
   EXPECT_TRUE(lost[0][1].toString().isEmpty());
 }
 
@@ -178,7 +179,7 @@ TEST_F(RecoveryTest, IsInTheSettingsBeforeItsFileIsThere) {
   const auto here = session({path("no-folder") + "/below"});
   QSignalSpy lost(&here->recovery, &Recovery::cannotKeep);
   here->document.addBuilding(house(0.0));
-  ASSERT_TRUE(lost.wait(kPatienceMs)) << "there is never a file";
+  ASSERT_TRUE(lost.wait(kRecoveryPatienceMs)) << "there is never a file";
   here->settings.sync();
   EXPECT_EQ(here->settings.allKeys().filter("recovery_sessions").size(), 1);
   EXPECT_TRUE(session()->recovery.takeLeftBehind().empty());
@@ -203,12 +204,13 @@ TEST_F(RecoveryTest, TheSettingsKnowAllPlacesOfAFileThatMoves) {
     const QStringList keys = here->settings.allKeys().filter("recovery_sessions");
     return keys.size() == 1 ? here->settings.value(keys.front()).toStringList() : QStringList();
   };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return places().size() == 3; }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return places().size() == 3; }, kRecoveryPatienceMs));
   EXPECT_EQ(places().filter("untitled").size(), 1);
   EXPECT_EQ(places().filter("street").size(), 2) << "beside its project, else in the usual folder";
   here->recovery.clear();
   EXPECT_TRUE(places().isEmpty());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return recoveryFiles(path("kept")).isEmpty(); }, kPatienceMs));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return recoveryFiles(path("kept")).isEmpty(); }, kRecoveryPatienceMs));
 }
 
 TEST_F(RecoveryTest, AFolderThatIsGoneIsNotMadeAnew) {

@@ -296,10 +296,12 @@ constexpr std::array kActions = {
         QT_TRANSLATE_NOOP("Actions", "Show in your own images what is a building and what is not."),
         Menu::Run, ToolBar::None, Push, true},
 
+    ActionSpec{"help.guide", QT_TRANSLATE_NOOP("Actions", "&Guide"), "", "F1",
+               QT_TRANSLATE_NOOP("Actions", "How everything is done, with pictures."), Menu::Help},
     ActionSpec{"help.commands", QT_TRANSLATE_NOOP("Actions", "&Command Palette…"), "",
                "Ctrl+Shift+P", QT_TRANSLATE_NOOP("Actions", "Find any command by a few letters."),
                Menu::Help},
-    ActionSpec{"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard Shortcuts"), "", "F1",
+    ActionSpec{"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard Shortcuts"), "", "Ctrl+/",
                QT_TRANSLATE_NOOP("Actions", "Show and change every key."), Menu::Help},
     ActionSpec{"help.tour", QT_TRANSLATE_NOOP("Actions", "&Tour"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Show in five steps where things are."), Menu::Help},

@@ -13,6 +13,7 @@
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/command_palette.h"
 #include "widgets/actions/keys_panel.h"
+#include "widgets/guide/guide_window.h"
 
 namespace handmap {
 
@@ -53,6 +54,7 @@ QMenu* gather(QMenu& menu, const QString& title, const ActionSet& actions,
 
 Comfort::Comfort(const Shell& shell, FileActions& files, const Sights& sights, QObject* parent)
     : QObject(parent),
+      window_(shell.window),
       palette_(new CommandPalette(shell.actions, shell.window)),
       tour_(new Tour(stepsOf(sights), shell.window)) {
   shell.actions.restoreKeys(shell.settings);
@@ -66,6 +68,7 @@ Comfort::Comfort(const Shell& shell, FileActions& files, const Sights& sights, Q
                   keys);
   connect(keys, &KeysPanel::keysChanged, this,
           [&shell] { shell.actions.saveKeys(shell.settings); });
+  shell.actions.on("help.guide", this, [this] { openGuide(); });
   shell.actions.on("help.commands", this, [this] { palette_->open(); });
   shell.actions.on("help.shortcuts", this, [&shell, keys] { shell.docks.show(*keys); });
   shell.actions.on("help.tour", this, [this] { beginTour(); });
@@ -83,5 +86,17 @@ void Comfort::tidy(const QMenuBar& menu_bar, const ActionSet& actions) {
 }
 
 void Comfort::beginTour() { tour_->begin(); }
+
+/// Where it was left, if it is open.
+void Comfort::openGuide() {
+  if (!guide_) {
+    guide_ = new GuideWindow(&window_);
+    guide_->setAttribute(Qt::WA_DeleteOnClose);
+    guide_->open();
+  }
+  guide_->show();
+  guide_->raise();
+  guide_->activateWindow();
+}
 
 }  // namespace handmap

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 
 #include "app/gui/shell/shell.h"
 
@@ -15,6 +16,7 @@ namespace handmap {
 class ActionSet;
 class CommandPalette;
 class FileActions;
+class GuideWindow;
 class Tour;
 
 class Comfort : public QObject {
@@ -33,9 +35,12 @@ class Comfort : public QObject {
   /// Puts what belongs together into menus of its own.
   static void tidy(const QMenuBar& menu_bar, const ActionSet& actions);
   void beginTour();
+  void openGuide();
 
  private:
+  QWidget& window_;
   CommandPalette* palette_;
+  QPointer<GuideWindow> guide_;
   Tour* tour_;
 };
 

@@ -74,6 +74,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
        "Run as fast as possible, print the errors before and after, write the refined map, the "
        "trajectory and a screenshot to DIR, and leave.",
        "DIR"},
+      {"guide-pictures", "Make the pictures of the guide in DIR, and leave.", "DIR"},
   });
   if (!parser.parse(withVirtualRig(arguments))) refuse(parser.errorText());
   if (parser.isSet("help")) parser.showHelp();
@@ -92,8 +93,10 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   if (parser.isSet("seed")) line.seed = wholeNumber(parser, "seed");
   line.demo = parser.isSet("demo");
   line.report_folder = parser.value("offscreen-report");
+  line.guide_folder = parser.value("guide-pictures");
   line.exit_after_run = parser.isSet("exit-after-run");
   line.verbose = parser.isSet("verbose");
+  if (!line.guide_folder.isEmpty()) return line;
   line.run = parser.isSet("run") || line.demo || line.isBatch();
   if (line.demo && !(line.map.isEmpty() && line.recording.isEmpty())) {
     refuse(QStringLiteral("--demo brings its own map and robot"));

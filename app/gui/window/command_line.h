@@ -20,10 +20,13 @@ struct CommandLine {
   bool run = false;
   bool exit_after_run = false;
   bool verbose = false;
+  QString guide_folder;   ///< empty: no pictures of the guide
   QString report_folder;  ///< empty: no report; otherwise the run goes as fast as possible
 
   /// The program ends with the run and speaks through its exit status.
-  bool isBatch() const { return exit_after_run || !report_folder.isEmpty(); }
+  bool isBatch() const {
+    return exit_after_run || !report_folder.isEmpty() || !guide_folder.isEmpty();
+  }
 };
 
 /// Handles --help and --version. Throws Error (Usage) for what cannot be.

@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   const RunPanels& runPanels() { return run_panels_; }
   TeachPanel& teach() { return *teach_; }
   Docks& docks() { return docks_; }
+  PropertyPanel& properties() { return editing_panels_.properties; }
   TransportBar& transport() { return *transport_; }
   MessageBar& messages() { return *messages_; }
 
