@@ -25,10 +25,15 @@ MapChanges changesOf(const Map& drawing, const Map& refined) {
   return changes;
 }
 
-std::optional<double> errorOf(const Building& building, const Map& truth) {
-  const Building* true_one = truth.find(building.id);
-  if (true_one == nullptr) return std::nullopt;
-  return (centroid(building.footprint()) - centroid(true_one->footprint())).norm();
+TrueMiddles::TrueMiddles(const Map& truth) {
+  for (const Building& building : truth.buildings)
+    middles_.emplace(building.id, centroid(building.footprint()));
+}
+
+std::optional<double> TrueMiddles::errorOf(const Building& building) const {
+  const auto middle = middles_.find(building.id);
+  if (middle == middles_.end()) return std::nullopt;
+  return (centroid(building.footprint()) - middle->second).norm();
 }
 
 }  // namespace handmap

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/map/map.h"
@@ -29,8 +31,15 @@ struct MapChanges {
 /// `refined`: of a run on `drawing`, its buildings in the same order.
 MapChanges changesOf(const Map& drawing, const Map& refined);
 
-/// Distance between the middles of a building and of the one of the same id. nullopt: there is
-/// none.
-std::optional<double> errorOf(const Building& building, const Map& truth);
+/// The true middles of buildings, by their ids.
+class TrueMiddles {
+ public:
+  explicit TrueMiddles(const Map& truth);
+  /// Metres from the middle of the building to the true one of the same id. nullopt: there is none.
+  std::optional<double> errorOf(const Building& building) const;
+
+ private:
+  std::unordered_map<std::string, Vec2> middles_;
+};
 
 }  // namespace handmap

@@ -39,13 +39,22 @@ BoxIndex::BoxIndex(std::vector<Bounds> boxes) : boxes_(std::move(boxes)) {
   };
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     if (!for_cells(i, [&](std::size_t cell) { ++starts_[cell + 1]; }))
-      large_.push_back(static_cast<std::uint32_t>(i));
+      loose_.push_back(static_cast<std::uint32_t>(i));
   }
   for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
   items_.resize(starts_.back());
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
   for (std::size_t i = 0; i < boxes_.size(); ++i)
     for_cells(i, [&](std::size_t cell) { items_[next[cell]++] = static_cast<std::uint32_t>(i); });
+}
+
+/// The cells still name it where it was: whoever looks there looks at the box itself.
+void BoxIndex::set(std::size_t i, const Bounds& box) {
+  boxes_[i] = box;
+  const auto number = static_cast<std::uint32_t>(i);
+  if (std::ranges::find(loose_, number) != loose_.end()) return;
+  loose_.push_back(number);
+  ++loosened_;
 }
 
 BoxIndex::Cells BoxIndex::cellsOf(const Bounds& area) const {
@@ -71,7 +80,7 @@ std::vector<std::size_t> BoxIndex::touching(const Bounds& area) const {
     const auto last = static_cast<std::size_t>(row * columns_ + cells.right);
     for (std::uint32_t at = starts_[first]; at < starts_[last + 1]; ++at) take(items_[at]);
   }
-  for (const std::uint32_t i : large_) take(i);
+  for (const std::uint32_t i : loose_) take(i);
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

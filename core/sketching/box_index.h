@@ -16,6 +16,10 @@ class BoxIndex {
 
   std::size_t size() const { return boxes_.size(); }
   const Bounds& box(std::size_t i) const { return boxes_[i]; }
+  /// Another box in place of that one. Every search looks at each that was set: after many, make
+  /// the index anew.
+  void set(std::size_t i, const Bounds& box);
+  std::size_t loosened() const { return loosened_; }  ///< how many were set
   /// Of boxes that share a point with `area`, their borders included; in rising order.
   std::vector<std::size_t> touching(const Bounds& area) const;
 
@@ -33,7 +37,8 @@ class BoxIndex {
   std::int64_t rows_ = 0;
   std::vector<std::uint32_t> starts_;  ///< of each cell's part of items_
   std::vector<std::uint32_t> items_;
-  std::vector<std::uint32_t> large_;  ///< boxes over many cells
+  std::vector<std::uint32_t> loose_;  ///< boxes over many cells, and those that were set
+  std::size_t loosened_ = 0;
 };
 
 }  // namespace handmap

@@ -217,8 +217,7 @@ TEST_F(WindowTest, SavingTheMapSavesWhatWasTaughtAndIsInNoFile) {
   ASSERT_TRUE(window->files().save());
   EXPECT_TRUE(QFile::exists(path("yard.model.json")));
   EXPECT_FALSE(teach.isUnsaved());
-  EXPECT_EQ(readMap(path("yard.handmap").toStdString()).unknown.at("handmap:model"),
-            "\"yard.model.json\"");
+  EXPECT_EQ(readMap(path("yard.handmap").toStdString()).model, "yard.model.json");
 }
 
 }  // namespace

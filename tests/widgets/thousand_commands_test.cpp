@@ -1,13 +1,8 @@
 // A thousand random commands of every kind, taken back and done again at random: the same bytes.
 #include <QTest>
 
-#include "core/base/random.h"
 #include "core/map/map_io.h"
-#include "tests/widgets/tool_events.h"
-#include "widgets/editing/arranging.h"
-#include "widgets/editing/clipboard.h"
-#include "widgets/tools/corner_handles.h"
-#include "widgets/tools/select_tool.h"
+#include "tests/widgets/random_edits.h"
 
 namespace handmap {
 
@@ -15,108 +10,32 @@ namespace {
 
 constexpr int kCommands = 1000;
 
-Vec2 somewhere(RandomStream& random) {
-  return roundedTo({random.uniform(-200.0, 200.0), random.uniform(-200.0, 200.0)}, 0.01);
-}
-
-Building house(RandomStream& random) {
-  Building building;
-  const Vec2 at = somewhere(random);
-  if (random.uniform() < 0.5) {
-    building.shape = Rectangle{at, random.uniform(5.0, 40.0), random.uniform(5.0, 20.0),
-                               random.uniform(-kPi, kPi)};
+/// Takes from the map only what it is told to be others.
+void follow(Map& shadow, const Map& map, const Touched& touched) {
+  if (touched.listed) {
+    shadow.buildings = map.buildings;
   } else {
-    Polygon l_shape = {{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 16}, {0, 16}};
-    for (Vec2& corner : l_shape) corner += at;
-    building.shape = l_shape;
+    for (const std::size_t place : touched.buildings)
+      shadow.buildings.at(place) = map.buildings.at(place);
   }
-  return building;
-}
-
-void select(MapDocument& document, RandomStream& random) {
-  QStringList keys;
-  const QStringList all = allKeys(document.map());
-  for (int i = 0; i < 4 && !all.isEmpty(); ++i) keys << all[random.index(int(all.size()))];
-  document.setSelection(keys);
-}
-
-void changeCorner(MapDocument& document, RandomStream& random) {
-  document.setSelection(document.selection().mid(0, 1));
-  SelectTool tool(document);
-  key(tool, Qt::Key_Return);
-  for (int i = random.index(6); i > 0; --i) key(tool, Qt::Key_Tab);
-  const int what = random.index(4);
-  if (what == 0)
-    tool.addCornerBehindChosen();
-  else if (what == 1)
-    tool.removeChosenCorner();
-  else
-    key(tool, what == 2 ? Qt::Key_Right : Qt::Key_Up, Qt::ShiftModifier);
-}
-
-void arrange(MapDocument& document, RandomStream& random) {
-  const Map& map = document.map();
-  const QStringList keys = document.selection();
-  switch (random.index(6)) {
-    case 0:
-      return document.apply(aligned(map, keys, static_cast<Alignment>(random.index(6))), "Align");
-    case 1:
-      return document.apply(distributed(map, keys, random.index(2) ? Along::X : Along::Y),
-                            "Distribute");
-    case 2:
-      return document.apply(squaredUp(map, keys), "Square");
-    case 3:
-      return document.apply(madeParallel(map, keys), "Parallel");
-    case 4:
-      return document.apply(asPolygons(map, keys), "Polygon");
-    default:
-      return document.apply(lockToggled(map, keys), "Lock");
+  if (touched.landmarks) shadow.landmarks = map.landmarks;
+  if (touched.start) {
+    shadow.start = map.start;
+    shadow.start_uncertainty = map.start_uncertainty;
   }
-}
-
-void edit(MapDocument& document, RandomStream& random) {
-  select(document, random);
-  const Map& map = document.map();
-  const QStringList keys = document.selection();
-  switch (random.index(10)) {
-    case 0:
-    case 1:
-      document.addBuilding(house(random));
-      break;
-    case 2:
-      document.apply(moved(movable(map, keys), somewhere(random)), "Move", random.index(2) == 0);
-      break;
-    case 3:
-      document.add(copiesFor(map, moved(objectsOf(*clipboardData(map, keys)), {3.0, -3.0})),
-                   "Paste");
-      break;
-    case 4:
-      document.remove(keys.mid(0, 2));
-      break;
-    case 5:
-      if (!keys.isEmpty()) document.rename(keys[0], QString::number(random.index(1000)));
-      break;
-    case 6:
-      changeCorner(document, random);
-      break;
-    case 7: {
-      std::vector<Vec2> route = map.route;
-      route.push_back(somewhere(random));
-      if (random.index(2) == 0)
-        document.setRoute(route);
-      else
-        document.setStart(Pose2{route[0].x(), route[0].y(), random.uniform(-kPi, kPi)});
-      break;
-    }
-    case 8: {
-      Landmark landmark;
-      landmark.position = somewhere(random);
-      document.addLandmark(landmark);
-      break;
-    }
-    default:
-      arrange(document, random);
-  }
+  if (touched.route) shadow.route = map.route;
+  if (touched.underlays) shadow.underlays = map.underlays;
+  if (touched.layers) shadow.layers = map.layers;
+  if (!touched.rest) return;
+  Map rest = map;
+  rest.buildings = std::move(shadow.buildings);
+  rest.landmarks = std::move(shadow.landmarks);
+  rest.start = shadow.start;
+  rest.start_uncertainty = shadow.start_uncertainty;
+  rest.route = std::move(shadow.route);
+  rest.underlays = std::move(shadow.underlays);
+  rest.layers = shadow.layers;
+  shadow = std::move(rest);
 }
 
 }  // namespace
@@ -136,10 +55,19 @@ class ThousandCommandsTest : public QObject {
     MapDocument document;
     QUndoStack& undo = document.undoStack();
     const Map empty = document.map();
+    Map shadow = empty;
+    connect(&document, &MapDocument::mapChanged, this,
+            [&](const Touched& touched) { follow(shadow, document.map(), touched); });
     std::vector<Map> after = {empty};  // each number of commands
     while (undo.count() < kCommands) {
-      edit(document, random);
+      editAtRandom(document, random);
       document.finishMerging();
+      QVERIFY(shadow == document.map());
+      for (std::size_t i = 0; i < document.map().buildings.size(); ++i) {
+        const Bounds box = document.buildingIndex().box(i);
+        const Bounds now = boundsOf(document.map().buildings[i]);
+        QVERIFY(box.low == now.low && box.high == now.high);
+      }
       after.resize(static_cast<std::size_t>(undo.index()));
       after.push_back(document.map());
       QCOMPARE(after.size(), static_cast<std::size_t>(undo.count()) + 1);
@@ -152,6 +80,7 @@ class ThousandCommandsTest : public QObject {
     for (int i = 0; i < 300; ++i) {
       undo.setIndex(random.index(kCommands + 1));
       QVERIFY(document.map() == after[static_cast<std::size_t>(undo.index())]);
+      QVERIFY(shadow == document.map());
     }
     undo.setIndex(0);
     QVERIFY(document.map() == empty);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace handmap {
 
 namespace {
@@ -29,41 +28,52 @@ double sigmaOfWall(const Uncertainty& uncertainty) {
 
 DoubtItem::DoubtItem(const MapDocument& document) : document_(document) {
   setFlag(ItemUsesExtendedStyleOption);  // for exposedRect
-  rebuild();
+  follow(Touched::everything());
 }
 
 void DoubtItem::setColours(const Colours& colours) {
   colours_ = &colours;
-  drawn_ = {};
+  still_.forget();
   update();
 }
 
-void DoubtItem::rebuild() {
+void DoubtItem::follow(const Touched& touched) {
   prepareGeometryChange();
+  still_.forget();
+  update();
   const Map& map = document_.map();
-  bounds_ = {};
+  if (touched.onlyPlaces()) {
+    // What was wider before stays in the bounds: they may be too wide.
+    if (stateOf(map.layers, DrawingLayer::Buildings).hidden) return;
+    for (const std::size_t place : touched.buildings) include(place);
+    return;
+  }
+  around_start_ = {};
+  buildings_ = {};
   reach_ = 0.0;
   any_may_not_exist_ = false;
-  drawn_ = {};
-  update();
-  const LayerStates layers = map.layers;
   start_.reset();
-  if (map.start && !stateOf(layers, DrawingLayer::Start).hidden) {
-    start_ = map.start_uncertainty;
-  }
+  if (map.start && !stateOf(map.layers, DrawingLayer::Start).hidden) start_ = map.start_uncertainty;
   if (start_) {
     const double reach = std::max(kConeReach * start_->position, kCone_m);
-    bounds_ = QRectF(map.start->x - reach, map.start->y - reach, 2.0 * reach, 2.0 * reach);
+    around_start_ = QRectF(map.start->x - reach, map.start->y - reach, 2.0 * reach, 2.0 * reach);
   }
-  if (stateOf(layers, DrawingLayer::Buildings).hidden) return;
-  const BoxIndex& boxes = document_.buildingIndex();
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vec2 size = boxes.box(i).high - boxes.box(i).low;
-    bounds_ |= QRectF(boxes.box(i).low.x(), boxes.box(i).low.y(), size.x(), size.y());
-    reach_ = std::max(reach_, sigmaOfWall(map.uncertaintyOf(map.buildings[i])));
-    any_may_not_exist_ |= map.buildings[i].may_not_exist;
-  }
-  bounds_.adjust(-reach_, -reach_, reach_, reach_);
+  if (stateOf(map.layers, DrawingLayer::Buildings).hidden) return;
+  for (std::size_t i = 0; i < map.buildings.size(); ++i) include(i);
+}
+
+void DoubtItem::include(std::size_t place) {
+  const Building& building = document_.map().buildings[place];
+  const Bounds& box = document_.buildingIndex().box(place);
+  const Vec2 size = box.high - box.low;
+  buildings_ |= QRectF(box.low.x(), box.low.y(), size.x(), size.y());
+  reach_ = std::max(reach_, sigmaOfWall(document_.map().uncertaintyOf(building)));
+  any_may_not_exist_ |= building.may_not_exist;
+}
+
+QRectF DoubtItem::boundingRect() const {
+  if (buildings_.isNull()) return around_start_;
+  return around_start_ | buildings_.adjusted(-reach_, -reach_, reach_, reach_);
 }
 
 /// Those in sight whose edges can be seen.
@@ -71,7 +81,7 @@ std::vector<DoubtItem::Edge> DoubtItem::edgesIn(const QRectF& exposed,
                                                 double pixels_per_metre) const {
   const Map& map = document_.map();
   std::vector<Edge> edges;
-  if (bounds_.isNull() || (reach_ * pixels_per_metre < kLeastPx && !any_may_not_exist_))
+  if (buildings_.isNull() || (reach_ * pixels_per_metre < kLeastPx && !any_may_not_exist_))
     return edges;
   const Bounds area{{exposed.left() - reach_, exposed.top() - reach_},
                     {exposed.right() + reach_, exposed.bottom() + reach_}};
@@ -90,22 +100,10 @@ std::vector<DoubtItem::Edge> DoubtItem::edgesIn(const QRectF& exposed,
 void DoubtItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const QTransform to_device = painter->worldTransform();
   const QRect area = to_device.mapRect(option->exposedRect).toAlignedRect();
-  // Wide lines take long; while the view rests, as in a drag, they are those of the last frame.
-  if (drawn_.isNull() || drawn_for_ != to_device || drawn_area_ != area ||
-      drawn_.devicePixelRatio() != painter->device()->devicePixelRatioF()) {
-    const double ratio = painter->device()->devicePixelRatioF();
-    drawn_ = QPixmap((QSizeF(area.size()) * ratio).toSize().expandedTo({1, 1}));
-    drawn_.setDevicePixelRatio(ratio);
-    drawn_.fill(Qt::transparent);
-    drawn_for_ = to_device;
-    drawn_area_ = area;
-    QPainter on_picture(&drawn_);
-    on_picture.setFont(painter->font());
-    on_picture.translate(-area.topLeft());
-    paintEdges(on_picture, to_device, option->exposedRect);
-  }
   painter->setWorldTransform({});
-  painter->drawPixmap(area.topLeft(), drawn_);
+  still_.show(*painter, to_device, area, [&](QPainter& on_picture) {
+    paintEdges(on_picture, to_device, option->exposedRect);
+  });
   painter->setWorldTransform(to_device);
 }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <QGraphicsItem>
-#include <QPixmap>
 #include <vector>
 
+#include "widgets/canvas/still_picture.h"
 #include "widgets/document/map_document.h"
 #include "widgets/style/colours.h"
 
@@ -15,10 +15,10 @@ class DoubtItem : public QGraphicsItem {
  public:
   explicit DoubtItem(const MapDocument& document);
 
-  void rebuild();  ///< the map is another
+  void follow(const Touched& touched);
   void setColours(const Colours& colours);
 
-  QRectF boundingRect() const override { return bounds_; }
+  QRectF boundingRect() const override;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
@@ -28,6 +28,7 @@ class DoubtItem : public QGraphicsItem {
     bool may_not_exist;
   };
 
+  void include(std::size_t place);
   void paintEdges(QPainter& painter, const QTransform& to_device, const QRectF& exposed) const;
   void paintStart(QPainter& painter, const QTransform& to_device) const;
   std::vector<Edge> edgesIn(const QRectF& exposed, double pixels_per_metre) const;
@@ -37,11 +38,9 @@ class DoubtItem : public QGraphicsItem {
   double reach_ = 0.0;  ///< the widest edge, metres
   bool any_may_not_exist_ = false;
   std::optional<StartUncertainty> start_;
-  QRectF bounds_;
-  // The last frame, in device pixels
-  QPixmap drawn_;
-  QTransform drawn_for_;
-  QRect drawn_area_;
+  QRectF around_start_;
+  QRectF buildings_;    ///< without their edges
+  StillPicture still_;  ///< wide lines take long
 };
 
 }  // namespace handmap

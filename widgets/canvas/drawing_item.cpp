@@ -11,6 +11,7 @@ namespace handmap {
 
 namespace {
 
+constexpr double kPenPx = 4.0;  ///< around what is drawn
 constexpr double kDotPx = 3.0;  ///< smaller buildings are dots
 constexpr double kDotOfManyPx = 8.0;
 constexpr double kMarkedPx = 18.0;  ///< smaller buildings show no lock
@@ -35,12 +36,23 @@ QPointF crisp(const QPointF& point) {
 
 DrawingItem::DrawingItem(const MapDocument& document) : document_(document) {
   setFlag(ItemUsesExtendedStyleOption);  // for exposedRect
-  rebuild();
+  follow(Touched::everything());
 }
 
 void DrawingItem::setColours(const Colours& colours) {
   colours_ = &colours;
+  forgetStills();
   update();
+}
+
+void DrawingItem::setLabelOutlines(const QHash<QString, QPolygonF>& outlines) {
+  label_outlines_ = outlines;
+  still_labels_.forget();
+}
+
+void DrawingItem::forgetStills() {
+  still_.forget();
+  still_labels_.forget();
 }
 
 bool DrawingItem::Shape::shows(const Building& building) const {
@@ -62,26 +74,31 @@ DrawingItem::Shape DrawingItem::shapeOf(const Building& building) const {
   return shape;
 }
 
-void DrawingItem::rebuild() {
-  const std::vector<Building>& buildings = document_.map().buildings;
-  bool same_ids = shapes_.size() == buildings.size();
-  shapes_.resize(buildings.size());
-  drawn_ = {};
+void DrawingItem::follow(const Touched& touched) {
+  const std::size_t count = document_.map().buildings.size();
   layers_ = document_.map().layers;
-  const bool none = layer(DrawingLayer::Buildings).hidden;
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    same_ids &= shapes_[i].id == buildings[i].id;
-    if (!shapes_[i].shows(buildings[i])) shapes_[i] = shapeOf(buildings[i]);
-    shapes_[i].off = none || buildings[i].flags.hidden;
-    if (!shapes_[i].off) drawn_ |= shapes_[i].bounds;
+  if (touched.listed || touched.layers) {
+    shapes_.resize(count);
+    drawn_ = {};
+    for (std::size_t i = 0; i < count; ++i) takeBuilding(i);
+  } else {
+    for (const std::size_t place : touched.buildings) takeBuilding(place);
   }
-  if (!same_ids) {
+  if (touched.listed) {
     places_.clear();
-    places_.reserve(shapes_.size());
-    for (std::size_t i = 0; i < shapes_.size(); ++i) places_.emplace(shapes_[i].id, i);
+    places_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) places_.emplace(shapes_[i].id, i);
   }
   reselect();
   showPreviewed();
+}
+
+void DrawingItem::takeBuilding(std::size_t place) {
+  const Building& building = document_.map().buildings[place];
+  Shape& shape = shapes_[place];
+  if (!shape.shows(building)) shape = shapeOf(building);
+  shape.off = layer(DrawingLayer::Buildings).hidden || building.flags.hidden;
+  if (!shape.off) drawn_ |= shape.bounds;
 }
 
 void DrawingItem::reselect() {
@@ -95,24 +112,30 @@ void DrawingItem::reselect() {
   const QStringList keys = document_.selection();
   selected_ = QSet<QString>(keys.begin(), keys.end());
   mark(true);
+  forgetStills();
   update();
 }
 
 void DrawingItem::setPreview(const MapChange* preview) {
   if (!preview && preview_.isEmpty()) return;
-  for (const Shape& shape : previewed_)
-    if (const auto place = places_.find(shape.id); place != places_.end())
-      shapes_[place->second].hidden = false;
-  preview_ = preview ? *preview : MapChange();
+  const MapChange before = std::exchange(preview_, preview != nullptr ? *preview : MapChange());
+  if (!std::ranges::equal(before.buildings, preview_.buildings, {}, &Building::id, &Building::id)) {
+    for (const Building& building : before.buildings) hide(building.id, false);
+    forgetStills();
+  }
   showPreviewed();
+}
+
+void DrawingItem::hide(const std::string& id, bool hidden) {
+  if (const auto place = places_.find(id); place != places_.end())
+    shapes_[place->second].hidden = hidden;
 }
 
 void DrawingItem::showPreviewed() {
   previewed_.clear();
   for (const Building& building : preview_.buildings) {
     previewed_.push_back(shapeOf(building));
-    if (const auto place = places_.find(building.id); place != places_.end())
-      shapes_[place->second].hidden = true;
+    hide(building.id, true);
   }
   updateBounds();
   update();
@@ -136,11 +159,21 @@ void DrawingItem::updateBounds() {
 
 void DrawingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const QTransform to_device = painter->worldTransform();
+  const QRectF exposed = option->exposedRect;
   painter->save();
   painter->setWorldTransform({});
   painter->setRenderHint(QPainter::Antialiasing);
-  painter->setOpacity(layer(DrawingLayer::Buildings).opacity);
-  paintBuildings(*painter, visible(option->exposedRect), to_device);
+  const QRectF still = to_device.mapRect(exposed & drawn_);
+  const double opacity = layer(DrawingLayer::Buildings).opacity;
+  if (!still.isEmpty())
+    still_.show(*painter, to_device,
+                still.adjusted(-kPenPx, -kPenPx, kPenPx, kPenPx).toAlignedRect(),
+                [&](QPainter& on_picture) {
+                  on_picture.setOpacity(opacity);
+                  paintBuildings(on_picture, visible(exposed), to_device);
+                });
+  painter->setOpacity(opacity);
+  paintBuildings(*painter, previewedIn(exposed), to_device);
   paintSigns(*painter, to_device);
   painter->restore();
 }
@@ -150,6 +183,11 @@ DrawingItem::Shapes DrawingItem::visible(const QRectF& exposed) const {
   const Bounds area{{exposed.left(), exposed.top()}, {exposed.right(), exposed.bottom()}};
   for (const std::size_t i : document_.buildingIndex().touching(area))
     if (i < shapes_.size() && !shapes_[i].hidden && !shapes_[i].off) shapes.push_back(&shapes_[i]);
+  return shapes;
+}
+
+DrawingItem::Shapes DrawingItem::previewedIn(const QRectF& exposed) const {
+  Shapes shapes;
   for (const Shape& shape : previewed_)
     if (shape.bounds.intersects(exposed)) shapes.push_back(&shape);
   return shapes;
@@ -202,9 +240,19 @@ void DrawingItem::paintBuildings(QPainter& painter, const Shapes& shapes,
 void DrawingItem::paintLabels(QPainter& painter, const QTransform& to_device,
                               const QRectF& exposed) const {
   paintLandmarkLabels(painter, to_device);
+  still_labels_.show(painter, to_device, to_device.mapRect(exposed).toAlignedRect(),
+                     [&](QPainter& on_picture) {
+                       on_picture.setRenderHint(QPainter::Antialiasing);
+                       paintLabels(on_picture, visible(exposed), to_device);
+                     });
+  paintLabels(painter, previewedIn(exposed), to_device);
+}
+
+void DrawingItem::paintLabels(QPainter& painter, const Shapes& shapes,
+                              const QTransform& to_device) const {
   const double scale = std::hypot(to_device.m11(), to_device.m12());
   const double line = painter.fontMetrics().height();
-  for (const Shape* shape : visible(exposed)) {
+  for (const Shape* shape : shapes) {
     const double size = std::max(shape->bounds.width(), shape->bounds.height()) * scale;
     if (size >= line || shape->selected) paintLabel(painter, *shape, to_device);
   }

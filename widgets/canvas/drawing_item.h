@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "widgets/canvas/still_picture.h"
 #include "widgets/canvas/tool.h"
 #include "widgets/style/colours.h"
 
@@ -18,13 +19,13 @@ class DrawingItem : public QGraphicsItem {
  public:
   explicit DrawingItem(const MapDocument& document);
 
-  void rebuild();   ///< the map is another; what has not changed in it costs next to nothing
+  void follow(const Touched& touched);
   void reselect();  ///< what is selected is another
   /// Shown in place of the objects of the same ids; nullptr: nothing.
   void setPreview(const MapChange* preview);
   void setColours(const Colours& colours);
   /// By id: where labels stand in place of the drawn outlines.
-  void setLabelOutlines(const QHash<QString, QPolygonF>& outlines) { label_outlines_ = outlines; }
+  void setLabelOutlines(const QHash<QString, QPolygonF>& outlines);
 
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -53,8 +54,13 @@ class DrawingItem : public QGraphicsItem {
   const LayerState& layer(DrawingLayer which) const { return stateOf(layers_, which); }
   void updateBounds();
   void showPreviewed();
-  Shapes visible(const QRectF& exposed) const;
+  void hide(const std::string& id, bool hidden);
+  void takeBuilding(std::size_t place);
+  void forgetStills();
+  Shapes visible(const QRectF& exposed) const;  ///< without what is previewed
+  Shapes previewedIn(const QRectF& exposed) const;
   void paintBuildings(QPainter& painter, const Shapes& shapes, const QTransform& to_device) const;
+  void paintLabels(QPainter& painter, const Shapes& shapes, const QTransform& to_device) const;
   void paintLabel(QPainter& painter, const Shape& shape, const QTransform& to_device) const;
   void paintLandmarkLabels(QPainter& painter, const QTransform& to_device) const;
   const Landmark& shown(const Landmark& on_map) const;
@@ -69,8 +75,11 @@ class DrawingItem : public QGraphicsItem {
   MapChange preview_;
   LayerStates layers_;
   QSet<QString> selected_;
-  QRectF drawn_;  ///< around shapes_
+  QRectF drawn_;  ///< around shapes_, or wider
   QRectF bounds_;
+  // What a tool does not move: a drag paints it once.
+  StillPicture still_;
+  mutable StillPicture still_labels_;
 };
 
 }  // namespace handmap

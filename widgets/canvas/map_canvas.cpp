@@ -75,10 +75,10 @@ MapCanvas::MapCanvas(MapDocument& document, QWidget* parent)
   makeOverlays();
   tools_.push_back(std::make_unique<NoTool>(document_));
   tool_ = tools_.back().get();
-  connect(&document_, &MapDocument::mapChanged, this, [this] {
-    underlays_->rebuild();
-    doubt_->rebuild();
-    drawing_->rebuild();
+  connect(&document_, &MapDocument::mapChanged, this, [this](const Touched& touched) {
+    if (touched.underlays) underlays_->rebuild();
+    doubt_->follow(touched);
+    drawing_->follow(touched);
     onToolChanged();
   });
   connect(&document_, &MapDocument::trustChanged, this, [this] { underlays_->reload(); });

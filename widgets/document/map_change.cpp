@@ -2,7 +2,8 @@
 
 #include <QFileInfo>
 #include <QObject>
-#include <QSet>
+#include <string>
+#include <unordered_set>
 
 namespace handmap {
 
@@ -46,14 +47,15 @@ QStringList allKeys(const Map& map) {
 }
 
 MapChange selected(const Map& map, const QStringList& keys) {
-  const QSet<QString> wanted(keys.begin(), keys.end());
+  std::unordered_set<std::string> wanted;
+  for (const QString& key : keys) wanted.insert(key.toStdString());
   MapChange objects;
   for (const Building& building : map.buildings)
-    if (wanted.contains(QString::fromStdString(building.id))) objects.buildings.push_back(building);
+    if (wanted.contains(building.id)) objects.buildings.push_back(building);
   for (const Landmark& landmark : map.landmarks)
-    if (wanted.contains(QString::fromStdString(landmark.id))) objects.landmarks.push_back(landmark);
-  if (wanted.contains(kStartKey)) objects.start = map.start;
-  if (wanted.contains(kRouteKey)) objects.route = map.route;
+    if (wanted.contains(landmark.id)) objects.landmarks.push_back(landmark);
+  if (keys.contains(kStartKey)) objects.start = map.start;
+  if (keys.contains(kRouteKey)) objects.route = map.route;
   return objects;
 }
 
@@ -61,7 +63,7 @@ MapChange movable(const Map& map, const QStringList& keys) {
   MapChange objects = selected(map, keys);
   std::erase_if(objects.buildings, [](const Building& building) { return building.fixed; });
   std::erase_if(objects.landmarks, [](const Landmark& landmark) { return landmark.flags.locked; });
-  const LayerStates layers = map.layers;
+  const LayerStates& layers = map.layers;
   if (stateOf(layers, DrawingLayer::Buildings).locked) objects.buildings.clear();
   if (stateOf(layers, DrawingLayer::Landmarks).locked) objects.landmarks.clear();
   if (stateOf(layers, DrawingLayer::Start).locked) objects.start.reset();

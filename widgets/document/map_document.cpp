@@ -6,11 +6,11 @@
 #include <QUndoCommand>
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "core/map/certainty.h"
 #include "core/map/map_io.h"
+#include "core/map/places.h"
 #include "core/map/references.h"
 
 namespace handmap {
@@ -19,14 +19,6 @@ namespace {
 
 std::filesystem::path nativePath(const QString& path) {
   return QFile::encodeName(path).toStdString();
-}
-
-/// Every id with its place in the list.
-template <typename Item>
-std::unordered_map<std::string_view, std::size_t> placesOf(const std::vector<Item>& items) {
-  std::unordered_map<std::string_view, std::size_t> places;
-  for (std::size_t i = 0; i < items.size(); ++i) places.emplace(items[i].id, i);
-  return places;
 }
 
 /// Those of `changed` that are in the list and differ from it, at their places.
@@ -95,17 +87,18 @@ Building corrected(Building drawn, const Building& refined) {
 
 class MapDocument::Command : public QUndoCommand {
  public:
-  Command(Map& map, std::vector<Toggle> toggles, const QString& text, QString merge_key)
+  Command(MapDocument& document, std::vector<Toggle> toggles, const QString& text,
+          QString merge_key)
       : QUndoCommand(text),
-        map_(map),
+        document_(document),
         toggles_(std::move(toggles)),
         merge_key_(std::move(merge_key)) {}
 
   void redo() override {
-    for (Toggle& toggle : toggles_) toggle(map_);
+    for (Toggle& toggle : toggles_) flip(toggle);
   }
   void undo() override {
-    std::for_each(toggles_.rbegin(), toggles_.rend(), [&](Toggle& toggle) { toggle(map_); });
+    std::for_each(toggles_.rbegin(), toggles_.rend(), [&](Toggle& toggle) { flip(toggle); });
   }
   int id() const override { return merge_key_.isEmpty() ? -1 : 1; }
   /// The map holds the newest values and this command the oldest: the ones between may go.
@@ -114,7 +107,12 @@ class MapDocument::Command : public QUndoCommand {
   }
 
  private:
-  Map& map_;
+  void flip(Toggle& toggle) {
+    toggle.flip(document_.map_);
+    document_.touched_ |= toggle.touched;
+  }
+
+  MapDocument& document_;
   std::vector<Toggle> toggles_;
   QString merge_key_;
 };
@@ -138,6 +136,7 @@ void MapDocument::reset(Map map, QString path, const QString& origin) {
   origin_ = origin.isEmpty() ? file_path_ : origin;
   if (!origin_.isEmpty()) origin_ = QFileInfo(origin_).absoluteFilePath();
   trusts_references_ = false;
+  touched_ = Touched::everything();
   const bool had_steps = undo_stack_.count() > 0;
   undo_stack_.clear();
   if (!had_steps) onIndexChanged();
@@ -298,7 +297,9 @@ bool MapDocument::rename(const QString& id, const QString& new_id) {
   const auto renamed = [&]<typename Item>(std::vector<Item> Map::*list) {
     Placed<Item> items = chosen(map_.*list, {id});
     for (auto& entry : items) entry.second.id = wanted.toStdString();
-    return swapItems(list, std::move(items));
+    Toggle renaming = swapItems(list, std::move(items));
+    renaming.touched = renaming.touched.anyBuilding() ? Touched{.listed = true} : renaming.touched;
+    return renaming;
   };
   QStringList selected = selection_;
   std::ranges::replace(selected, id, wanted);
@@ -408,10 +409,29 @@ QStringList MapDocument::editedSince(const Map& before) const {
   return edited;
 }
 
+void MapDocument::followInIndex(const std::vector<std::size_t>& places) {
+  constexpr std::size_t kMostLoose = 64;  // few beside those that a search finds in its cells
+  if (!building_index_) return;
+  if (building_index_->loosened() + places.size() > kMostLoose) return building_index_.reset();
+  for (const std::size_t place : places)
+    building_index_->set(place, handmap::boundsOf(map_.buildings[place]));
+}
+
 void MapDocument::onIndexChanged() {
-  building_index_.reset();
-  setSelection(selection_);  // drops what is gone
-  Q_EMIT mapChanged();
+  Touched touched = std::exchange(touched_, {});
+  if (touched.listed) {
+    touched.buildings.clear();
+    building_index_.reset();
+    setSelection(selection_);  // drops what is gone
+  } else {
+    std::ranges::sort(touched.buildings);
+    const auto twice = std::ranges::unique(touched.buildings);
+    touched.buildings.erase(twice.begin(), twice.end());
+    followInIndex(touched.buildings);
+    if (touched.landmarks || touched.start || touched.route || touched.underlays)
+      setSelection(selection_);
+  }
+  Q_EMIT mapChanged(touched);
   if (file_path_.isEmpty()) Q_EMIT fileChanged();  // the name of the map may be the display name
 }
 
@@ -419,7 +439,7 @@ void MapDocument::push(std::vector<Toggle> toggles, const QString& text, const Q
   if (toggles.empty()) return;
   const QString key =
       merge_key.isEmpty() ? merge_key : QStringLiteral("%1 #%2").arg(merge_key).arg(merge_run_);
-  undo_stack_.push(new Command(map_, std::move(toggles), text, key));
+  undo_stack_.push(new Command(*this, std::move(toggles), text, key));
 }
 
 std::unordered_set<std::string_view> MapDocument::takenIds() const {

@@ -16,9 +16,9 @@
 
 namespace handmap {
 
-/// Every change is one command on undoStack() and ends with mapChanged(); commands hold only what
-/// they change. Units as in core/map/map.h. The caller answers for finite numbers and simple,
-/// counter-clockwise polygons.
+/// Every change is one command on undoStack() and ends with mapChanged(), which tells what it has
+/// touched; commands hold only what they change. Units as in core/map/map.h. The caller answers for
+/// finite numbers and simple, counter-clockwise polygons.
 class MapDocument : public QObject {
   Q_OBJECT
   Q_DISABLE_COPY_MOVE(MapDocument)
@@ -27,7 +27,7 @@ class MapDocument : public QObject {
   ~MapDocument() override;
 
   const Map& map() const { return map_; }
-  /// The boxes around map().buildings, in their order; made anew after each change when asked for.
+  /// The boxes around map().buildings, in their order.
   const BoxIndex& buildingIndex() const;
   QUndoStack& undoStack() { return undo_stack_; }
 
@@ -96,7 +96,7 @@ class MapDocument : public QObject {
   void finishMerging() { ++merge_run_; }
 
  Q_SIGNALS:
-  void mapChanged();
+  void mapChanged(const Touched& touched);
   void selectionChanged();
   void fileChanged();  ///< path, display name or isModified()
   void trustChanged();
@@ -108,6 +108,7 @@ class MapDocument : public QObject {
   template <typename Value>
   void setMember(Value Map::*member, Value value, const QString& text, bool mergeable);
   void onIndexChanged();
+  void followInIndex(const std::vector<std::size_t>& places);
   std::unordered_set<std::string_view> takenIds() const;
   std::string freeId(char prefix, const std::string& wanted) const;
 
@@ -117,7 +118,8 @@ class MapDocument : public QObject {
   QString origin_;
   bool trusts_references_ = false;
   QStringList selection_;
-  mutable std::optional<BoxIndex> building_index_;
+  mutable std::optional<BoxIndex> building_index_;  ///< absent: to be made when asked for
+  Touched touched_;                                 ///< since mapChanged()
   int merge_run_ = 0;
 };
 

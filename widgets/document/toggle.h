@@ -4,14 +4,33 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "core/map/map.h"
+#include "widgets/document/touched.h"
 
 namespace handmap {
 
-using Toggle = std::function<void(Map&)>;
+struct Toggle {
+  std::function<void(Map&)> flip;
+  Touched touched;
+};
+
+/// By a member of the map as a whole.
+template <typename Value>
+Touched touchedBy() {
+  if constexpr (std::is_same_v<Value, std::vector<Building>>) return {.listed = true};
+  if constexpr (std::is_same_v<Value, std::vector<Landmark>>) return {.landmarks = true};
+  if constexpr (std::is_same_v<Value, std::vector<Underlay>>) return {.underlays = true};
+  if constexpr (std::is_same_v<Value, std::vector<Vec2>>) return {.route = true};
+  if constexpr (std::is_same_v<Value, LayerStates>) return {.layers = true};
+  if constexpr (std::is_same_v<Value, std::optional<Pose2>> ||
+                std::is_same_v<Value, std::optional<StartUncertainty>>)
+    return {.start = true};
+  return {.rest = true};
+}
 
 /// Items with their places in the list, in rising order.
 template <typename Item>
@@ -19,20 +38,28 @@ using Placed = std::vector<std::pair<std::size_t, Item>>;
 
 template <typename Value>
 Toggle swapMember(Value Map::*member, Value value) {
-  return [member, value = std::move(value)](Map& map) mutable { std::swap(map.*member, value); };
+  return {[member, value = std::move(value)](Map& map) mutable { std::swap(map.*member, value); },
+          touchedBy<Value>()};
 }
 
 template <typename Item>
 Toggle swapItems(std::vector<Item> Map::*list, Placed<Item> items) {
-  return [list, items = std::move(items)](Map& map) mutable {
-    for (auto& [place, item] : items) std::swap((map.*list)[place], item);
-  };
+  Touched touched;
+  if constexpr (std::is_same_v<Item, Building>) {
+    for (const auto& [place, building] : items) touched.buildings.push_back(place);
+  } else {
+    touched = touchedBy<std::vector<Item>>();
+  }
+  return {[list, items = std::move(items)](Map& map) mutable {
+            for (auto& [place, item] : items) std::swap((map.*list)[place], item);
+          },
+          std::move(touched)};
 }
 
 /// Takes the items at the places out of the list (`present`) or puts them there.
 template <typename Item>
 Toggle toggleItems(std::vector<Item> Map::*list, Placed<Item> items, bool present) {
-  return [list, items = std::move(items), present](Map& map) mutable {
+  auto flip = [list, items = std::move(items), present](Map& map) mutable {
     std::vector<Item> before = std::move(map.*list);
     std::vector<Item>& after = map.*list = {};
     after.reserve(before.size() + items.size());
@@ -54,6 +81,7 @@ Toggle toggleItems(std::vector<Item> Map::*list, Placed<Item> items, bool presen
     }
     present = !present;
   };
+  return {std::move(flip), touchedBy<std::vector<Item>>()};
 }
 
 }  // namespace handmap

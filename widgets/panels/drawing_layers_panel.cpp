@@ -70,7 +70,9 @@ DrawingLayersPanel::DrawingLayersPanel(MapDocument& document, QWidget* parent)
     setState(chosen(), state, tr("Fade Layer"), true);
   });
   connect(opacity_, &QSlider::sliderReleased, &document_, &MapDocument::finishMerging);
-  connect(&document_, &MapDocument::mapChanged, this, &DrawingLayersPanel::rebuild);
+  connect(&document_, &MapDocument::mapChanged, this, [this](const Touched& touched) {
+    if (touched.layers || touched.underlays) rebuild();
+  });
   rebuild();
 }
 

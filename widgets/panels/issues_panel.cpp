@@ -35,7 +35,10 @@ IssuesPanel::IssuesPanel(MapDocument& document, QWidget* parent)
   timer_.setSingleShot(true);
   timer_.setInterval(kQuietMs);
   connect(&timer_, &QTimer::timeout, this, &IssuesPanel::search);
-  connect(&document_, &MapDocument::mapChanged, &timer_, qOverload<>(&QTimer::start));
+  connect(&document_, &MapDocument::mapChanged, this, [this](const Touched& touched) {
+    if (touched.anyBuilding() || touched.landmarks || touched.start || touched.route)
+      timer_.start();
+  });
   timer_.start();
 }
 

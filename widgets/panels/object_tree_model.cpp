@@ -73,14 +73,16 @@ void ObjectTreeModel::take(Rows rows) {
   landmark_rows_ = rowsBy(rows_.landmarks);
 }
 
-void ObjectTreeModel::rebuild() {
-  if (agreesWithMap()) {
+void ObjectTreeModel::follow(const Touched& touched) {
+  const bool same_objects =
+      !(touched.listed || touched.landmarks || touched.start || touched.route || touched.underlays);
+  if (same_objects || agreesWithMap()) {
     for (int top = 0; top < rowCount(); ++top) {
       const QModelIndex node = index(top, 0);
       const int rows = rowCount(node);
       Q_EMIT dataChanged(node, node.siblingAtColumn(Columns - 1));
       if (kindOf(node) == Kind::Buildings) {
-        tellChangedBuildings(node);
+        tellChangedBuildings(node, touched);
       } else if (rows > 0) {
         Q_EMIT dataChanged(index(0, 0, node), index(rows - 1, Columns - 1, node));
       }
@@ -99,15 +101,19 @@ ObjectTreeModel::Look ObjectTreeModel::lookOf(const Building& building) {
 }
 
 /// Each alone: a filter looks at every row that is told, and most drags change none.
-void ObjectTreeModel::tellChangedBuildings(const QModelIndex& node) {
+void ObjectTreeModel::tellChangedBuildings(const QModelIndex& node, const Touched& touched) {
   const std::vector<Building>& buildings = document_.map().buildings;
-  for (std::size_t b = 0; b < buildings.size(); ++b) {
+  const auto tell = [&](std::size_t b) {
     Look look = lookOf(buildings[b]);
-    if (look == looks_[b]) continue;
+    if (look == looks_[b]) return;
     looks_[b] = std::move(look);
     const QModelIndex row = index(static_cast<int>(b), 0, node);
     Q_EMIT dataChanged(row, row.siblingAtColumn(Columns - 1));
-  }
+  };
+  if (touched.listed)
+    for (std::size_t b = 0; b < buildings.size(); ++b) tell(b);
+  else
+    std::ranges::for_each(touched.buildings, tell);
 }
 
 QModelIndex ObjectTreeModel::index(int row, int column, const QModelIndex& parent) const {

@@ -25,7 +25,7 @@ class ObjectTreeModel : public QAbstractItemModel {
   explicit ObjectTreeModel(MapDocument& document, QObject* parent = nullptr);
 
   /// Keeps the rows, and with them scrolling and selection, when only what they say is other.
-  void rebuild();
+  void follow(const Touched& touched);
   /// Invalid where there is no such object.
   QModelIndex indexOf(const QString& key) const;
   /// Of everything under a node, itself included.
@@ -66,7 +66,7 @@ class ObjectTreeModel : public QAbstractItemModel {
   Rows rowsOfMap() const;
   bool agreesWithMap() const;
   void take(Rows rows);
-  void tellChangedBuildings(const QModelIndex& node);
+  void tellChangedBuildings(const QModelIndex& node, const Touched& touched);
   static Look lookOf(const Building& building);
   static bool isTop(const QModelIndex& index) { return index.internalId() == 0; }
   static DrawingLayer layerOf(Kind kind);

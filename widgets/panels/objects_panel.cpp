@@ -59,7 +59,7 @@ ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
   connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& node) {
     if (!syncing_) collapsed_.remove(node.data(ObjectTreeModel::NodeRole).toInt());
   });
-  connect(&document_, &MapDocument::mapChanged, this, &ObjectsPanel::rebuild);
+  connect(&document_, &MapDocument::mapChanged, this, &ObjectsPanel::follow);
   connect(&document_, &MapDocument::selectionChanged, this, &ObjectsPanel::showSelection);
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ObjectsPanel::selectFromTree);
@@ -71,10 +71,10 @@ ObjectsPanel::ObjectsPanel(MapDocument& document, QWidget* parent)
 }
 
 /// What was open and where the keyboard was stays.
-void ObjectsPanel::rebuild() {
+void ObjectsPanel::follow(const Touched& touched) {
   const QString current = tree_->currentIndex().data(ObjectTreeModel::KeyRole).toString();
   syncing_ = true;
-  model_->rebuild();
+  model_->follow(touched);
   expandNodes();
   const QModelIndex again = filter_->mapFromSource(model_->indexOf(current));
   if (again.isValid() && again != tree_->currentIndex()) {

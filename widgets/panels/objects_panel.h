@@ -24,7 +24,7 @@ class ObjectsPanel : public QWidget {
 
  private:
   void selectFromTree();
-  void rebuild();
+  void follow(const Touched& touched);
   void expandNodes();
   void showSelection();
 

@@ -6,6 +6,7 @@
 #include "app/gui/run/live_robot.h"
 #include "app/gui/run/playback_actions.h"
 #include "app/gui/run/run_controller.h"
+#include "core/map/places.h"
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
@@ -21,21 +22,17 @@ namespace {
 constexpr auto kRevisionActionsTopic = "revision";
 constexpr double kMoved_m = 0.1;
 
-const Building* find(const Map& map, const std::string& id) {
-  const auto found = std::find_if(map.buildings.begin(), map.buildings.end(),
-                                  [&](const Building& building) { return building.id == id; });
-  return found == map.buildings.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 QString differenceInWords(const Snapshot& before, const Snapshot& after) {
   double farthest = 0.0;
   int moved = 0;
+  const auto places = placesOf(before.map->buildings);
   for (const Building& building : after.map->buildings) {
-    const Building* old = find(*before.map, building.id);
-    if (old == nullptr) continue;
-    const double way = (building.box().centre - old->box().centre).norm();
+    const auto old = places.find(building.id);
+    if (old == places.end()) continue;
+    const double way =
+        (building.box().centre - before.map->buildings[old->second].box().centre).norm();
     farthest = std::max(farthest, way);
     if (way > kMoved_m) ++moved;
   }
@@ -158,12 +155,11 @@ void RevisionActions::setRight() {
   if (!result) return;
   MapChange change;
   const auto snapshot = run_.history()->at(past_.playback().index());
-  for (const QString& key : document_.selection()) {
-    const Building* drawn = find(document_.map(), key.toStdString());
-    const Building* shown = find(*snapshot->map, key.toStdString());
-    if (drawn == nullptr || shown == nullptr) continue;
-    Building right = *drawn;
-    right.shape = shown->shape;
+  const auto places = placesOf(snapshot->map->buildings);
+  for (Building& right : selected(document_.map(), document_.selection()).buildings) {
+    const auto shown = places.find(right.id);
+    if (shown == places.end()) continue;
+    right.shape = snapshot->map->buildings[shown->second].shape;
     right.fixed = true;
     keep({snapshot->report.time_s, Act::Kind::BuildingIsRight, {}, right.id, right.shape});
     change.buildings.push_back(right);
@@ -174,10 +170,8 @@ void RevisionActions::setRight() {
 }
 
 void RevisionActions::removeNotThere() {
-  for (const QString& key : document_.selection()) {
-    if (find(document_.map(), key.toStdString()) == nullptr) continue;
-    keep({shownTime(), Act::Kind::BuildingIsNotThere, {}, key.toStdString(), {}});
-  }
+  for (const Building& gone : selected(document_.map(), document_.selection()).buildings)
+    keep({shownTime(), Act::Kind::BuildingIsNotThere, {}, gone.id, {}});
   document_.removeSelected();
   revise(run_.settings().given_poses, Then::Take, tr("Recomputing without what is not there"));
 }
@@ -205,13 +199,12 @@ void RevisionActions::onReady() {
 void RevisionActions::updateActions() {
   ActionSet& actions = shell_.actions;
   const bool can = run_.canRevise() && !run_.isRevising();
-  const QStringList selection = document_.selection();
-  const bool has_building = std::any_of(
-      selection.begin(), selection.end(),
-      [this](const QString& key) { return find(document_.map(), key.toStdString()) != nullptr; });
+  const auto has_building = [this] {
+    return !selected(document_.map(), document_.selection()).buildings.empty();
+  };
   actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()));
   actions.setEnabled({"run.give_pose"}, can);
-  actions.setEnabled({"run.right", "run.not_there"}, can && has_building);
+  actions.setEnabled({"run.right", "run.not_there"}, can && has_building());
   actions.setEnabled({"run.forget_poses"}, can && !run_.settings().given_poses.empty());
 }
 

@@ -141,8 +141,8 @@ void RunViews::compare() {
   const Map& drawing = run_.drawing();
   overlays_.setDrawing(drawing);
   panels_.charts.setDrawing(drawing);
-  panels_.charts.setTruthMap(overlays_.truthMap());
-  panels_.buildings.model().setTruth(overlays_.truthMap());
+  panels_.charts.setTrueMiddles(overlays_.trueMiddles());
+  panels_.buildings.model().setTruth(overlays_.trueMiddles());
   panels_.buildings.model().setDrawing(drawing);
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_controller.h"
+#include "core/map/places.h"
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
@@ -184,10 +185,13 @@ RunSetup SourceActions::nextSetup() {
   const RedoneActs done = redone(document_.map(), robot_->acts);
   MapChange changed;
   QStringList gone;
+  const auto places = placesOf(done.drawing.buildings);
   for (const Building& building : document_.map().buildings) {
-    const Building* now = done.drawing.find(building.id);
-    if (now == nullptr) gone << QString::fromStdString(building.id);
-    if (now != nullptr && !(*now == building)) changed.buildings.push_back(*now);
+    const auto now = places.find(building.id);
+    if (now == places.end())
+      gone << QString::fromStdString(building.id);
+    else if (!(done.drawing.buildings[now->second] == building))
+      changed.buildings.push_back(done.drawing.buildings[now->second]);
   }
   if (!changed.isEmpty()) document_.apply(changed, tr("Buildings that are right"));
   if (!gone.isEmpty()) document_.remove(gone);

@@ -10,6 +10,10 @@
 
 #include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/panels/drawing_layers_panel.h"
+#include "widgets/panels/issues_panel.h"
+#include "widgets/panels/objects_panel.h"
+#include "widgets/panels/property_panel.h"
 #include "widgets/tools/toolbox.h"
 
 namespace handmap {
@@ -70,6 +74,10 @@ class Scene {
   MapDocument document_;
   MapCanvas canvas_{document_};
   Toolbox tools_{document_, canvas_};
+  ObjectsPanel objects_{document_};
+  PropertyPanel properties_{document_};
+  IssuesPanel issues_{document_};
+  DrawingLayersPanel layers_{document_};
   QImage frame_;
   Vec2 middle_;
 };
@@ -112,7 +120,7 @@ void drag(benchmark::State& state) {
   }
 }
 
-/// Letting it go: the command and the first frame after it.
+/// Letting it go: the command, what the panels of the window make of it and the first frame.
 void drop(benchmark::State& state) {
   Scene scene(state.range(0), state.range(1) != 0);
   for (auto _ : state) {

@@ -39,8 +39,9 @@ TEST(MapChanges, SortsTheBuildingsByWhatBecameOfThem) {
 TEST(MapChanges, TheErrorIsAgainstTheBuildingOfTheSameId) {
   Map truth;
   truth.buildings = {at("a", 1.0, 0), at("b", 7.0, 0)};
-  EXPECT_DOUBLE_EQ(errorOf(at("b", 4.0, 1), truth).value(), 3.0);
-  EXPECT_FALSE(errorOf(at("c", 4.0, 1), truth));
+  const TrueMiddles middles(truth);
+  EXPECT_DOUBLE_EQ(middles.errorOf(at("b", 4.0, 1)).value(), 3.0);
+  EXPECT_FALSE(middles.errorOf(at("c", 4.0, 1)));
 }
 
 }  // namespace

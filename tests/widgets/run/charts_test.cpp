@@ -117,7 +117,7 @@ Map rowOf(int count, double y) {
 TEST(ChangeSeries, KeepsMomentsInOrderWhateverOrderTheyComeIn) {
   ChangeSeries series;
   series.setDrawing(rowOf(3, 0.0));
-  series.setTruth(rowOf(3, 3.0));
+  series.setTruth(TrueMiddles(rowOf(3, 3.0)));
   series.add(2.0, rowOf(3, 2.0));
   series.add(1.0, rowOf(3, 1.0));
   series.add(2.0, rowOf(3, 2.5));  // looked at again

@@ -71,7 +71,8 @@ TEST(Words, SayWhatSpeaksForAndAgainstABuilding) {
   setDoubt(now, 0.4);
   Map truth;
   truth.buildings = {building("L3", 7.5, 0)};
-  const QString words = Words::building(drawn, {3.0, 1.0}, now, &truth);
+  const TrueMiddles middles(truth);
+  const QString words = Words::building(drawn, {3.0, 1.0}, now, &middles);
   for (const char* said : {"Moved by 7.0 m", "0.5 m from where it truly is", "seen in 12",
                            "right ±0.10 m", "nobody saw: left", "2.3 times", "40 %"}) {
     EXPECT_TRUE(words.contains(said)) << said << " in " << words.toStdString();

@@ -44,7 +44,7 @@ QString BuildingHints::wordsAt(QPointF viewport_position) const {
   const QPointF metres = canvas_.viewportTransform().inverted().map(viewport_position);
   const Vec2 at(metres.x(), metres.y());
   const Map& drawing = overlays_.drawing();
-  const auto& truth = overlays_.truthMap();
+  const auto& truth = overlays_.trueMiddles();
   const std::size_t count = std::min(map->buildings.size(), drawing.buildings.size());
   for (std::size_t b = 0; b < count; ++b) {
     const Building& now = map->buildings[b];

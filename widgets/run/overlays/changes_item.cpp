@@ -46,10 +46,10 @@ void ChangesItem::clear() {
   bounds_ = {};
 }
 
-void ChangesItem::setChanges(const Map& drawing, const Map& refined, const Map* truth) {
+void ChangesItem::setChanges(const Map& drawing, const Map& refined, const TrueMiddles* truth) {
   clear();
   for (const BuildingChange& change : changesOf(drawing, refined).moved) {
-    const auto error = truth ? errorOf(refined.buildings[change.building], *truth) : std::nullopt;
+    const auto error = truth ? truth->errorOf(refined.buildings[change.building]) : std::nullopt;
     arrows_.push_back(
         {{toScene(change.drawn), toScene(change.now)}, lengthText(change.moved_m(), error)});
     bounds_ |= QRectF(toScene(change.drawn), toScene(change.now)).normalized();

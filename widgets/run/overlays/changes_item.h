@@ -17,7 +17,7 @@ class ChangesItem : public QGraphicsItem {
  public:
   void setColours(const Colours& colours);
   /// `truth`: nullptr where it is not known.
-  void setChanges(const Map& drawing, const Map& refined, const Map* truth);
+  void setChanges(const Map& drawing, const Map& refined, const TrueMiddles* truth);
   void clear();
 
   QRectF boundingRect() const override { return bounds_; }

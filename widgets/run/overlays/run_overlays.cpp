@@ -145,7 +145,7 @@ void RunOverlays::setTruth(const std::vector<StampedPose>& way) {
 
 void RunOverlays::setTruthMap(const Map& truth) {
   truth_->setBuildings(truth.buildings);
-  truth_map_ = truth;
+  true_middles_.emplace(truth);
 }
 
 void RunOverlays::show(const Snapshot& snapshot) {
@@ -199,7 +199,7 @@ void RunOverlays::showMap(const Map& map) {
   shown_map_ = map;
   corrected_->setMap(map);
   bands_->setMap(map);
-  changes_->setChanges(drawing_, map, truth_map_ ? &*truth_map_ : nullptr);
+  changes_->setChanges(drawing_, map, true_middles_ ? &*true_middles_ : nullptr);
   tellOutlines();
 }
 
@@ -223,7 +223,7 @@ void RunOverlays::showStory(const WallStory* story, std::optional<std::size_t> c
 void RunOverlays::clear() {
   has_snapshot_ = false;
   has_true_pose_ = false;
-  truth_map_.reset();
+  true_middles_.reset();
   shown_map_.reset();
   shown_way_.clear();
   truth_->setPoses({});

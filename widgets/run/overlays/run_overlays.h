@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/map/map_changes.h"
 #include "core/session/phase.h"
 #include "core/session/snapshot.h"
 #include "core/session/wall_story.h"
@@ -55,7 +56,7 @@ class RunOverlays : public QObject {
   /// The truth is there from the start, where it is known.
   void setTruth(const std::vector<StampedPose>& way);
   void setTruthMap(const Map& truth);
-  const std::optional<Map>& truthMap() const { return truth_map_; }
+  const std::optional<TrueMiddles>& trueMiddles() const { return true_middles_; }
   /// Snapshots may come in any order.
   void show(const Snapshot& snapshot);
   /// Makes, in any thread, what show() would make, so that this one need not wait for it. May
@@ -110,7 +111,7 @@ class RunOverlays : public QObject {
   /// For preparation().
   std::shared_ptr<std::atomic<bool>> shows_local_map_ = std::make_shared<std::atomic<bool>>(true);
   Map drawing_;
-  std::optional<Map> truth_map_;
+  std::optional<TrueMiddles> true_middles_;
   std::optional<Map> shown_map_;
   std::vector<StampedPose> shown_way_;
   std::shared_ptr<const Perceived> seen_;  ///< nullptr: not known, or no longer

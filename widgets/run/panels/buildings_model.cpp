@@ -75,8 +75,6 @@ void BuildingsModel::setDrawing(Map drawing) {
   endResetModel();
 }
 
-void BuildingsModel::setTruth(std::optional<Map> truth) { truth_ = std::move(truth); }
-
 BuildingsModel::Row BuildingsModel::rowOf(std::size_t building, const Building& now) const {
   const Building& drawn = drawing_.buildings[building];
   Row row;
@@ -98,7 +96,7 @@ BuildingsModel::Row BuildingsModel::rowOf(std::size_t building, const Building& 
     row.seen[facing] = side.seen;
   }
   numbers[Observations] = now.estimate->observations;
-  numbers[Error] = (truth_ ? errorOf(now, *truth_) : std::nullopt).value_or(kUnknown);
+  numbers[Error] = (truth_ ? truth_->errorOf(now) : std::nullopt).value_or(kUnknown);
   numbers[DrawnX] = from.x();
   numbers[DrawnY] = from.y();
   numbers[NowX] = to.x();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/map/map.h"
+#include "core/map/map_changes.h"
 
 namespace handmap {
 
@@ -42,7 +42,7 @@ class BuildingsModel : public QAbstractTableModel {
   /// Begins anew.
   void setDrawing(Map drawing);
   /// For the column of the errors. nullopt: not known.
-  void setTruth(std::optional<Map> truth);
+  void setTruth(const std::optional<TrueMiddles>& truth) { truth_ = truth; }
   bool hasTruth() const { return truth_.has_value(); }
   void setRefined(const Map& refined);
   QString idAt(int row) const;
@@ -68,7 +68,7 @@ class BuildingsModel : public QAbstractTableModel {
   static QString csvText(const Row& row, int column);
 
   Map drawing_;
-  std::optional<Map> truth_;
+  std::optional<TrueMiddles> truth_;
   Map refined_;
   std::vector<Row> rows_;
 };

@@ -23,7 +23,7 @@ void ChangeSeries::add(double time_s, const Map& refined) {
   for (std::size_t b = 0; b < std::min(drawn_.size(), refined.buildings.size()); ++b) {
     const Building& now = refined.buildings[b];
     moment.moved_m.push_back(static_cast<float>((centroid(now.footprint()) - drawn_[b]).norm()));
-    const auto error = truth_ ? errorOf(now, *truth_) : std::nullopt;
+    const auto error = truth_ ? truth_->errorOf(now) : std::nullopt;
     if (!error) continue;
     errors += *error;
     ++known;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/map/map.h"
+#include "core/map/map_changes.h"
 
 namespace handmap {
 
@@ -19,7 +19,7 @@ class ChangeSeries {
   };
 
   void setDrawing(Map drawing);
-  void setTruth(std::optional<Map> truth) { truth_ = std::move(truth); }
+  void setTruth(const std::optional<TrueMiddles>& truth) { truth_ = truth; }
   /// Moments may come in any order; the same one again takes the place of the earlier.
   void add(double time_s, const Map& refined);
   void clear() { moments_.clear(); }
@@ -34,7 +34,7 @@ class ChangeSeries {
 
   Map drawing_;
   std::vector<Vec2> drawn_;  ///< middles
-  std::optional<Map> truth_;
+  std::optional<TrueMiddles> truth_;
   std::map<double, Moment> moments_;
 };
 

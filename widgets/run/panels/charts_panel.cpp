@@ -119,7 +119,7 @@ void ChartsPanel::setTruth(const std::vector<StampedPose>& way) {
   truth_ = Trajectory(way, "truth");
 }
 
-void ChartsPanel::setTruthMap(const std::optional<Map>& truth) {
+void ChartsPanel::setTrueMiddles(const std::optional<TrueMiddles>& truth) {
   changes_.setTruth(truth);
   error_plot_->setVisible(truth.has_value());
 }

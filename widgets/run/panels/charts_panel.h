@@ -32,7 +32,7 @@ class ChartsPanel : public QWidget {
   void clear();
   /// What is off is only known of what comes later.
   void setTruth(const std::vector<StampedPose>& way);
-  void setTruthMap(const std::optional<Map>& truth);
+  void setTrueMiddles(const std::optional<TrueMiddles>& truth);
   void showSampleSize(bool shown);
 
   void add(const std::vector<FrameReport>& reports);

@@ -112,11 +112,11 @@ QString Words::changes(const MapChanges& changes, const Map& drawing) {
 }
 
 QString Words::building(const Building& drawn, const Uncertainty& uncertainty, const Building& now,
-                        const Map* truth) {
+                        const TrueMiddles* truth) {
   QStringList lines = {nameOf(drawn)};
   const double moved = (centroid(now.footprint()) - centroid(drawn.footprint())).norm();
   lines << tr("Moved by %1 m from where it was drawn").arg(metres(moved));
-  if (const auto error = truth ? errorOf(now, *truth) : std::nullopt) {
+  if (const auto error = truth ? truth->errorOf(now) : std::nullopt) {
     lines << tr("%1 m from where it truly is").arg(metres(*error));
   }
   if (!now.estimate) return lines.join(QLatin1Char('\n'));

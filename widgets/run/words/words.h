@@ -38,7 +38,7 @@ class Words {
   static QString changes(const MapChanges& changes, const Map& drawing);
   /// What speaks for a corrected building and what against; lines.
   static QString building(const Building& drawn, const Uncertainty& uncertainty,
-                          const Building& now, const Map* truth);
+                          const Building& now, const TrueMiddles* truth);
 };
 
 }  // namespace handmap
