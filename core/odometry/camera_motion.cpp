@@ -15,15 +15,16 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Matrix36d = Eigen::Matrix<double, 3, 6>;
 
+// With three matches each, of which half may be wrong: 1 − (1 − 0.5³)^150, all but certain.
 constexpr int kHypotheses = 150;
-constexpr int kSampleIterations = 6;
-constexpr int kRefinements = 3;  // of the set of inliers
+constexpr int kSampleIterations = 6;  // of Gauss–Newton on a sample: near is enough
+constexpr int kRefinements = 3;       // of the set of inliers
 constexpr int kIterations = 8;
-constexpr double kInlier_px = 2.0;
+constexpr double kInlier_px = 2.0;    // some 6 σ of a tracked corner
 constexpr double kPixelSigma = 0.35;  // of a tracked corner
-constexpr double kConverged = 1e-7;
+constexpr double kConverged = 1e-7;   // metres and radians
 constexpr double kNearestSeen_m = 0.1;
-constexpr std::size_t kMinInliers = 15;
+constexpr std::size_t kMinInliers = 15;  // 45 numbers for six: chance does not agree so well
 
 /// A match with its point, in the frame before, and what the point would move by with the pixels
 /// that it comes from.

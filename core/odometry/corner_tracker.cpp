@@ -13,15 +13,16 @@ namespace handmap {
 namespace {
 
 const cv::Size kWindow(15, 15);
-constexpr int kLevels = 4;  // above the full image
-constexpr int kContrast = 8;
+constexpr int kLevels = 4;    // above the full image
+constexpr int kContrast = 8;  // of FAST, grey levels: low, for shade; the grid takes the best
+// Spread over the image, some 640 corners: near ones tell the way, far ones the turn.
 constexpr int kGridColumns = 20;
 constexpr int kGridRows = 8;
 constexpr std::size_t kCornersPerCell = 4;
 constexpr float kMinDistance_px = 8.0F;
-constexpr double kMinEigenvalue = 1e-3;
-constexpr float kMaxReturnError_px = 0.5F;
-constexpr int kFeatures = 1500;
+constexpr double kMinEigenvalue = 1e-3;     // of the tracker; OpenCV scales it to the window
+constexpr float kMaxReturnError_px = 0.5F;  // tracked there and back
+constexpr int kFeatures = 1500;             // of ORB, where tracking is lost
 
 }  // namespace
 

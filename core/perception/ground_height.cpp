@@ -8,8 +8,8 @@
 namespace handmap {
 namespace {
 
-constexpr float kGroundCell_m = 2.0F;
-constexpr float kMaxSlope = 0.15F;
+constexpr float kGroundCell_m = 2.0F;  ///< has a few returns of the ground at 30 m still
+constexpr float kMaxSlope = 0.15F;     ///< of streets; the steepest that are built are near it
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr std::size_t kLowest = 3;  ///< the third lowest point of a cell: strays lie below ground
 

@@ -10,6 +10,7 @@ namespace handmap {
 namespace {
 
 constexpr int kStep = 3;  ///< every third pixel of every third row
+// Where the ground is taken for a plane: beyond the robot itself, and as far as streets are flat.
 constexpr double kNearest_m = 2.0;
 constexpr double kFarthest_m = 20.0;
 constexpr double kAside_m = 10.0;
@@ -19,7 +20,7 @@ constexpr double kWidths_m[] = {0.6, 0.4, 0.3, 0.2, 0.2};
 constexpr double kPriorHeight_m = 0.05;
 constexpr double kPriorSlope = 0.02;
 constexpr double kPriorPixels = 100.0;
-constexpr double kPixelSigma_m = 0.05;
+constexpr double kPixelSigma_m = 0.05;  ///< of the height of a pixel of the road at some 10 m
 
 std::vector<Eigen::Vector3d> lowPoints(const cv::Mat1f& disparity, const StereoCamera& camera,
                                        const CameraRays& rays) {

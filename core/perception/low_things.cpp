@@ -9,9 +9,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kLowCell_m = 0.5;
-constexpr int kLeastPasses = 4;
-constexpr int kPassesAStop = 4;  // windows let rays pass, but the frame around them does not
+constexpr double kLowCell_m = 0.5;  ///< less than a hedge is thick
+constexpr int kLeastPasses = 4;     ///< fewer rays over a thing may be strays
+constexpr int kPassesAStop = 4;     // windows let rays pass, but the frame around them does not
 
 void count(std::uint16_t& counter) {
   if (counter < std::numeric_limits<std::uint16_t>::max()) ++counter;

@@ -10,11 +10,11 @@
 namespace handmap {
 namespace {
 
-constexpr float kRangeSigma_m = 0.03F;
-constexpr float kPlanar_m = 0.3F;
-constexpr float kColumn_m = 0.25F;  ///< cells in which vertical extent is measured
-constexpr int kMinPoints = 3;       ///< in a column
-constexpr float kSpot_m = 0.1F;
+constexpr float kRangeSigma_m = 0.03F;   ///< of spinning lidars and scanners, by their data sheets
+constexpr float kPlanar_m = 0.3F;        ///< heights of a plane scanner that is not quite level
+constexpr float kColumn_m = 0.25F;       ///< cells in which vertical extent is measured
+constexpr int kMinPoints = 3;            ///< in a column
+constexpr float kSpot_m = 0.1F;          ///< a cell of the local map
 constexpr std::uint8_t kSpotPoints = 3;  ///< a spot gives no more: near walls are dense enough
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
 constexpr float kStep_m = 0.4F;  ///< along a ray, less than the cells of what it passes over
@@ -41,7 +41,7 @@ bool isPlanar(const std::vector<RangePoint>& points) {
 }
 
 bool givesOneReturnADirection(const std::vector<RangePoint>& points) {
-  constexpr std::size_t kDirections = 360;
+  constexpr std::size_t kDirections = 360;  // wider than the steps of any scanner
   constexpr double kMost = 2.5;  // points a direction that has any; a column of a wall has more
   if (isPlanar(points)) return true;
   std::array<bool, kDirections> any{};

@@ -9,11 +9,12 @@ namespace handmap {
 
 namespace {
 
-constexpr std::size_t kDirections = 720;
+constexpr std::size_t kDirections = 720;  // half a degree, as most scanners
+
 constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
-constexpr float kScanSigma_m = 0.05F;
-constexpr float kLeastRange_m = 0.3F;
-constexpr float kGround_m = 0.3F;  // lower returns of a tilted sensor are from the ground
+constexpr float kScanSigma_m = 0.05F;  // noise and the spread of a wall within a direction
+constexpr float kLeastRange_m = 0.3F;  // nearer is the robot itself
+constexpr float kGround_m = 0.3F;      // lower returns of a tilted sensor are from the ground
 
 std::size_t directionOf(double bearing) {
   const auto index = static_cast<long>(std::lround((bearing + kPi) / kDirectionWidth));

@@ -20,10 +20,10 @@ namespace {
 
 constexpr double kNearest_m = 4.0;       ///< that near a wall should still be seen
 constexpr int kUniqueness_percent = 10;  ///< by which a match must beat the second best
-constexpr int kPreFilterCap = 31;
-constexpr int kTextureWindow_px = 9;
-constexpr float kMinTexture = 0.3F;
-constexpr int kMinSide_px = 32;
+constexpr int kPreFilterCap = 31;        ///< of gradients, grey levels: what OpenCV advises
+constexpr int kTextureWindow_px = 9;     ///< as wide as what is matched
+constexpr float kMinTexture = 0.3F;      ///< mean gradient, grey levels: less is sky or plaster
+constexpr int kMinSide_px = 32;          ///< two windows of the classifier
 constexpr float kUnknown = -1.0F;
 constexpr double kSureExtent_m = 2.0;  ///< a column with this extent has the whole weight
 

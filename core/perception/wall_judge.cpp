@@ -1,5 +1,6 @@
 #include "core/perception/wall_judge.h"
 
+#include "core/classification/building_classifier.h"
 #include "core/classification/windows.h"
 
 namespace handmap {
@@ -26,10 +27,10 @@ WallJudge::WallJudge(std::shared_ptr<const WindowClassifier> classifier)
 const WindowClassifier& WallJudge::classifierFor(const cv::Mat& image) {
   if (classifier_) return *classifier_;
   const bool colour = image.channels() == 3;
-  if (!built_in_ || built_in_->features().colour != colour) {
-    built_in_ = std::make_unique<BuildingClassifier>(BuildingClassifier::builtIn(colour));
-  }
-  return *built_in_;
+  auto& built_in = colour ? for_colour_ : for_grey_;
+  if (!built_in)
+    built_in = std::make_unique<BuildingClassifier>(BuildingClassifier::builtIn(colour));
+  return *built_in;
 }
 
 cv::Mat1f WallJudge::operator()(const cv::Mat& image, cv::Size seen,

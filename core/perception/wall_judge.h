@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/classification/building_classifier.h"
+#include "core/classification/window_classifier.h"
 #include "core/perception/wall_columns.h"
 
 namespace handmap {
@@ -24,7 +24,7 @@ class WallJudge {
   const WindowClassifier& classifierFor(const cv::Mat& image);
 
   std::shared_ptr<const WindowClassifier> classifier_;
-  std::unique_ptr<const BuildingClassifier> built_in_;
+  std::unique_ptr<const WindowClassifier> for_grey_, for_colour_;  ///< those of the program
 };
 
 }  // namespace handmap

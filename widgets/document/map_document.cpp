@@ -425,8 +425,8 @@ void MapDocument::onIndexChanged() {
     setSelection(selection_);  // drops what is gone
   } else {
     std::ranges::sort(touched.buildings);
-    const auto twice = std::ranges::unique(touched.buildings);
-    touched.buildings.erase(twice.begin(), twice.end());
+    const auto last = std::unique(touched.buildings.begin(), touched.buildings.end());
+    touched.buildings.erase(last, touched.buildings.end());
     followInIndex(touched.buildings);
     if (touched.landmarks || touched.start || touched.route || touched.underlays)
       setSelection(selection_);

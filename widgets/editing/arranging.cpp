@@ -1,5 +1,6 @@
 #include "widgets/editing/arranging.h"
 
+#include <QSet>
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -77,18 +78,29 @@ double headingOf(const Building& building) {
   return rectangle ? rectangle->heading : commonHeading(std::get<Polygon>(building.shape));
 }
 
-const Building* nearestOther(const Map& map, const Building& to, const QStringList& keys) {
+/// A building that is not arranged, with its box.
+using Other = std::pair<const Building*, Bounds>;
+
+std::vector<Other> othersThan(const Map& map, const QStringList& keys) {
+  const QSet<QString> arranged(keys.begin(), keys.end());
+  std::vector<Other> others;
+  for (const Building& building : map.buildings)
+    if (!arranged.contains(QString::fromStdString(building.id)))
+      others.emplace_back(&building, boundsOf(building));
+  return others;
+}
+
+const Building* nearestOf(const std::vector<Other>& others, const Building& to) {
   const Building* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
   const Bounds own = boundsOf(to);
-  for (const Building& other : map.buildings) {
-    const Bounds box = boundsOf(other);
+  for (const auto& [other, box] : others) {
     // Between the boxes, and where they touch between the middles.
     const Vec2 gap = (box.low - own.high).cwiseMax(own.low - box.high).cwiseMax(0.0);
     const double distance = gap.norm() + 1e-3 * (middleOf(box) - middleOf(own)).norm();
-    if (distance >= least || keys.contains(QString::fromStdString(other.id))) continue;
+    if (distance >= least) continue;
     least = distance;
-    nearest = &other;
+    nearest = other;
   }
   return nearest;
 }
@@ -145,8 +157,9 @@ MapChange squaredUp(const Map& map, const QStringList& keys) {
 
 MapChange madeParallel(const Map& map, const QStringList& keys) {
   MapChange change = movable(map, keys);
+  const std::vector<Other> others = othersThan(map, keys);
   for (Building& building : change.buildings)
-    if (const Building* other = nearestOther(map, building, keys))
+    if (const Building* other = nearestOf(others, building))
       building = turnedBy(building, turnToParallel(headingOf(building), headingOf(*other)));
   return {.buildings = std::move(change.buildings)};
 }

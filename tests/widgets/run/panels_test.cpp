@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/classification/building_classifier.h"
 #include "core/map/certainty.h"
 #include "widgets/pictures/camera_image.h"
 #include "widgets/run/panels/buildings_panel.h"

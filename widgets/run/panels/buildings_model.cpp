@@ -134,11 +134,6 @@ void BuildingsModel::setRefined(const Map& refined) {
 
 QString BuildingsModel::idAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).id; }
 
-int BuildingsModel::rowOf(const QString& id) const {
-  const auto found = std::ranges::find(rows_, id, &Row::id);
-  return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
-}
-
 int BuildingsModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }

@@ -46,7 +46,6 @@ class BuildingsModel : public QAbstractTableModel {
   bool hasTruth() const { return truth_.has_value(); }
   void setRefined(const Map& refined);
   QString idAt(int row) const;
-  int rowOf(const QString& id) const;  ///< -1: none
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

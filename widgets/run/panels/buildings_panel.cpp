@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QScopedValueRollback>
+#include <QSet>
 #include <QSortFilterProxyModel>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -97,12 +98,16 @@ void BuildingsPanel::tellSelection() {
 void BuildingsPanel::select(const QStringList& ids) {
   const QScopedValueRollback quiet(selecting_, true);
   selected_ = ids;
-  QItemSelection rows;
-  for (const QString& id : ids) {
-    const int row = model_->rowOf(id);
-    if (row < 0) continue;
-    const QModelIndex shown = sorted_->mapFromSource(model_->index(row, 0));
-    rows.select(shown, shown);
+  const QSet<QString> wanted(ids.begin(), ids.end());
+  const auto is_wanted = [&](int row) {
+    return row < sorted_->rowCount() && wanted.contains(idOf(sorted_->index(row, 0)));
+  };
+  QItemSelection rows;  // of ranges: many single rows would take long
+  for (int row = 0; row < sorted_->rowCount(); ++row) {
+    if (!is_wanted(row)) continue;
+    const int first = row;
+    while (is_wanted(row + 1)) ++row;
+    rows.select(sorted_->index(first, 0), sorted_->index(row, 0));
   }
   table_->selectionModel()->select(rows,
                                    QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
