@@ -33,19 +33,19 @@ Vec2 rightWall(const Rectangle& box) {
 /// Where the robot goes, or else the middle of the map.
 class Viewpoint {
  public:
-  explicit Viewpoint(const Map& truth) : way_(truth.route), known_(true) {
+  explicit Viewpoint(const Map& truth) : route_(truth.route), known_(true) {
     if (truth.start) {
       const Vec2 ahead = kFarAhead * unitVector(truth.start->heading);
-      if (way_.empty())
-        way_ = {truth.start->position() - ahead, truth.start->position() + ahead};
+      if (route_.empty())
+        route_ = {truth.start->position() - ahead, truth.start->position() + ahead};
       else
-        way_.insert(way_.begin(), truth.start->position());
+        route_.insert(route_.begin(), truth.start->position());
     }
-    if (!way_.empty()) return;
+    if (!route_.empty()) return;
     known_ = false;
     Vec2 middle = Vec2::Zero();
     for (const Building& building : truth.buildings) middle += building.box().centre;
-    way_ = {middle / std::max(1.0, static_cast<double>(truth.buildings.size()))};
+    route_ = {middle / std::max(1.0, static_cast<double>(truth.buildings.size()))};
   }
 
   /// By how many quarters to turn the box so that the front wall lies to the right of its heading.
@@ -62,14 +62,14 @@ class Viewpoint {
 
  private:
   double distance(const Vec2& point) const {
-    double nearest = (way_.front() - point).norm();
-    for (std::size_t i = 1; i < way_.size(); ++i) {
-      nearest = std::min(nearest, distanceTo(Segment{way_[i - 1], way_[i]}, point));
+    double nearest = (route_.front() - point).norm();
+    for (std::size_t i = 1; i < route_.size(); ++i) {
+      nearest = std::min(nearest, distanceTo(Segment{route_[i - 1], route_[i]}, point));
     }
     return nearest;
   }
 
-  std::vector<Vec2> way_;
+  std::vector<Vec2> route_;
   bool known_;
 };
 

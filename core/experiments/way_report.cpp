@@ -24,7 +24,7 @@ Interval intervalAt(const TrialGroup& group, std::size_t step, double TrialStep:
   return medianInterval(values);
 }
 
-std::size_t shortestWay(const TrialGroup& group) {
+std::size_t shortestTrial(const TrialGroup& group) {
   std::size_t steps = group.trials.empty() ? 0 : group.trials.front()->way.size();
   for (const Trial* trial : group.trials) steps = std::min(steps, trial->way.size());
   return steps;
@@ -37,7 +37,7 @@ std::string cell(const Interval& interval) {
 ChartSeries curve(const TrialGroup& group, const std::string& name, SeriesLook look,
                   double TrialStep::*error) {
   ChartSeries series{name, look, {}};
-  for (std::size_t step = 0; step < shortestWay(group); ++step) {
+  for (std::size_t step = 0; step < shortestTrial(group); ++step) {
     series.points.push_back(
         {static_cast<double>(step) * Trial::stepLength(), intervalAt(group, step, error)});
   }
@@ -45,7 +45,7 @@ ChartSeries curve(const TrialGroup& group, const std::string& name, SeriesLook l
 }
 
 void addRows(const TrialGroup& group, Report& report) {
-  for (std::size_t step = 0; step < shortestWay(group); ++step) {
+  for (std::size_t step = 0; step < shortestTrial(group); ++step) {
     const double way_m = static_cast<double>(step) * Trial::stepLength();
     const Interval pose = intervalAt(group, step, &TrialStep::pose);
     const Interval odometry = intervalAt(group, step, &TrialStep::odometry);
@@ -56,7 +56,7 @@ void addRows(const TrialGroup& group, Report& report) {
       report.csv += fmt::format(",{:.4f},{:.4f},{:.4f}", part.value, part.low, part.high);
     }
     report.csv += "\n";
-    if (step % kRowEvery != 0 && step + 1 != shortestWay(group)) continue;
+    if (step % kRowEvery != 0 && step + 1 != shortestTrial(group)) continue;
     report.markdown += fmt::format(
         "| {} | {} | {} | {} | {} | {} | {} |\n", formatNumber(group.sigma_m), nameOf(group.method),
         group.trials.size(), formatNumber(way_m), cell(pose), cell(odometry), cell(map));

@@ -8,10 +8,10 @@ namespace {
 constexpr double kStraight = 1e-6;
 
 ModelWall wallBetween(const Vec2& from, const Vec2& to) {
-  const Vec2 way = (to - from).cwiseAbs();
-  const auto runs = way.y() < kStraight   ? ModelWall::Runs::Along
-                    : way.x() < kStraight ? ModelWall::Runs::Across
-                                          : ModelWall::Runs::Slanted;
+  const Vec2 offset = (to - from).cwiseAbs();
+  const auto runs = offset.y() < kStraight   ? ModelWall::Runs::Along
+                    : offset.x() < kStraight ? ModelWall::Runs::Across
+                                             : ModelWall::Runs::Slanted;
   const Eigen::Vector2f a = from.cast<float>();
   const Eigen::Vector2f b = to.cast<float>();
   return {runs, a.x(), a.y(), b.x(), b.y()};

@@ -40,17 +40,17 @@ class BuildingModel {
   Rectangle box(const BuildingState& state) const;
   /// Whether box(state) holds a point; footprint(state) holds no other.
   bool mayHold(const BuildingState& state, const Vec2& point) const {
-    const Vec2 way(point.x() - state.x, point.y() - state.y);
-    return std::abs(ahead_.dot(way)) <= state.width / 2.0 &&
-           std::abs(cross(ahead_, way)) <= depth_ / 2.0;
+    const Vec2 offset(point.x() - state.x, point.y() - state.y);
+    return std::abs(ahead_.dot(offset)) <= state.width / 2.0 &&
+           std::abs(cross(ahead_, offset)) <= depth_ / 2.0;
   }
   /// Whether two boxes of one heading have nothing in common; false where that is not easily told.
   bool isApart(const BuildingState& state, const BuildingModel& other,
                const BuildingState& other_state) const {
     if (other.heading_ != heading_) return false;
-    const Vec2 way(other_state.x - state.x, other_state.y - state.y);
-    return std::abs(ahead_.dot(way)) >= (state.width + other_state.width) / 2.0 ||
-           std::abs(cross(ahead_, way)) >= (depth_ + other.depth_) / 2.0;
+    const Vec2 offset(other_state.x - state.x, other_state.y - state.y);
+    return std::abs(ahead_.dot(offset)) >= (state.width + other_state.width) / 2.0 ||
+           std::abs(cross(ahead_, offset)) >= (depth_ + other.depth_) / 2.0;
   }
 
  private:

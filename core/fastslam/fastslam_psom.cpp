@@ -154,8 +154,8 @@ void FastSlamPsom::updateMap(Particle& particle, std::uint32_t index, double ran
   for (const std::size_t building : near_) {
     const Swarm* swarm = particle.map.find(building);
     const BuildingState mean = swarm ? stateOf(building, swarm->mean) : models_[building].drawn();
-    const Vec2 way(mean.x - particle.pose.x, mean.y - particle.pose.y);
-    if (way.squaredNorm() >= range_m * range_m) continue;
+    const Vec2 offset(mean.x - particle.pose.x, mean.y - particle.pose.y);
+    if (offset.squaredNorm() >= range_m * range_m) continue;
     // m_t,b ← PSO(m_{t-1},b, z_t, x_t)
     visible.push_back({building, models_[building].drawn(), false});
     likelihood += refineBuilding(particle, index, ahead, visible.back(), stop, trace);

@@ -50,13 +50,13 @@ WallCells WallLikelihood::operator()(float x, float y, float width) const {
 /// Its direction changes with the width. It is turned about its middle to the nearest direction.
 void WallLikelihood::addSlanted(float u0, float v0, float u1, float v1, WallCells& cells) const {
   if (u0 * v1 >= v0 * u1) return;
-  const Vec2 way(u1 - u0, v1 - v0);
-  const int turn = LineDirection::stepsOf(std::atan2(way.y(), way.x()));
+  const Vec2 offset(u1 - u0, v1 - v0);
+  const int turn = LineDirection::stepsOf(std::atan2(offset.y(), offset.x()));
   const Vec2 along = sums_.unitAlong(LineDirection(turn));
   const Vec2 middle(0.5F * (u0 + u1), 0.5F * (v0 + v1));
   const auto lateral = static_cast<float>(cross(along, middle));
   const auto reached = static_cast<float>(along.dot(middle));
-  const auto half = static_cast<float>(way.norm() / 2.0);
+  const auto half = static_cast<float>(offset.norm() / 2.0);
   sums_.add(LineDirection(steps_ + turn), lateral, reached - half, reached + half, cells);
 }
 

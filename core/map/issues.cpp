@@ -117,16 +117,16 @@ class Search {
   }
 
   static std::optional<Vec2> crossing(const Segment& leg, const Polygon& polygon) {
-    const Vec2 way = leg.b - leg.a;
+    const Vec2 offset = leg.b - leg.a;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2& from = polygon[i];
       const Vec2 edge = polygon[(i + 1) % polygon.size()] - from;
-      const double turn = cross(way, edge);
+      const double turn = cross(offset, edge);
       if (turn == 0.0) continue;
       const double along = cross(from - leg.a, edge) / turn;
-      const double on_edge = cross(from - leg.a, way) / turn;
+      const double on_edge = cross(from - leg.a, offset) / turn;
       if (along > 0.0 && along < 1.0 && on_edge >= 0.0 && on_edge <= 1.0)
-        return leg.a + along * way;
+        return leg.a + along * offset;
     }
     return std::nullopt;
   }

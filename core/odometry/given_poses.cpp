@@ -15,13 +15,13 @@ constexpr double kMetresARadian = 1.0;  // how much of the way a turn on the spo
 /// One piece of the way, laid by odometry alone: its first pose is right, its last is to be `end`.
 void bend(std::span<const StampedPose> laid, const Pose2& begin, const Pose2& end,
           std::vector<StampedPose>& corrections) {
-  std::vector<double> way(laid.size(), 0.0);
+  std::vector<double> driven(laid.size(), 0.0);
   for (std::size_t i = 1; i < laid.size(); ++i) {
     const Pose2 step = between(laid[i - 1].pose, laid[i].pose);
-    way[i] = way[i - 1] + step.position().norm() + kMetresARadian * std::abs(step.heading);
+    driven[i] = driven[i - 1] + step.position().norm() + kMetresARadian * std::abs(step.heading);
   }
   const auto share = [&](std::size_t i) {
-    if (way.back() > 0.0) return way[i] / way.back();
+    if (driven.back() > 0.0) return driven[i] / driven.back();
     return laid.size() > 1 ? static_cast<double>(i) / static_cast<double>(laid.size() - 1) : 1.0;
   };
   const double turn =

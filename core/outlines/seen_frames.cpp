@@ -48,13 +48,13 @@ void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan&
     for (SeenFrame& frame : frames_) frame.rays.push_back({bearing, limit, 1.0F, Echo::Silent});
   }
   const Pose2 motion = between(last_, odometry);
-  const double way = std::hypot(motion.x, motion.y);
-  if (!frames_.empty() && way < step_m_ && std::abs(motion.heading) < kTurn) return;
+  const double driven = std::hypot(motion.x, motion.y);
+  if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < kTurn) return;
   SeenFrame frame{observation, {}};
   if (points.empty() || scan.ray_by_ray) {
     addScan(scan, frame);
   } else {
-    const double metres = frames_.empty() ? 1.0 : std::clamp(way, kStep_m, kMost / kPerMetre);
+    const double metres = frames_.empty() ? 1.0 : std::clamp(driven, kStep_m, kMost / kPerMetre);
     addPoints(points, kPerMetre * metres * kStep_m / step_m_, frame);
   }
   shareOut(frame.rays);

@@ -1,6 +1,6 @@
 #include "core/session/conclusion.h"
 
-#include "core/map_match/anchored_way.h"
+#include "core/map_match/matched_trajectory.h"
 #include "core/outlines/refinement.h"
 
 namespace handmap {
@@ -13,7 +13,7 @@ constexpr double kMostlyRight = 0.6;  // of the buildings that were seen
 // What decides is asked for what it must be, so that what is no number decides against.
 
 /// The ways of walls and buildings are dropped where they make what was seen less sharp.
-const Way& believed(const RunKnowledge& known, double sharpness_alone) {
+const TrajectoryHypothesis& believed(const RunKnowledge& known, double sharpness_alone) {
   const double needed = sharpness_alone - kMargin;
   if (known.walls && known.sharpness(known.walls->poses) >= needed) return *known.walls;
   return known.sharpness(known.buildings.poses) >= needed ? known.buildings : known.alone;
@@ -26,18 +26,20 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
                                   const std::stop_token& stop) {
   Map from_here = drawing;
   from_here.start = known.alone.poses.front();
-  AnchoredWay laid(from_here, known.seen);
+  MatchedTrajectory laid(from_here, known.seen);
   laid.lay(known.alone.poses,
-           known.alone.by == Way::By::Scans ? WayNoise::Scans : WayNoise::Recorded, stop);
+           known.alone.by == TrajectoryHypothesis::By::Scans ? TrajectoryNoise::Scans
+                                                             : TrajectoryNoise::Recorded,
+           stop);
   if (stop.stop_requested()) return std::nullopt;
-  Way way{known.alone.by, laid.poses()};
-  if (!(known.sharpness(way.poses) >= sharpness_alone - kMargin)) return std::nullopt;
-  const PlacedRays placed = placeRays(known.seen, way.poses, stop);
+  TrajectoryHypothesis trajectory{known.alone.by, laid.poses()};
+  if (!(known.sharpness(trajectory.poses) >= sharpness_alone - kMargin)) return std::nullopt;
+  const PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
   const double limit_m = known.seen.rangeLimit();
   if (!(supportOf(drawing, placed, limit_m, stop) >= kMostlyRight)) return std::nullopt;
   auto refined = refine(drawing, std::nullopt, placed, limit_m, seed, stop);
   if (!refined || !(refined->right >= kMostlyRight)) return std::nullopt;
-  return Conclusion{std::move(way), std::move(refined->map), laid.covariance()};
+  return Conclusion{std::move(trajectory), std::move(refined->map), laid.covariance()};
 }
 
 }  // namespace
@@ -52,16 +54,17 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   if (!known.walls && placed.showsStructure()) {
     if (auto conclusion = asDrawn(drawing, known, alone, seed, stop)) return conclusion;
   }
-  Way way = believed(known, alone);
+  TrajectoryHypothesis trajectory = believed(known, alone);
   std::optional<FoundMap> found;
-  if (way.by == Way::By::Buildings) found.emplace(FoundMap{known.found, known.motion});
-  if (way.by != known.alone.by) placed = placeRays(known.seen, way.poses, stop);
+  if (trajectory.by == TrajectoryHypothesis::By::Buildings)
+    found.emplace(FoundMap{known.found, known.motion});
+  if (trajectory.by != known.alone.by) placed = placeRays(known.seen, trajectory.poses, stop);
   if (stop.stop_requested()) return std::nullopt;
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
   if (!refined) return std::nullopt;
   const Pose2 onto_map = inverse(refined->motion);
-  for (Pose2& pose : way.poses) pose = onto_map * pose;
-  return Conclusion{std::move(way), std::move(refined->map), std::nullopt};
+  for (Pose2& pose : trajectory.poses) pose = onto_map * pose;
+  return Conclusion{std::move(trajectory), std::move(refined->map), std::nullopt};
 }
 
 }  // namespace handmap

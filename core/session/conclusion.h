@@ -14,7 +14,7 @@
 namespace handmap {
 
 /// A way of the robot that is thought of: poses of all observations, map frame.
-struct Way {
+struct TrajectoryHypothesis {
   enum class By { Buildings, Odometry, Scans, Walls };
   By by;
   std::vector<Pose2> poses;
@@ -23,18 +23,18 @@ struct Way {
 /// What is known after some observations; a copy, so that any thread may conclude from it while the
 /// run goes on.
 struct RunKnowledge {
-  Way alone;                 ///< by scans or the odometry: no drawing is in it
-  Way buildings;             ///< as the buildings moved it
-  std::optional<Way> walls;  ///< laid on a drawing that is true
-  Map found;                 ///< the drawing as the estimator corrected it
+  TrajectoryHypothesis alone;                 ///< by scans or the odometry: no drawing is in it
+  TrajectoryHypothesis buildings;             ///< as the buildings moved it
+  std::optional<TrajectoryHypothesis> walls;  ///< laid on a drawing that is true
+  Map found;                                  ///< the drawing as the estimator corrected it
   DrawingMotion motion;
   SeenFrames seen;
-  /// Of a way: how sharp it makes what was seen. See waySharpness().
+  /// Of a way: how sharp it makes what was seen. See sharpnessOf().
   std::function<double(const std::vector<Pose2>&)> sharpness;
 };
 
 struct Conclusion {
-  Way way;  ///< on the map; what tells it goes on from there
+  TrajectoryHypothesis trajectory;  ///< on the map; what tells it goes on from there
   Map map;
   std::optional<Eigen::Matrix3d> covariance;  ///< of its newest pose, where it was laid on a map
 };

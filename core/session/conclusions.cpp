@@ -17,9 +17,9 @@ std::optional<Conclusion> Conclusions::take() {
   return std::move(made.conclusion);
 }
 
-void Conclusions::begin(double way_m, const std::function<Make()>& know) {
-  if (made_.valid() || way_m < begin_at_m_ || Clock::now() < begin_at_) return;
-  begin_at_m_ = way_m + std::max(kStretch_m, kStretch * way_m);
+void Conclusions::begin(double driven_m, const std::function<Make()>& know) {
+  if (made_.valid() || driven_m < begin_at_m_ || Clock::now() < begin_at_) return;
+  begin_at_m_ = driven_m + std::max(kStretch_m, kStretch * driven_m);
   std::promise<Made> promise;
   made_ = promise.get_future();
   thread_ = std::jthread(

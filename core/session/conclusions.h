@@ -29,7 +29,7 @@ class Conclusions {
   /// Why the first that could not be made could not; empty: none.
   const std::string& trouble() const { return trouble_; }
   /// Begins the next one where it is time; `know` is then asked for what makes it.
-  void begin(double way_m, const std::function<Make()>& know);
+  void begin(double driven_m, const std::function<Make()>& know);
 
  private:
   using Clock = std::chrono::steady_clock;

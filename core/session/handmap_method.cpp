@@ -4,7 +4,7 @@
 
 #include "core/base/phrase.h"
 #include "core/estimation/estimator.h"
-#include "core/map_match/anchored_way.h"
+#include "core/map_match/matched_trajectory.h"
 #include "core/session/conclusions.h"
 #include "core/session/handmap_phases.h"
 #include "core/session/pose_trust.h"
@@ -48,9 +48,9 @@ class HandmapMethod : public EstimationMethod {
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
     if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
-    if (observations_ == 0) anchor(odometry);
+    if (observations_ == 0) matchToWalls(odometry);
     const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
-    way_m_ += between(before, odometry).position().norm();
+    driven_m_ += between(before, odometry).position().norm();
     trajectory_.add(time_s, odometry, percept.points, stop);
     wheels_.add(odometry);
     followTrajectory();
@@ -61,14 +61,15 @@ class HandmapMethod : public EstimationMethod {
     estimator_.step(time_s, here, percept.scan, stop, progress);
     estimator_.watch({});
     seen_.add(observations_++, odometry, percept.scan, percept.points);
-    if (anchored_) {
-      anchored_->add(trajectory_.poses(), by_scans_ ? WayNoise::Scans : WayNoise::Recorded);
+    if (matched_) {
+      matched_->add(trajectory_.poses(),
+                    by_scans_ ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
     }
     if (concluded_) {
-      shown_way_.push_back({time_s, onward_ * newestBy(concluded_->way.by)});
-      shown_trajectory_ = shown_way_.share();
+      shown_writer_.push_back({time_s, onward_ * newestBy(concluded_->trajectory.by)});
+      shown_trajectory_ = shown_writer_.share();
     }
-    if (on_the_way_) conclusions_.begin(way_m_, [this] { return concluding(); });
+    if (on_the_way_) conclusions_.begin(driven_m_, [this] { return concluding(); });
     return true;
   }
 
@@ -77,7 +78,7 @@ class HandmapMethod : public EstimationMethod {
   bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
     conclusions_.end();
     estimator_.finish(stop);
-    if (anchored_) anchored_->finish(stop);
+    if (matched_) matched_->finish(stop);
     auto last = conclude(drawing_, known(), seed_, stop, progress);
     if (!last) return true;
     show(std::move(*last));
@@ -114,7 +115,7 @@ class HandmapMethod : public EstimationMethod {
   }
   std::function<Map()> refinedMap() const override {
     if (!concluded_) return estimator_.refinedMapLater();
-    if (finished_ || concluded_->way.by != Way::By::Buildings) {
+    if (finished_ || concluded_->trajectory.by != TrajectoryHypothesis::By::Buildings) {
       return [map = concluded_->map] { return map; };
     }
     return [map = concluded_->map, since = estimator_.refinedMapLater()] {
@@ -130,14 +131,14 @@ class HandmapMethod : public EstimationMethod {
  private:
   /// A drawing that says that it is true as a whole, and nearly so in its parts, is one to lay the
   /// way on.
-  void anchor(const Pose2& odometry) {
+  void matchToWalls(const Pose2& odometry) {
     constexpr double kNearlyTrue_m = 1.0;
     const auto& [scale, turn] = drawing_.whole;
     if (!scale || *scale > 0.0 || !turn || *turn > 0.0) return;
     if (drawing_.uncertainty.position > kNearlyTrue_m) return;
     Map from_here = drawing_;
     from_here.start = start_ * odometry;
-    anchored_.emplace(from_here, seen_);
+    matched_.emplace(from_here, seen_);
   }
 
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
@@ -153,42 +154,45 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// All poses as one source tells them, as it told them first in the map frame.
-  std::vector<Pose2> posesBy(Way::By by) const {
+  std::vector<Pose2> posesBy(TrajectoryHypothesis::By by) const {
     std::vector<Pose2> poses;
-    if (by == Way::By::Walls) return anchored_->poses();
-    if (by == Way::By::Buildings) {
+    if (by == TrajectoryHypothesis::By::Walls) return matched_->poses();
+    if (by == TrajectoryHypothesis::By::Buildings) {
       for (const StampedPose& pose : estimator_.trajectory().all()) poses.push_back(pose.pose);
       return poses;
     }
-    const bool scans = by == Way::By::Scans;
+    const bool scans = by == TrajectoryHypothesis::By::Scans;
     for (const Pose2& pose : scans ? trajectory_.scanPoses() : trajectory_.recorded()) {
       poses.push_back(start_ * pose);
     }
     return poses;
   }
-  Pose2 newestBy(Way::By by) const {
+  Pose2 newestBy(TrajectoryHypothesis::By by) const {
     switch (by) {
-      case Way::By::Walls:
-        return anchored_->pose();
-      case Way::By::Scans:
+      case TrajectoryHypothesis::By::Walls:
+        return matched_->pose();
+      case TrajectoryHypothesis::By::Scans:
         return start_ * trajectory_.scanPoses().back();
-      case Way::By::Odometry:
+      case TrajectoryHypothesis::By::Odometry:
         return start_ * trajectory_.recorded().back();
-      case Way::By::Buildings:
+      case TrajectoryHypothesis::By::Buildings:
         break;
     }
     return estimator_.pose();
   }
   Pose2 pose() const {
-    return concluded_ ? onward_ * newestBy(concluded_->way.by) : estimator_.pose();
+    return concluded_ ? onward_ * newestBy(concluded_->trajectory.by) : estimator_.pose();
   }
 
   RunKnowledge known() const {
-    const Way::By alone = trajectory_.usable() ? Way::By::Scans : Way::By::Odometry;
-    std::optional<Way> walls;
-    if (anchored_) walls = Way{Way::By::Walls, posesBy(Way::By::Walls)};
+    const TrajectoryHypothesis::By alone =
+        trajectory_.usable() ? TrajectoryHypothesis::By::Scans : TrajectoryHypothesis::By::Odometry;
+    std::optional<TrajectoryHypothesis> walls;
+    if (matched_)
+      walls = TrajectoryHypothesis{TrajectoryHypothesis::By::Walls,
+                                   posesBy(TrajectoryHypothesis::By::Walls)};
     return {{alone, posesBy(alone)},
-            {Way::By::Buildings, posesBy(Way::By::Buildings)},
+            {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
             std::move(walls),
             estimator_.refinedMap(),
             estimator_.drawingMotion(),
@@ -205,15 +209,15 @@ class HandmapMethod : public EstimationMethod {
   /// From now on the way is the believed one, and goes on as that does.
   void show(Conclusion conclusion) {
     concluded_ = std::move(conclusion);
-    std::vector<Pose2>& poses = concluded_->way.poses;
-    const std::vector<Pose2> told = posesBy(concluded_->way.by);
+    std::vector<Pose2>& poses = concluded_->trajectory.poses;
+    const std::vector<Pose2> told = posesBy(concluded_->trajectory.by);
     onward_ = poses.back() * inverse(told[poses.size() - 1]);
     for (std::size_t i = poses.size(); i < told.size(); ++i) poses.push_back(onward_ * told[i]);
-    shown_way_ = {};
+    shown_writer_ = {};
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      shown_way_.push_back({estimator_.trajectory()[i].time_s, poses[i]});
+      shown_writer_.push_back({estimator_.trajectory()[i].time_s, poses[i]});
     }
-    shown_trajectory_ = shown_way_.share();
+    shown_trajectory_ = shown_writer_.share();
   }
 
   /// Of the stated pose. A way without the buildings was told by one thing alone: where the
@@ -221,14 +225,15 @@ class HandmapMethod : public EstimationMethod {
   Eigen::Matrix3d poseCovariance() const {
     const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
     Eigen::Matrix3d covariance = buildings;
-    const Way::By by = concluded_ ? concluded_->way.by : Way::By::Buildings;
+    const TrajectoryHypothesis::By by =
+        concluded_ ? concluded_->trajectory.by : TrajectoryHypothesis::By::Buildings;
     if (concluded_ && concluded_->covariance) {
       covariance = *concluded_->covariance;
-    } else if (by == Way::By::Walls) {
-      covariance = anchored_->covariance();
-    } else if (by != Way::By::Buildings) {
+    } else if (by == TrajectoryHypothesis::By::Walls) {
+      covariance = matched_->covariance();
+    } else if (by != TrajectoryHypothesis::By::Buildings) {
       const Eigen::Matrix3d turn = rotation(start_.heading);
-      const bool scans = by == Way::By::Scans;
+      const bool scans = by == TrajectoryHypothesis::By::Scans;
       covariance =
           turn * (scans ? trajectory_.covariance() : wheels_.covariance()) * turn.transpose();
       const Vec2 apart = pose().position() - estimator_.pose().position();
@@ -236,7 +241,8 @@ class HandmapMethod : public EstimationMethod {
       if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
     }
     covariance.diagonal().head<2>().array() += kReference_m * kReference_m;
-    const bool laid = by == Way::By::Walls || (concluded_ && concluded_->covariance);
+    const bool laid =
+        by == TrajectoryHypothesis::By::Walls || (concluded_ && concluded_->covariance);
     if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);
     if (const auto& start = drawing_.start_uncertainty) {
       // The walls are corrected from where the robot is: what its start is off, all is off.
@@ -265,12 +271,12 @@ class HandmapMethod : public EstimationMethod {
   int loops_ = 0;
   HandmapEstimator estimator_;
   PhaseRecorder* recorder_ = nullptr;
-  std::optional<AnchoredWay> anchored_;
-  double way_m_ = 0.0;  ///< by the recorded odometry
+  std::optional<MatchedTrajectory> matched_;
+  double driven_m_ = 0.0;  ///< by the recorded odometry
   Conclusions conclusions_;
   std::optional<Conclusion> concluded_;  ///< the newest
   Pose2 onward_;                         ///< from what tells its way to where that lies on the map
-  SharedListWriter<StampedPose> shown_way_;
+  SharedListWriter<StampedPose> shown_writer_;
   SharedList<StampedPose> shown_trajectory_;  ///< the believed way, once there is a conclusion
   bool finished_ = false;
 };

@@ -2,7 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/estimation/samples.h"
-#include "core/map_match/anchored_way.h"
+#include "core/map_match/matched_trajectory.h"
 #include "core/session/pose_trust.h"
 #include "core/trajectory/scan_trajectory.h"
 
@@ -19,7 +19,7 @@ class LocalizationMethod : public EstimationMethod {
         seed_(settings.seed),
         seen_(source.range_limit_m),
         trajectory_({.range_limit_m = source.range_limit_m}),
-        anchored_(*map_, seen_) {}
+        matched_(*map_, seen_) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& /*progress*/) override {
@@ -30,19 +30,19 @@ class LocalizationMethod : public EstimationMethod {
   }
 
   bool finish(const std::stop_token& stop, const std::function<void(double)>&) override {
-    anchored_.finish(stop);
+    matched_.finish(stop);
     return true;
   }
 
   void describe(FrameReport& report) const override {
     report.effective_sample_size = particles_;
-    report.visible_buildings = anchored_.visibleBuildings();
-    report.pose = anchored_.pose();
-    stateTrust(anchored_.covariance(), report);
+    report.visible_buildings = matched_.visibleBuildings();
+    report.pose = matched_.pose();
+    stateTrust(matched_.covariance(), report);
   }
   std::vector<ParticleView> particles() const override {
     constexpr std::uint32_t kPose = 0;
-    const PoseSampler sample(anchored_.pose(), anchored_.covariance());
+    const PoseSampler sample(matched_.pose(), matched_.covariance());
     std::vector<ParticleView> views;
     for (int i = 0; i < particles_; ++i) {
       RandomStream random(seed_, static_cast<std::uint32_t>(times_.size()),
@@ -54,7 +54,7 @@ class LocalizationMethod : public EstimationMethod {
   std::vector<BuildingSwarm> swarms() const override { return {}; }
   /// Without the place of the start, where nothing was observed.
   SharedList<StampedPose> trajectory() const override {
-    const std::vector<Pose2> poses = anchored_.poses();
+    const std::vector<Pose2> poses = matched_.poses();
     SharedListWriter<StampedPose> trajectory;
     for (std::size_t i = 1; i < poses.size(); ++i) trajectory.push_back({times_[i], poses[i]});
     return trajectory.share();
@@ -73,7 +73,8 @@ class LocalizationMethod : public EstimationMethod {
     trajectory_.add(time_s, odometry, points, stop);
     if (!times_.empty()) seen_.add(times_.size(), odometry, scan, points);
     times_.push_back(time_s);
-    anchored_.add(trajectory_.poses(), trajectory_.usable() ? WayNoise::Scans : WayNoise::Recorded);
+    matched_.add(trajectory_.poses(),
+                 trajectory_.usable() ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
   }
 
   std::shared_ptr<const Map> map_;
@@ -83,7 +84,7 @@ class LocalizationMethod : public EstimationMethod {
   std::vector<double> times_;  ///< the start's, then of the observations
   SeenFrames seen_;
   ScanTrajectory trajectory_;
-  AnchoredWay anchored_;
+  MatchedTrajectory matched_;
 };
 
 }  // namespace

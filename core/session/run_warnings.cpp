@@ -10,9 +10,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kMostlyBlind = 0.5;       // share of the observations, or of the way
-constexpr float kLikelyWall = 0.2F;        // a return less sure of being a wall is not counted
-constexpr std::size_t kPlacesOfWay = 100;  // enough to tell how near a way comes to a building
+constexpr double kMostlyBlind = 0.5;  // share of the observations, or of the way
+constexpr float kLikelyWall = 0.2F;   // a return less sure of being a wall is not counted
+constexpr std::size_t kPlaces = 100;  // enough to tell how near a way comes to a building
 
 std::string checkStart() {
   return phrase("Is the start where the recording begins, and does it look the right way?");
@@ -20,23 +20,24 @@ std::string checkStart() {
 
 /// At places all along the way: how far it is to the nearest of the buildings.
 template <typename Counts>
-std::vector<double> nearestAlong(const std::vector<StampedPose>& way,
+std::vector<double> nearestAlong(const std::vector<StampedPose>& trajectory,
                                  const std::vector<Building>& buildings, const Counts& counts) {
   std::vector<double> nearest_m;
-  const std::size_t step = std::max<std::size_t>(1, way.size() / kPlacesOfWay);
-  for (std::size_t i = 0; i < way.size(); i += step) {
+  const std::size_t step = std::max<std::size_t>(1, trajectory.size() / kPlaces);
+  for (std::size_t i = 0; i < trajectory.size(); i += step) {
     nearest_m.push_back(std::numeric_limits<double>::infinity());
     for (const Building& building : buildings) {
       if (!counts(building)) continue;
-      nearest_m.back() =
-          std::min(nearest_m.back(), distanceTo(building.footprint(), way[i].pose.position()));
+      nearest_m.back() = std::min(nearest_m.back(),
+                                  distanceTo(building.footprint(), trajectory[i].pose.position()));
     }
   }
   return nearest_m;
 }
 
-double nearestBuilding_m(const Map& drawing, const std::vector<StampedPose>& way) {
-  const auto nearest_m = nearestAlong(way, drawing.buildings, [](const Building&) { return true; });
+double nearestBuilding_m(const Map& drawing, const std::vector<StampedPose>& trajectory) {
+  const auto nearest_m =
+      nearestAlong(trajectory, drawing.buildings, [](const Building&) { return true; });
   return nearest_m.empty() ? std::numeric_limits<double>::infinity()
                            : *std::min_element(nearest_m.begin(), nearest_m.end());
 }
@@ -73,7 +74,7 @@ Finding nothingRecognised(const RunOutcome& outcome) {
   if (counts.walls == 0) return noWalls(outcome);
   const std::string walls = phrase("Walls were seen in {} directions, up to {:.0f} m away",
                                    counts.walls, counts.farthest_m);
-  const double nearest = nearestBuilding_m(outcome.drawing, outcome.way);
+  const double nearest = nearestBuilding_m(outcome.drawing, outcome.trajectory);
   if (nearest > outcome.range_limit_m) {
     return {phrase("{}, but the way comes no nearer than {:.0f} m to a drawn building, and the "
                    "sensor sees {:.0f} m.",
@@ -90,7 +91,7 @@ Finding nothingRecognised(const RunOutcome& outcome) {
 
 RunWarning nothingCorrected(const RunOutcome& outcome) {
   const auto& buildings = outcome.drawing.buildings;
-  const double nearest = nearestBuilding_m(outcome.drawing, outcome.way);
+  const double nearest = nearestBuilding_m(outcome.drawing, outcome.trajectory);
   RunWarning warning{
       "nothing_corrected",
       phrase("Nothing was corrected: buildings were in sight in {} of {} observations, but none "
@@ -113,7 +114,7 @@ bool isCorrected(const Building& building) {
 
 /// Share of the way that has no corrected building within the sensor's range.
 double shareAlone(const RunOutcome& outcome) {
-  const auto nearest_m = nearestAlong(outcome.way, outcome.refined.buildings, isCorrected);
+  const auto nearest_m = nearestAlong(outcome.trajectory, outcome.refined.buildings, isCorrected);
   const auto alone = std::count_if(nearest_m.begin(), nearest_m.end(), [&](double distance_m) {
     return distance_m > outcome.range_limit_m;
   });

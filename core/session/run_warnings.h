@@ -35,7 +35,7 @@ struct RunOutcome {
   double range_limit_m;
   const Map& drawing;
   const Map& refined;
-  const std::vector<StampedPose>& way;
+  const std::vector<StampedPose>& trajectory;
   bool refine;  ///< buildings were to be corrected
 };
 

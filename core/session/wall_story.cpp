@@ -39,9 +39,9 @@ struct Place {
 };
 
 /// Where the robot was.
-class Way {
+class DrivenTrajectory {
  public:
-  explicit Way(const std::vector<StampedPose>& poses) : poses_(poses) {
+  explicit DrivenTrajectory(const std::vector<StampedPose>& poses) : poses_(poses) {
     double travelled = 0.0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (i > 0) travelled += (poses[i].pose.position() - poses[i - 1].pose.position()).norm();
@@ -121,9 +121,9 @@ void weigh(const std::vector<double>& weights, WallStory& story) {
 
 }  // namespace
 
-WallStory storyOf(const Map& drawing, const Map& refined, const std::vector<StampedPose>& way,
-                  std::span<const SeenScan> scans, std::size_t building, std::size_t wall,
-                  double tolerance_m) {
+WallStory storyOf(const Map& drawing, const Map& refined,
+                  const std::vector<StampedPose>& trajectory, std::span<const SeenScan> scans,
+                  std::size_t building, std::size_t wall, double tolerance_m) {
   WallStory story;
   story.tolerance_m = tolerance_m;
   const auto now = placed(refined, building, wall, tolerance_m);
@@ -138,7 +138,7 @@ WallStory storyOf(const Map& drawing, const Map& refined, const std::vector<Stam
   const Uncertainty uncertainty = drawing.uncertaintyOf(drawing.buildings[building]);
   story.drawn_sigma_m = std::hypot(uncertainty.position, 0.5 * uncertainty.size);
 
-  const Way robot(way);
+  const DrivenTrajectory robot(trajectory);
   std::map<long, double> looks;  // by metre of the way: how many
   std::vector<long> metre_of;
   for (const SeenScan& seen : scans) {

@@ -107,10 +107,10 @@ Map blocks(double nearest, double farthest, RandomStream& random) {
   map.route.assign(corners.begin(), corners.end());
   map.route.emplace_back(length / 3.0, 0.0);
   for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg) {
-    const Vec2 way = corners[leg + 1] - corners[leg];
-    const Pose2 frame{corners[leg].x(), corners[leg].y(), std::atan2(way.y(), way.x())};
+    const Vec2 offset = corners[leg + 1] - corners[leg];
+    const Pose2 frame{corners[leg].x(), corners[leg].y(), std::atan2(offset.y(), offset.x())};
     for (const double side : {1.0, -1.0}) {  // the left is inside
-      const double end = way.norm() - (side > 0.0 ? inset : 0.0);
+      const double end = offset.norm() - (side > 0.0 ? inset : 0.0);
       double at = side > 0.0 ? inset : 0.0;
       while (true) {
         Rectangle box;

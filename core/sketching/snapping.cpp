@@ -75,14 +75,14 @@ std::vector<Snapper::Line> Snapper::lines(const Vec2& pointer,
       near.push_back({wall.a, along, SnapKind::Line, to_line});
   }
   for (const Vec2& from : candidates.from) {
-    std::vector<Vec2> ways = {Vec2::UnitX(), Vec2::UnitY()};
+    std::vector<Vec2> directions = {Vec2::UnitX(), Vec2::UnitY()};
     if (candidates.along && candidates.along->norm() > 0.0) {
-      ways.push_back(candidates.along->normalized());
-      ways.push_back(perpendicular(ways.back()));
+      directions.push_back(candidates.along->normalized());
+      directions.push_back(perpendicular(directions.back()));
     }
-    for (const Vec2& way : ways) {
-      const double distance = distanceToLine(from, way, pointer);
-      if (distance <= reach_) near.push_back({from, way, SnapKind::RightAngle, distance});
+    for (const Vec2& direction : directions) {
+      const double distance = distanceToLine(from, direction, pointer);
+      if (distance <= reach_) near.push_back({from, direction, SnapKind::RightAngle, distance});
     }
   }
   std::ranges::stable_sort(near, [](const Line& a, const Line& b) {
@@ -107,8 +107,8 @@ std::optional<Snap> Snapper::crossing(const Vec2& pointer, const std::vector<Lin
 
 /// At a tidy distance from where the line is counted from.
 Vec2 Snapper::onLine(const Line& line, const Vec2& pointer) const {
-  const double way = (pointer - line.at).dot(line.along);
-  return line.at + line.along * (std::round(way / step()) * step());
+  const double along = (pointer - line.at).dot(line.along);
+  return line.at + line.along * (std::round(along / step()) * step());
 }
 
 Snap Snapper::snapOffset(const std::vector<Vec2>& corners, const Vec2& offset,

@@ -20,12 +20,12 @@ std::vector<Wall> laidOut(const Polygon& polygon, double common, double toleranc
   std::vector<Wall> walls;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2& a = polygon[i];
-    const Vec2 way = polygon[(i + 1) % polygon.size()] - a;
-    const double heading = std::atan2(way.y(), way.x());
+    const Vec2 edge = polygon[(i + 1) % polygon.size()] - a;
+    const double heading = std::atan2(edge.y(), edge.x());
     const double turn = turnToParallel(heading, common);
-    walls.push_back({a + way / 2.0,
+    walls.push_back({a + edge / 2.0,
                      normalizedAngle(std::abs(turn) <= tolerance ? heading + turn : heading),
-                     way.norm()});
+                     edge.norm()});
   }
   return walls;
 }
@@ -59,10 +59,10 @@ void joinParallels(std::vector<Wall>& walls) {
 double commonHeading(const Polygon& polygon) {
   std::complex<double> sum;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 way = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     // Four times the angle: all four sides of a rectangle point the same way. Long walls tell it
     // more surely than many short ones.
-    sum += std::polar(way.squaredNorm(), 4.0 * std::atan2(way.y(), way.x()));
+    sum += std::polar(edge.squaredNorm(), 4.0 * std::atan2(edge.y(), edge.x()));
   }
   const double heading = std::fmod(std::arg(sum) / 4.0 + kPi, kPi / 2.0);
   return heading > kPi / 2.0 - 1e-12 || heading < 1e-12 ? 0.0 : heading;

@@ -86,10 +86,10 @@ Polygon evenlySampled(const Polygon& outline, std::size_t count) {
   Polygon samples;
   std::size_t i = 0;
   for (std::size_t n = 0; n < count; ++n) {
-    const double way = along.back() * static_cast<double>(n) / static_cast<double>(count);
-    while (i + 2 < ring.size() && along[i + 1] <= way) ++i;
+    const double travelled = along.back() * static_cast<double>(n) / static_cast<double>(count);
+    while (i + 2 < ring.size() && along[i + 1] <= travelled) ++i;
     const double piece = along[i + 1] - along[i];
-    const double t = piece > 0.0 ? (way - along[i]) / piece : 0.0;
+    const double t = piece > 0.0 ? (travelled - along[i]) / piece : 0.0;
     samples.push_back(ring[i] + t * (ring[i + 1] - ring[i]));
   }
   return samples;

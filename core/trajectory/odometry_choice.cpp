@@ -50,7 +50,7 @@ Look lookedAt(const Recording& recording, ReplayOptions options) {
 }
 
 /// By the images, at every time; empty where they do not tell it.
-Trajectory visualWay(const Recording& recording, ReplayOptions options) {
+Trajectory visualTrajectory(const Recording& recording, ReplayOptions options) {
   options.kind = SourceKind::Images;
   options.every = 1;
   options.visual_odometry = true;
@@ -68,10 +68,10 @@ Trajectory visualWay(const Recording& recording, ReplayOptions options) {
 
 /// nullopt where the way does not reach.
 std::optional<std::vector<Pose2>> placedAt(const std::vector<double>& times_s,
-                                           const Trajectory& way) {
+                                           const Trajectory& trajectory) {
   std::vector<Pose2> poses;
   for (const double time_s : times_s) {
-    const auto pose = way.at(time_s);
+    const auto pose = trajectory.at(time_s);
     if (!pose) return std::nullopt;
     poses.push_back(*pose);
   }
@@ -116,7 +116,7 @@ Verdict judged(const Recording& recording, const ReplayOptions& options) {
     }
   }
   if (!hasImages(recording) || !recording.camera) return verdict;
-  verdict.visual = visualWay(recording, options);
+  verdict.visual = visualTrajectory(recording, options);
   const auto placed = placedAt(look.times_s, verdict.visual);
   if (!placed) return verdict;
   const double visual = look.seen.sharpness(*placed);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/trajectory/scan_features.h"
-#include "core/trajectory/way_sharpness.h"
+#include "core/trajectory/sharpness.h"
 
 namespace handmap {
 
@@ -22,7 +22,6 @@ Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_
 std::vector<ScanPoint> features(const Returns& returns);
 
 /// At most 100 of them, evenly taken, with the noise known now.
-SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,
-                              const ScanNoise& noise);
+SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m, const ScanNoise& noise);
 
 }  // namespace handmap

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "core/trajectory/local_map_odometry.h"
-#include "core/trajectory/scan_noise.h"
 #include "core/trajectory/returns.h"
-#include "core/trajectory/way_graph.h"
-#include "core/trajectory/way_sharpness.h"
+#include "core/trajectory/scan_noise.h"
+#include "core/trajectory/sharpness.h"
+#include "core/trajectory/trajectory_graph.h"
 
 namespace handmap {
 
@@ -19,10 +19,10 @@ constexpr std::size_t kMostSeen = 3'000'000;  // points that sharpness is judged
 constexpr double kLeastNoise = 0.1;  // of the recorded odometry's: a scan itself may be off
 
 /// How far the motions of two ways are apart in heading, the median.
-double usualTurnOff(const std::vector<Pose2>& way, const std::vector<Pose2>& other) {
+double usualTurnOff(const std::vector<Pose2>& trajectory, const std::vector<Pose2>& other) {
   std::vector<double> off;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const double turn = way[i].heading - way[i - 1].heading;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    const double turn = trajectory[i].heading - trajectory[i - 1].heading;
     off.push_back(std::abs(normalizedAngle(turn - (other[i].heading - other[i - 1].heading))));
   }
   if (off.empty()) return 0.0;
@@ -43,7 +43,7 @@ struct ScanTrajectory::State {
 
   TrajectoryOptions options;
   LocalMapOdometry odometry;
-  WayGraph graph;
+  TrajectoryGraph graph;
   ScanNoise noise;
   std::vector<Pose2> recorded;
   std::vector<Pose2> smooth;
@@ -95,7 +95,7 @@ void ScanTrajectory::State::judge() {
   if (poses.size() < judge_at) return;
   judge_at = poses.size() + poses.size() / 4;
   const SharpnessOptions rough{.samples = 2000};
-  sharper = waySharpness(seen, poses, rough) >= waySharpness(seen, recorded, rough);
+  sharper = sharpnessOf(seen, poses, rough) >= sharpnessOf(seen, recorded, rough);
 }
 
 ScanTrajectory::ScanTrajectory(const TrajectoryOptions& options)
@@ -139,12 +139,14 @@ bool ScanTrajectory::usable() const {
   return state_->straight > 0 && state_->sharper && static_cast<double>(state_->straight) >= share;
 }
 
-double ScanTrajectory::sharpness(const std::vector<Pose2>& way) const {
-  return waySharpness(state_->seen, way);
+double ScanTrajectory::sharpness(const std::vector<Pose2>& trajectory) const {
+  return sharpnessOf(state_->seen, trajectory);
 }
 
 std::function<double(const std::vector<Pose2>&)> ScanTrajectory::sharpnessLater() const {
-  return [seen = state_->seen](const std::vector<Pose2>& way) { return waySharpness(seen, way); };
+  return [seen = state_->seen](const std::vector<Pose2>& trajectory) {
+    return sharpnessOf(seen, trajectory);
+  };
 }
 
 double ScanTrajectory::rangeNoise(double range_m) const { return state_->noise.sigma(range_m); }

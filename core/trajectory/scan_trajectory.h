@@ -45,8 +45,8 @@ class ScanTrajectory {
 
   const std::vector<Pose2>& scanPoses() const;  ///< as poses(), usable or not
   const std::vector<Pose2>& recorded() const;   ///< the recorded odometry of all observations
-  /// waySharpness() of what was seen, along any way of the same observations. Some 0.1 s.
-  double sharpness(const std::vector<Pose2>& way) const;
+  /// sharpnessOf() of what was seen, along any way of the same observations. Some 0.1 s.
+  double sharpness(const std::vector<Pose2>& trajectory) const;
   /// The same of what was seen until now, to be asked at any time later and in any thread.
   std::function<double(const std::vector<Pose2>&)> sharpnessLater() const;
   /// One σ of the sensor's ranges at this distance, metres, as the scans themselves show it.

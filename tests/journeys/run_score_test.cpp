@@ -14,24 +14,25 @@ Map rowAt(double x) {
   return map;
 }
 
-std::vector<StampedPose> wayBeside(double y) {
+std::vector<StampedPose> trajectoryBeside(double y) {
   return {{0.0, {0.0, y, 0.0}}, {1.0, {5.0, y, 0.0}}, {2.0, {10.0, y, 0.0}}};
 }
 
 Snapshot atTheEnd() {
   Snapshot last;
-  last.odometry = SharedListWriter(wayBeside(2.0)).share();
-  last.trajectory = SharedListWriter(wayBeside(0.5)).share();
+  last.odometry = SharedListWriter(trajectoryBeside(2.0)).share();
+  last.trajectory = SharedListWriter(trajectoryBeside(0.5)).share();
   return last;
 }
 
 TEST(RunScore, ComparesDrawingAndWayWithTheTruth) {
-  const RunScore score = scoreRun(rowAt(3.0), rowAt(1.0), rowAt(0.0), atTheEnd(), wayBeside(0.0));
-  ASSERT_TRUE(score.maps && score.ways);
+  const RunScore score =
+      scoreRun(rowAt(3.0), rowAt(1.0), rowAt(0.0), atTheEnd(), trajectoryBeside(0.0));
+  ASSERT_TRUE(score.maps && score.trajectories);
   EXPECT_NEAR(score.maps->drawn.x, 3.0, 1e-9);
   EXPECT_NEAR(score.maps->corrected.x, 1.0, 1e-9);
-  EXPECT_NEAR(score.ways->odometry.rms_m, 2.0, 1e-9);
-  EXPECT_NEAR(score.ways->corrected.rms_m, 0.5, 1e-9);
+  EXPECT_NEAR(score.trajectories->odometry.rms_m, 2.0, 1e-9);
+  EXPECT_NEAR(score.trajectories->corrected.rms_m, 0.5, 1e-9);
   EXPECT_TRUE(scoreInWords(score).contains("x 3.00 → 1.00 m"));
   EXPECT_TRUE(scoreInWords(score).contains("trajectory 2.00 → 0.50 m"));
   EXPECT_TRUE(scoreTable(score).contains("overlap with truth"));
@@ -39,7 +40,7 @@ TEST(RunScore, ComparesDrawingAndWayWithTheTruth) {
 
 TEST(RunScore, SaysNothingWithoutATruth) {
   const RunScore score = scoreRun(rowAt(3.0), rowAt(1.0), {}, atTheEnd(), {});
-  EXPECT_FALSE(score.maps || score.ways);
+  EXPECT_FALSE(score.maps || score.trajectories);
   EXPECT_TRUE(scoreInWords(score).isEmpty());
   EXPECT_TRUE(scoreTable(score).isEmpty());
 }

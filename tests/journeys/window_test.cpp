@@ -25,7 +25,7 @@ TEST_F(WindowTest, ARunGoesToItsEndAndIsAcceptedAsOneStep) {
   ASSERT_TRUE(waitFor(*window, RunState::Idle));
   EXPECT_TRUE(window->runs().stateInWords().startsWith("Done"));
   const auto score = window->results().score();
-  ASSERT_TRUE(score && score->maps && score->ways);
+  ASSERT_TRUE(score && score->maps && score->trajectories);
   EXPECT_LT(score->maps->corrected.front, score->maps->drawn.front);
   EXPECT_EQ(window->document().map(), drawn) << "a run never writes into the drawing";
 

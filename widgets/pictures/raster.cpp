@@ -82,15 +82,15 @@ std::optional<std::vector<Vec2>> inDegrees(OGRSpatialReferenceH from,
   const System source(OSRClone(from));
   for (const auto* system : {&degrees, &source})
     OSRSetAxisMappingStrategy(system->get(), OAMS_TRADITIONAL_GIS_ORDER);
-  auto* way = OCTNewCoordinateTransformation(source.get(), degrees.get());
-  if (way == nullptr) return std::nullopt;
+  auto* transformation = OCTNewCoordinateTransformation(source.get(), degrees.get());
+  if (transformation == nullptr) return std::nullopt;
   std::vector<Vec2> result = places;
   bool good = true;
   for (Vec2& place : result) {
-    good = good && OCTTransform(way, 1, &place.x(), &place.y(), nullptr) != 0 &&
+    good = good && OCTTransform(transformation, 1, &place.x(), &place.y(), nullptr) != 0 &&
            place.allFinite() && std::abs(place.x()) <= 180.0 && std::abs(place.y()) <= 90.0;
   }
-  OCTDestroyCoordinateTransformation(way);
+  OCTDestroyCoordinateTransformation(transformation);
   return good ? std::optional(result) : std::nullopt;
 }
 

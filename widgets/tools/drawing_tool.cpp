@@ -12,7 +12,7 @@ namespace {
 constexpr double kDragPx = 4.0;
 constexpr double kCursorPx = 12.0;  ///< half the size of the keyboard's cursor
 
-double degreesOf(const Vec2& way) { return toDegrees(std::atan2(way.y(), way.x())); }
+double degreesOf(const Vec2& offset) { return toDegrees(std::atan2(offset.y(), offset.x())); }
 
 }  // namespace
 
@@ -206,8 +206,8 @@ std::optional<SnapContext> DrawingTool::snapContext() const {
 
 std::vector<DrawingTool::Number> DrawingTool::numbers() const {
   if (placed().empty()) return {{tr("x"), pointer_.x()}, {tr("y"), pointer_.y()}};
-  const Vec2 way = next() - placed().back();
-  return {{tr("Length"), way.norm()}, {tr("Angle"), degreesOf(way), true}};
+  const Vec2 offset = next() - placed().back();
+  return {{tr("Length"), offset.norm()}, {tr("Angle"), degreesOf(offset), true}};
 }
 
 Vec2 DrawingTool::constrained(const Vec2& pointer) const {
@@ -217,9 +217,9 @@ Vec2 DrawingTool::constrained(const Vec2& pointer) const {
   if (placed().empty()) {
     point = {first.value_or(pointer.x()), second.value_or(pointer.y())};
   } else if (first || second) {
-    const Vec2 way = pointer - placed().back();
-    const double angle = second ? toRadians(*second) : std::atan2(way.y(), way.x());
-    point = placed().back() + first.value_or(way.norm()) * unitVector(angle);
+    const Vec2 offset = pointer - placed().back();
+    const double angle = second ? toRadians(*second) : std::atan2(offset.y(), offset.x());
+    point = placed().back() + first.value_or(offset.norm()) * unitVector(angle);
   } else {
     return pointer;
   }

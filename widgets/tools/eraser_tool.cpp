@@ -46,8 +46,8 @@ void EraserTool::move(const ToolEvent& event) {
 /// All that lies between where the pointer was and where it is.
 void EraserTool::touch(const ToolEvent& event) {
   const double reach = event.reach(kEraserReachPx);
-  const double way = (event.position - last_).norm();
-  const int steps = std::clamp(static_cast<int>(std::ceil(way / reach)), 1, 500);
+  const double dragged = (event.position - last_).norm();
+  const int steps = std::clamp(static_cast<int>(std::ceil(dragged / reach)), 1, 500);
   for (int i = 0; i <= steps; ++i) {
     const Vec2 at = last_ + (event.position - last_) * i / steps;
     const QString key = objectAt(document(), at, reach);

@@ -21,10 +21,10 @@ QString RectangleTool::hint() const {
 }
 
 Rectangle RectangleTool::between(const Vec2& from, const Vec2& to) const {
-  const Vec2 way = to - from;
+  const Vec2 offset = to - from;
   if (modifiers() & Qt::ControlModifier)
-    return {from, 2.0 * std::abs(way.x()), 2.0 * std::abs(way.y()), 0.0};
-  return {from + way / 2.0, std::abs(way.x()), std::abs(way.y()), 0.0};
+    return {from, 2.0 * std::abs(offset.x()), 2.0 * std::abs(offset.y()), 0.0};
+  return {from + offset / 2.0, std::abs(offset.x()), std::abs(offset.y()), 0.0};
 }
 
 std::vector<DrawingTool::Number> RectangleTool::numbers() const {
@@ -36,17 +36,18 @@ std::vector<DrawingTool::Number> RectangleTool::numbers() const {
 Vec2 RectangleTool::constrained(const Vec2& pointer) const {
   if (placed().empty()) return DrawingTool::constrained(pointer);
   const Vec2& from = placed().front();
-  Vec2 way = pointer - from;
+  Vec2 offset = pointer - from;
   if (modifiers() & Qt::ShiftModifier) {
-    const double side = way.cwiseAbs().maxCoeff();
-    way = {std::copysign(side, way.x()), std::copysign(side, way.y())};
+    const double side = offset.cwiseAbs().maxCoeff();
+    offset = {std::copysign(side, offset.x()), std::copysign(side, offset.y())};
   }
   const double share = modifiers() & Qt::ControlModifier ? 0.5 : 1.0;
   for (const int axis : {0, 1}) {
     const auto typed_size = typed().value(static_cast<std::size_t>(axis));
-    if (typed_size) way[axis] = std::copysign(share * std::min(*typed_size, kMaxSize), way[axis]);
+    if (typed_size)
+      offset[axis] = std::copysign(share * std::min(*typed_size, kMaxSize), offset[axis]);
   }
-  return from + way;
+  return from + offset;
 }
 
 bool RectangleTool::mayPlace(const Vec2& point) const {

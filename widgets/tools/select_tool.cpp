@@ -109,8 +109,8 @@ void SelectTool::selectPressed(const QString& key, Qt::KeyboardModifiers modifie
 
 void SelectTool::move(const ToolEvent& event) {
   if (!pressed_) return updateCursor(event);
-  const double way = (event.position - pressed_->position).norm();
-  if (!preview_ && !rubber_end_ && way < event.reach(kDragPx)) return;
+  const double dragged = (event.position - pressed_->position).norm();
+  if (!preview_ && !rubber_end_ && dragged < event.reach(kDragPx)) return;
   if (drag_) {
     std::optional<MapChange> change = drag_->change(event);
     refused_ = !change;

@@ -22,9 +22,9 @@ std::optional<Pose2> StartTool::placedPose() const {
   double heading = document().map().start.value_or(Pose2{}).heading;
   if (const auto typed_heading = typed().value(0)) {
     heading = normalizedAngle(toRadians(*typed_heading));
-  } else if (const Vec2 way = pointer() - at; way.norm() >= kStartDragPx * metresPerPixel()) {
+  } else if (const Vec2 offset = pointer() - at; offset.norm() >= kStartDragPx * metresPerPixel()) {
     const bool held = modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
-    heading = roundedHeading(std::atan2(way.y(), way.x()), held ? 15.0 : 0.5);
+    heading = roundedHeading(std::atan2(offset.y(), offset.x()), held ? 15.0 : 0.5);
   }
   return Pose2{at.x(), at.y(), heading};
 }

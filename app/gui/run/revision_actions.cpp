@@ -31,10 +31,10 @@ QString differenceInWords(const Snapshot& before, const Snapshot& after) {
   for (const Building& building : after.map->buildings) {
     const auto old = places.find(building.id);
     if (old == places.end()) continue;
-    const double way =
+    const double distance =
         (building.box().centre - before.map->buildings[old->second].box().centre).norm();
-    farthest = std::max(farthest, way);
-    if (way > kMoved_m) ++moved;
+    farthest = std::max(farthest, distance);
+    if (distance > kMoved_m) ++moved;
   }
   const double pose = (after.report.pose.position() - before.report.pose.position()).norm();
   const QString robot = RevisionActions::tr("the robot is %1 m elsewhere").arg(pose, 0, 'f', 2);

@@ -26,7 +26,7 @@ RunScore scoreRun(const Map& drawing, const Map& refined, const std::optional<Ma
     const Trajectory true_way(truth, "truth");
     const auto odometry = compareTrajectories(last.odometry.all(), true_way);
     const auto corrected = compareTrajectories(last.trajectory.all(), true_way);
-    if (odometry && corrected) score.ways = {*odometry, *corrected};
+    if (odometry && corrected) score.trajectories = {*odometry, *corrected};
   }
   return score;
 }
@@ -39,9 +39,10 @@ QString scoreInWords(const RunScore& score) {
           << QObject::tr("front wall %1 → %2 m").arg(metres(drawn.front), metres(corrected.front))
           << QObject::tr("width %1 → %2 m").arg(metres(drawn.width), metres(corrected.width));
   }
-  if (score.ways) {
+  if (score.trajectories) {
     parts << QObject::tr("trajectory %1 → %2 m")
-                 .arg(metres(score.ways->odometry.rms_m), metres(score.ways->corrected.rms_m));
+                 .arg(metres(score.trajectories->odometry.rms_m),
+                      metres(score.trajectories->corrected.rms_m));
   }
   return parts.isEmpty() ? QString() : QObject::tr("Errors: %1").arg(parts.join(", "));
 }
@@ -57,8 +58,8 @@ QString scoreTable(const RunScore& score) {
     table += row("  width (m)", metres(drawn.width), metres(corrected.width));
     table += row("  overlap with truth (IoU)", metres(drawn.iou), metres(corrected.iou));
   }
-  if (score.ways) {
-    const auto& [odometry, corrected] = *score.ways;
+  if (score.trajectories) {
+    const auto& [odometry, corrected] = *score.trajectories;
     table += row(QObject::tr("error of the trajectory"), QObject::tr("odometry"),
                  QObject::tr("corrected"));
     table += row("  rms (m)", metres(odometry.rms_m), metres(corrected.rms_m));

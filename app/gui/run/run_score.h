@@ -14,12 +14,12 @@ struct RunScore {
     MeanErrors drawn;
     MeanErrors corrected;
   };
-  struct Ways {
+  struct Trajectories {
     TrajectoryError odometry;
     TrajectoryError corrected;
   };
   std::optional<Maps> maps;
-  std::optional<Ways> ways;
+  std::optional<Trajectories> trajectories;
 };
 
 RunScore scoreRun(const Map& drawing, const Map& refined, const std::optional<Map>& truth_map,

@@ -96,10 +96,10 @@ void RunViews::forget() {
   if (robot && robot->truth_map) overlays_.setTruthMap(*robot->truth_map);
 }
 
-void RunViews::showTruth(const std::vector<StampedPose>& way) {
+void RunViews::showTruth(const std::vector<StampedPose>& trajectory) {
   const auto& robot = sources_.robot();
-  overlays_.setTruth(way);
-  panels_.layers.setAvailable(Layer::Truth, !way.empty() || (robot && robot->truth_map));
+  overlays_.setTruth(trajectory);
+  panels_.layers.setAvailable(Layer::Truth, !trajectory.empty() || (robot && robot->truth_map));
 }
 
 void RunViews::connectFollowing() {
@@ -203,8 +203,8 @@ void RunViews::tellStory() {
   if (!why.asked()) why.setMap(*map);
   const auto asked = why.asked();
   if (!asked) return forgetStory();
-  teller_.ask(
-      {overlays_.drawing(), *map, overlays_.shownWay(), run_.tape(), asked->building, asked->wall});
+  teller_.ask({overlays_.drawing(), *map, overlays_.shownTrajectory(), run_.tape(), asked->building,
+               asked->wall});
 }
 
 void RunViews::hearStory(const std::shared_ptr<const WallStory>& story, bool kept) {

@@ -50,7 +50,7 @@ class RunViews : public QObject {
   void connectTable();
   void connectWhy();
   void compare();
-  void showTruth(const std::vector<StampedPose>& way);
+  void showTruth(const std::vector<StampedPose>& trajectory);
   void forget();
   void onShown(const Snapshot& snapshot);
   void clear();

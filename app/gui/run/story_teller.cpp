@@ -19,10 +19,10 @@ Answer answerTo(const StoryTeller::Question& question) {
     for (const auto& perceived : kept) {
       scans.push_back({perceived->observation.time_s, &perceived->percept.scan});
     }
-    return {
-        std::make_shared<const WallStory>(storyOf(question.drawing, question.refined, question.way,
-                                                  scans, question.building, question.wall)),
-        !kept.empty()};
+    return {std::make_shared<const WallStory>(storyOf(question.drawing, question.refined,
+                                                      question.trajectory, scans, question.building,
+                                                      question.wall)),
+            !kept.empty()};
   } catch (const std::exception&) {
     return {};
   }

@@ -20,7 +20,7 @@ class StoryTeller : public QObject {
   struct Question {
     Map drawing;
     Map refined;
-    std::vector<StampedPose> way;
+    std::vector<StampedPose> trajectory;
     std::shared_ptr<const Tape> tape;  ///< nullptr: nothing that was seen is kept
     std::size_t building;
     std::size_t wall;

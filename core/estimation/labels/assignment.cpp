@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-
 namespace handmap {
 
 namespace {
@@ -37,11 +36,11 @@ double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
 
 class Assigner {
  public:
-  Assigner(const Map& drawing, std::span<const FoundBox> found, std::span<const Pose2> way,
+  Assigner(const Map& drawing, std::span<const FoundBox> found, std::span<const Pose2> trajectory,
            const AssignmentOptions& options)
       : drawing_(drawing),
         found_(found),
-        way_(way),
+        trajectory_(trajectory),
         options_(options),
         log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
@@ -149,8 +148,8 @@ class Assigner {
     const auto nearer = [&](const Pose2& a, const Pose2& b) {
       return (a.position() - point).squaredNorm() < (b.position() - point).squaredNorm();
     };
-    const auto nearest = std::min_element(way_.begin(), way_.end(), nearer);
-    if (nearest == way_.end()) return 0;
+    const auto nearest = std::min_element(trajectory_.begin(), trajectory_.end(), nearer);
+    if (nearest == trajectory_.end()) return 0;
     return nearest->toOwn(point).y() > 0.0 ? 1 : -1;
   }
 
@@ -187,7 +186,7 @@ class Assigner {
 
   const Map& drawing_;
   std::span<const FoundBox> found_;
-  std::span<const Pose2> way_;
+  std::span<const Pose2> trajectory_;
   const AssignmentOptions& options_;
   std::vector<Rectangle> drawn_;
   std::vector<Vec2> found_at_;
@@ -250,9 +249,10 @@ void settle(std::vector<Hypothesis>& roots, const Building& drawn, const Uncerta
 }
 
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
-                               std::span<const Pose2> way, const std::vector<Hypothesis>& roots,
+                               std::span<const Pose2> trajectory,
+                               const std::vector<Hypothesis>& roots,
                                const AssignmentOptions& options) {
-  return Assigner(drawing, found, way, options)(roots);
+  return Assigner(drawing, found, trajectory, options)(roots);
 }
 
 }  // namespace handmap

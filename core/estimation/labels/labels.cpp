@@ -37,11 +37,12 @@ Labels::Labels(const Map& drawing, const AssignmentOptions& options)
   hypotheses_ = assign(nearby_drawing_, {}, {}, roots_, options_);
 }
 
-void Labels::update(std::vector<FoundBox>& found, std::span<const Pose2> way, double near_m) {
-  const Vec2 here = way.back().position();
+void Labels::update(std::vector<FoundBox>& found, std::span<const Pose2> trajectory,
+                    double near_m) {
+  const Vec2 here = trajectory.back().position();
   bringNearOnesBack(found, here, near_m);
   findNearby(here, near_m);
-  hypotheses_ = assign(nearby_drawing_, found, way, roots_, options_);
+  hypotheses_ = assign(nearby_drawing_, found, trajectory, roots_, options_);
   settleFarOnes(found, here, near_m);
 }
 

@@ -12,7 +12,7 @@ void OdometryEstimate::add(const std::deque<Frame>& frames) {
   const double counted = between(from.odometry, to.odometry).heading;
   const double error = normalizedAngle(between(from.pose, to.pose).heading - counted);
   turned_ = kForgetting * turned_ + error * error;
-  way_m_ = kForgetting * way_m_ + (to.driven_m - from.driven_m);
+  driven_m_ = kForgetting * driven_m_ + (to.driven_m - from.driven_m);
 }
 
 }  // namespace handmap

@@ -16,13 +16,13 @@ class OdometryEstimate {
 
   /// After each frame: takes the last stretch of the way that is smoothed well.
   void add(const std::deque<Frame>& frames);
-  double headingVariance() const { return turned_ / way_m_; }
+  double headingVariance() const { return turned_ / driven_m_; }
 
  private:
   static constexpr double kAssumed_m = 100.0;  // that the assumption counts for; choice
 
   double turned_;  ///< sum of squares
-  double way_m_ = kAssumed_m;
+  double driven_m_ = kAssumed_m;
 };
 
 }  // namespace handmap

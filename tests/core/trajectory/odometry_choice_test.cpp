@@ -30,10 +30,10 @@ class OdometryChoice : public ::testing::Test {
     return openRecording(folder_.path() / "rec");
   }
 
-  std::vector<Pose2> wayOf(ObservationSource& source) {
-    std::vector<Pose2> way;
-    while (const auto observation = source.next()) way.push_back(observation->odometry);
-    return way;
+  std::vector<Pose2> trajectoryOf(ObservationSource& source) {
+    std::vector<Pose2> trajectory;
+    while (const auto observation = source.next()) trajectory.push_back(observation->odometry);
+    return trajectory;
   }
 
   test::TemporaryFolder folder_;
@@ -43,11 +43,12 @@ class OdometryChoice : public ::testing::Test {
 
 TEST_F(OdometryChoice, ScansCureTheRecordedOne) {
   const Recording recording = record(0.03);
-  const auto recorded = wayOf(*replayWithOdometry(recording, {}, OdometryKind::Recorded).source);
+  const auto recorded =
+      trajectoryOf(*replayWithOdometry(recording, {}, OdometryKind::Recorded).source);
   const ChosenOdometry scan = replayWithOdometry(recording, {}, OdometryKind::Scan);
   EXPECT_EQ(scan.source->info().start_odometry, recorded.front());
   EXPECT_TRUE(scan.source->info().odometry.empty());
-  const auto by_scans = wayOf(*scan.source);
+  const auto by_scans = trajectoryOf(*scan.source);
   EXPECT_EQ(by_scans.front(), recorded.front());
   EXPECT_GT(test::rms(recorded, truth_), 1.0);
   EXPECT_LT(test::rms(by_scans, truth_), 0.5);
@@ -57,7 +58,7 @@ TEST_F(OdometryChoice, AutoTakesTheSharpest) {
   const ChosenOdometry choice = replayWithOdometry(record(0.03), {}, OdometryKind::Auto);
   EXPECT_EQ(choice.kind, OdometryKind::Scan);
   EXPECT_EQ(choice.reason.find("sharpness "), 0U) << choice.reason;
-  EXPECT_LT(test::rms(wayOf(*choice.source), truth_), 0.5);
+  EXPECT_LT(test::rms(trajectoryOf(*choice.source), truth_), 0.5);
 }
 
 TEST_F(OdometryChoice, AutoKeepsTheRecordedOneOfANoisySensor) {

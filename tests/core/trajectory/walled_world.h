@@ -58,7 +58,7 @@ inline std::vector<RangePoint> scanFrom(const std::vector<Segment>& walls, const
 /// Around the block of ringCorridor(), `rounds` times, corners cut round.
 inline std::vector<Pose2> aroundTheBlock(double rounds) {
   const double length = 2 * (55 + 35) + 2 * kPi * 2.5 - 4 * 5;
-  std::vector<Pose2> way;
+  std::vector<Pose2> trajectory;
   Pose2 pose{30, 5, 0};
   double left[] = {27.5, 0, 35, 0, 55, 0, 35, 0, 27.5};  // straight pieces, then to the start
   const double step = 0.5;
@@ -68,20 +68,20 @@ inline std::vector<Pose2> aroundTheBlock(double rounds) {
       const double piece = bend ? 0.5 * kPi * 2.5 : left[i] - (i == 0 || i == 8 ? 2.5 : 5.0);
       const int steps = static_cast<int>(std::lround(piece / step));
       for (int k = 0; k < steps; ++k) {
-        way.push_back(pose);
+        trajectory.push_back(pose);
         pose = pose * Pose2{piece / steps, 0.0, bend ? 0.5 * kPi / steps : 0.0};
         done += piece / steps;
       }
     }
   }
-  return way;
+  return trajectory;
 }
 
 /// Odometry of wheels that count 2 % too much and turn with a bias and noise.
-inline std::vector<Pose2> slipping(const std::vector<Pose2>& way, RandomStream& random) {
-  std::vector<Pose2> odometry{way.front()};
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    Pose2 motion = between(way[i - 1], way[i]);
+inline std::vector<Pose2> slipping(const std::vector<Pose2>& trajectory, RandomStream& random) {
+  std::vector<Pose2> odometry{trajectory.front()};
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    Pose2 motion = between(trajectory[i - 1], trajectory[i]);
     motion.x *= 1.02;
     motion.heading += 0.0005 + random.normal(0.0, 0.003);
     odometry.push_back(odometry.back() * motion);

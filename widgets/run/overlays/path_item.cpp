@@ -13,13 +13,13 @@ namespace {
 constexpr double kApartPx = 1.0;  // nobody sees corners that are nearer
 
 /// Without the corners that are nearer than so much to the one before; both ends stay.
-QPolygonF thinned(const QPolygonF& way, double apart) {
+QPolygonF thinned(const QPolygonF& trajectory, double apart) {
   QPolygonF kept;
-  for (const QPointF& point : way) {
+  for (const QPointF& point : trajectory) {
     const QPointF step = kept.isEmpty() ? QPointF() : point - kept.last();
     if (kept.isEmpty() || QPointF::dotProduct(step, step) >= apart * apart) kept << point;
   }
-  if (!way.isEmpty() && kept.last() != way.last()) kept << way.last();
+  if (!trajectory.isEmpty() && kept.last() != trajectory.last()) kept << trajectory.last();
   return kept;
 }
 
@@ -32,10 +32,10 @@ void PathItem::setColours(const Colours& colours) {
 
 void PathItem::setPoses(const std::vector<StampedPose>& poses) {
   prepareGeometryChange();
-  way_.clear();
-  way_.reserve(static_cast<qsizetype>(poses.size()));
-  for (const StampedPose& stamped : poses) way_ << toScene(stamped.pose.position());
-  way_bounds_ = way_.boundingRect();
+  line_.clear();
+  line_.reserve(static_cast<qsizetype>(poses.size()));
+  for (const StampedPose& stamped : poses) line_ << toScene(stamped.pose.position());
+  line_bounds_ = line_.boundingRect();
 }
 
 void PathItem::setBuildings(const std::vector<Building>& buildings) {
@@ -55,7 +55,7 @@ void PathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setPen(colours_->pen(role_));
   painter->drawLines(outlines_);
-  painter->drawPolyline(thinned(way_, kApartPx / std::max(pixels_per_metre, 1e-6)));
+  painter->drawPolyline(thinned(line_, kApartPx / std::max(pixels_per_metre, 1e-6)));
 }
 
 }  // namespace handmap

@@ -1,4 +1,4 @@
-// Ways and outlines in one pen: a trajectory, the odometry alone, the truth.
+// Trajectories and outlines in one pen: a trajectory, the odometry alone, the truth.
 #pragma once
 
 #include <QGraphicsItem>
@@ -22,15 +22,15 @@ class PathItem : public QGraphicsItem {
   /// Beside the way.
   void setBuildings(const std::vector<Building>& buildings);
 
-  QRectF boundingRect() const override { return way_bounds_ | outlines_bounds_; }
+  QRectF boundingRect() const override { return line_bounds_ | outlines_bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   Role role_;
   const Colours* colours_ = &Colours::light();
-  QPolygonF way_;
+  QPolygonF line_;
   QList<QLineF> outlines_;
-  QRectF way_bounds_;
+  QRectF line_bounds_;
   QRectF outlines_bounds_;
 };
 

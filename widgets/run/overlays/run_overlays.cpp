@@ -138,9 +138,9 @@ void RunOverlays::updateVisibility() {
 
 void RunOverlays::setDrawing(const Map& drawing) { drawing_ = drawing; }
 
-void RunOverlays::setTruth(const std::vector<StampedPose>& way) {
-  truth_->setPoses(way);
-  Q_EMIT truthChanged(way);
+void RunOverlays::setTruth(const std::vector<StampedPose>& trajectory) {
+  truth_->setPoses(trajectory);
+  Q_EMIT truthChanged(trajectory);
 }
 
 void RunOverlays::setTruthMap(const Map& truth) {
@@ -173,8 +173,8 @@ void RunOverlays::display(const Snapshot& snapshot) {
   swarms_->setSwarms(snapshot.swarms);
   if (snapshot.map) showMap(*snapshot.map);
   odometry_->setPoses(snapshot.odometry.all());
-  shown_way_ = snapshot.trajectory.all();
-  trajectory_->setPoses(shown_way_);
+  shown_trajectory_ = snapshot.trajectory.all();
+  trajectory_->setPoses(shown_trajectory_);
   particles_->setParticles(snapshot.particles);
   pose_spread_->setReport(snapshot.report);
   robot_->setPose(snapshot.report.pose);
@@ -225,7 +225,7 @@ void RunOverlays::clear() {
   has_true_pose_ = false;
   true_middles_.reset();
   shown_map_.reset();
-  shown_way_.clear();
+  shown_trajectory_.clear();
   truth_->setPoses({});
   truth_->setBuildings({});
   local_map_->setLocalMap({}, {});

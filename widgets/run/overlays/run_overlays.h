@@ -54,7 +54,7 @@ class RunOverlays : public QObject {
   void setDrawing(const Map& drawing);
   const Map& drawing() const { return drawing_; }
   /// The truth is there from the start, where it is known.
-  void setTruth(const std::vector<StampedPose>& way);
+  void setTruth(const std::vector<StampedPose>& trajectory);
   void setTruthMap(const Map& truth);
   const std::optional<TrueMiddles>& trueMiddles() const { return true_middles_; }
   /// Snapshots may come in any order.
@@ -71,13 +71,13 @@ class RunOverlays : public QObject {
   /// The corrected map as it is shown; nullptr before there is one.
   const Map* shownMap() const { return shown_map_ ? &*shown_map_ : nullptr; }
   /// The way as it is shown.
-  const std::vector<StampedPose>& shownWay() const { return shown_way_; }
+  const std::vector<StampedPose>& shownTrajectory() const { return shown_trajectory_; }
 
  Q_SIGNALS:
   /// After show().
   void shown(const handmap::Snapshot& snapshot);
   void cleared();
-  void truthChanged(const std::vector<handmap::StampedPose>& way);
+  void truthChanged(const std::vector<handmap::StampedPose>& trajectory);
   /// By id: the outlines that labels of buildings stand on; empty where nothing is shown.
   void outlinesChanged(const QHash<QString, QPolygonF>& outlines);
 
@@ -113,7 +113,7 @@ class RunOverlays : public QObject {
   Map drawing_;
   std::optional<TrueMiddles> true_middles_;
   std::optional<Map> shown_map_;
-  std::vector<StampedPose> shown_way_;
+  std::vector<StampedPose> shown_trajectory_;
   std::shared_ptr<const Perceived> seen_;  ///< nullptr: not known, or no longer
   Pose2 seen_from_;
   double seen_range_m_ = 0.0;

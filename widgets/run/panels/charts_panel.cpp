@@ -115,8 +115,8 @@ void ChartsPanel::setDrawing(const Map& drawing) {
   redrawSoon();
 }
 
-void ChartsPanel::setTruth(const std::vector<StampedPose>& way) {
-  truth_ = Trajectory(way, "truth");
+void ChartsPanel::setTruth(const std::vector<StampedPose>& trajectory) {
+  truth_ = Trajectory(trajectory, "truth");
 }
 
 void ChartsPanel::setTrueMiddles(const std::optional<TrueMiddles>& truth) {

@@ -31,7 +31,7 @@ class ChartsPanel : public QWidget {
   void setDrawing(const Map& drawing);
   void clear();
   /// What is off is only known of what comes later.
-  void setTruth(const std::vector<StampedPose>& way);
+  void setTruth(const std::vector<StampedPose>& trajectory);
   void setTrueMiddles(const std::optional<TrueMiddles>& truth);
   void showSampleSize(bool shown);
 

@@ -106,11 +106,11 @@ void Plot::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Plot::keyPressEvent(QKeyEvent* event) {
-  const int way = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
-  if (way == 0) return QChartView::keyPressEvent(event);
+  const int direction = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
+  if (direction == 0) return QChartView::keyPressEvent(event);
   const double step = (times_->max() - times_->min()) / kStepsAcross;
   const double from = cursor_s_.value_or(times_->max());
-  Q_EMIT timeChosen(std::clamp(from + way * step, times_->min(), times_->max()));
+  Q_EMIT timeChosen(std::clamp(from + direction * step, times_->min(), times_->max()));
 }
 
 void Plot::applyPalette() {

@@ -27,7 +27,7 @@ struct SharpnessOptions {
 /// Mean over random points of log(0.001 + the density there of what was seen from elsewhere on the
 /// way); greater is sharper. It judges the shape of the way over some tens of metres, not slow
 /// drift, nor where the way as a whole lies. One pose a frame. 0 where nothing can be compared.
-double waySharpness(const std::vector<SharpnessFrame>& frames, const std::vector<Pose2>& poses,
-                    const SharpnessOptions& options = {});
+double sharpnessOf(const std::vector<SharpnessFrame>& frames, const std::vector<Pose2>& poses,
+                   const SharpnessOptions& options = {});
 
 }  // namespace handmap

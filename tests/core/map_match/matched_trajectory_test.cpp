@@ -1,4 +1,4 @@
-#include "core/map_match/anchored_way.h"
+#include "core/map_match/matched_trajectory.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace handmap {
 namespace {
 
 struct Drive {
-  std::vector<Pose2> way;  ///< as the wheels tell it
+  std::vector<Pose2> trajectory;  ///< as the wheels tell it
   std::vector<Pose2> truth;
   std::vector<Percept> percepts;
   double range_limit_m = 0.0;
@@ -21,8 +21,8 @@ Drive drive(const World& world) {
   drive.range_limit_m = source->info().range_limit_m;
   Perception perception(source->info(), {});
   while (const auto observation = source->next()) {
-    drive.truth.push_back(source->info().truth[drive.way.size()].pose);
-    drive.way.push_back(observation->odometry);
+    drive.truth.push_back(source->info().truth[drive.trajectory.size()].pose);
+    drive.trajectory.push_back(observation->odometry);
     drive.percepts.push_back(*perception(*observation));
   }
   return drive;
@@ -37,19 +37,19 @@ struct Localized {
 
 Localized localize(const Map& map, const Drive& drive, const std::stop_token& stop = {}) {
   SeenFrames seen(drive.range_limit_m);
-  AnchoredWay anchored(map, seen);
+  MatchedTrajectory matched(map, seen);
   Localized localized;
-  std::vector<Pose2> way;
-  for (std::size_t i = 0; i < drive.way.size(); ++i) {
-    way.push_back(drive.way[i]);
-    seen.add(i, drive.way[i], drive.percepts[i].scan, drive.percepts[i].points);
-    anchored.add(way, WayNoise::Recorded);
-    localized.live.push_back(anchored.pose());
-    localized.visible = std::max(localized.visible, anchored.visibleBuildings());
+  std::vector<Pose2> trajectory;
+  for (std::size_t i = 0; i < drive.trajectory.size(); ++i) {
+    trajectory.push_back(drive.trajectory[i]);
+    seen.add(i, drive.trajectory[i], drive.percepts[i].scan, drive.percepts[i].points);
+    matched.add(trajectory, TrajectoryNoise::Recorded);
+    localized.live.push_back(matched.pose());
+    localized.visible = std::max(localized.visible, matched.visibleBuildings());
   }
-  anchored.finish(stop);
-  localized.poses = anchored.poses();
-  localized.sigma_m = std::sqrt(anchored.covariance().topLeftCorner<2, 2>().trace());
+  matched.finish(stop);
+  localized.poses = matched.poses();
+  localized.sigma_m = std::sqrt(matched.covariance().topLeftCorner<2, 2>().trace());
   return localized;
 }
 
@@ -62,11 +62,11 @@ double farthest(const std::vector<Pose2>& poses, const std::vector<Pose2>& truth
   return most;
 }
 
-TEST(AnchoredWay, KeepsToTheWallsWhereTheWheelsDrift) {
+TEST(MatchedTrajectory, KeepsToTheWallsWhereTheWheelsDrift) {
   const World world = twoRowWorld(17);
   const Drive drive = handmap::drive(world);
   std::vector<Pose2> wheels;
-  for (const Pose2& pose : drive.way) wheels.push_back(*world.map.start * pose);
+  for (const Pose2& pose : drive.trajectory) wheels.push_back(*world.map.start * pose);
   ASSERT_GT(farthest(wheels, drive.truth), 1.0);
   const Localized localized = localize(world.map, drive);
   ASSERT_EQ(localized.poses.size(), drive.truth.size());
@@ -76,7 +76,7 @@ TEST(AnchoredWay, KeepsToTheWallsWhereTheWheelsDrift) {
   EXPECT_GE(localized.visible, 2);
 }
 
-TEST(AnchoredWay, FindsOutThatTheStartIsOff) {
+TEST(MatchedTrajectory, FindsOutThatTheStartIsOff) {
   const World world = twoRowWorld(18);
   const Drive drive = handmap::drive(world);
   Map map = world.map;
@@ -87,7 +87,7 @@ TEST(AnchoredWay, FindsOutThatTheStartIsOff) {
   EXPECT_LT(farthest(localized.poses, drive.truth, 10), 1.0);
 }
 
-TEST(AnchoredWay, GoesOnByItsOwnWayWhereNoWallIsInSight) {
+TEST(MatchedTrajectory, GoesOnByItsOwnWayWhereNoWallIsInSight) {
   const World world = twoRowWorld(17);
   const Drive drive = handmap::drive(world);
   Map elsewhere = world.map;
@@ -98,27 +98,27 @@ TEST(AnchoredWay, GoesOnByItsOwnWayWhereNoWallIsInSight) {
   }
   const Localized localized = localize(elsewhere, drive);
   std::vector<Pose2> wheels;
-  for (const Pose2& pose : drive.way) wheels.push_back(*world.map.start * pose);
+  for (const Pose2& pose : drive.trajectory) wheels.push_back(*world.map.start * pose);
   EXPECT_LT(farthest(localized.poses, wheels), 1e-6);
   EXPECT_EQ(localized.visible, 0);
   // And it says so: walls would have made it surer than a metre.
   EXPECT_GT(localized.sigma_m, 1.0);
 }
 
-TEST(AnchoredWay, LaysAWholeWayAtOnce) {
+TEST(MatchedTrajectory, LaysAWholeWayAtOnce) {
   const World world = twoRowWorld(17);
   const Drive drive = handmap::drive(world);
   SeenFrames seen(drive.range_limit_m);
-  for (std::size_t i = 0; i < drive.way.size(); ++i) {
-    seen.add(i, drive.way[i], drive.percepts[i].scan, drive.percepts[i].points);
+  for (std::size_t i = 0; i < drive.trajectory.size(); ++i) {
+    seen.add(i, drive.trajectory[i], drive.percepts[i].scan, drive.percepts[i].points);
   }
-  AnchoredWay anchored(world.map, seen);
-  anchored.lay(drive.way, WayNoise::Recorded, {});
-  EXPECT_LT(farthest(anchored.poses(), localize(world.map, drive).poses), 0.1);
-  EXPECT_LT(farthest(anchored.poses(), drive.truth), 1.0);
+  MatchedTrajectory matched(world.map, seen);
+  matched.lay(drive.trajectory, TrajectoryNoise::Recorded, {});
+  EXPECT_LT(farthest(matched.poses(), localize(world.map, drive).poses), 0.1);
+  EXPECT_LT(farthest(matched.poses(), drive.truth), 1.0);
 }
 
-TEST(AnchoredWay, StopsWhenAsked) {
+TEST(MatchedTrajectory, StopsWhenAsked) {
   const World world = twoRowWorld(17);
   const Drive drive = handmap::drive(world);
   std::stop_source stop;

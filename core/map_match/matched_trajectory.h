@@ -12,21 +12,22 @@
 namespace handmap {
 
 /// How far what tells the way is off, one σ. A way by matched scans, or recorded odometry.
-enum class WayNoise { Scans, Recorded };
+enum class TrajectoryNoise { Scans, Recorded };
 
 /// A graph of keyframes, an arrow of odometry from each to the next and one from the map to each at
 /// which walls were seen. README.md tells the residuals.
-class AnchoredWay {
+class MatchedTrajectory {
  public:
   /// Keeps a reference to `seen`. The map needs a start.
-  AnchoredWay(const Map& map, const SeenFrames& seen);
+  MatchedTrajectory(const Map& map, const SeenFrames& seen);
 
   /// `way`: poses of all observations so far, in any one frame, as told without the map; those of
   /// before may have changed too. One more than before.
-  void add(const std::vector<Pose2>& way, WayNoise noise);
+  void add(const std::vector<Pose2>& trajectory, TrajectoryNoise noise);
   /// All observations of a way at once, as if they came one by one, and the end; nothing may have
   /// been added yet. Of no use any more where `stop` was requested.
-  void lay(const std::vector<Pose2>& way, WayNoise noise, const std::stop_token& stop);
+  void lay(const std::vector<Pose2>& trajectory, TrajectoryNoise noise,
+           const std::stop_token& stop);
   /// After the last observation: each keyframe is laid on the walls anew by what was seen before
   /// and after it, until nothing moves any more or `stop` is requested.
   void finish(const std::stop_token& stop);
@@ -65,9 +66,9 @@ class AnchoredWay {
   Eigen::Vector3d start_sigma_;  ///< x, y and heading
   const SeenFrames& seen_;
   WallMap walls_;
-  std::vector<Pose2> way_;
+  std::vector<Pose2> trajectory_;
   std::vector<double> travelled_m_;
-  WayNoise noise_ = WayNoise::Recorded;
+  TrajectoryNoise noise_ = TrajectoryNoise::Recorded;
   std::vector<Keyframe> keyframes_;
   Pose2 pose_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();

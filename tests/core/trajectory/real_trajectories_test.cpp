@@ -9,7 +9,7 @@
 namespace handmap {
 namespace {
 
-struct Way {
+struct DrivenTrajectory {
   TrajectoryError odometry;
   TrajectoryError scans;
   bool usable;
@@ -31,15 +31,16 @@ std::vector<Pose2> worse(const std::vector<Pose2>& odometry, const std::vector<P
 }
 
 /// Both ways start where the truth does.
-TrajectoryError errorOf(const std::vector<Pose2>& way, const std::vector<double>& times_s,
+TrajectoryError errorOf(const std::vector<Pose2>& trajectory, const std::vector<double>& times_s,
                         const Trajectory& truth) {
-  const Pose2 start = truth.at(times_s.front()).value() * inverse(way.front());
+  const Pose2 start = truth.at(times_s.front()).value() * inverse(trajectory.front());
   std::vector<StampedPose> stamped;
-  for (std::size_t i = 0; i < way.size(); ++i) stamped.push_back({times_s[i], start * way[i]});
+  for (std::size_t i = 0; i < trajectory.size(); ++i)
+    stamped.push_back({times_s[i], start * trajectory[i]});
   return compareTrajectories(stamped, truth).value();
 }
 
-Way wayOf(const std::string& name, double factor, ReplayOptions options = {}) {
+DrivenTrajectory trajectoryOf(const std::string& name, double factor, ReplayOptions options = {}) {
   const Recording recording = openRecording(std::filesystem::path(HANDMAP_SHARED_DATA) / name);
   const Trajectory truth = recording.truth;
   options.kind = SourceKind::Points;
@@ -63,7 +64,7 @@ Way wayOf(const std::string& name, double factor, ReplayOptions options = {}) {
           trajectory.usable()};
 }
 
-class RealWays : public ::testing::Test {
+class RealTrajectories : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(std::filesystem::path(HANDMAP_SHARED_DATA) / "campus")) {
@@ -72,32 +73,32 @@ class RealWays : public ::testing::Test {
   }
 };
 
-TEST_F(RealWays, Campus) {
-  const Way way = wayOf("campus", 1.0);
-  EXPECT_TRUE(way.usable);
-  EXPECT_LT(way.scans.rms_m, 0.85);
-  EXPECT_LT(way.scans.aligned_rms_m, 0.26);
+TEST_F(RealTrajectories, Campus) {
+  const DrivenTrajectory trajectory = trajectoryOf("campus", 1.0);
+  EXPECT_TRUE(trajectory.usable);
+  EXPECT_LT(trajectory.scans.rms_m, 0.85);
+  EXPECT_LT(trajectory.scans.aligned_rms_m, 0.26);
 }
 
-TEST_F(RealWays, CampusWithDoubledErrors) {
-  const Way way = wayOf("campus", 2.0);
-  EXPECT_TRUE(way.usable);
-  EXPECT_LT(way.scans.rms_m, 1.15);
-  EXPECT_LT(way.scans.aligned_rms_m, 0.32);
+TEST_F(RealTrajectories, CampusWithDoubledErrors) {
+  const DrivenTrajectory trajectory = trajectoryOf("campus", 2.0);
+  EXPECT_TRUE(trajectory.usable);
+  EXPECT_LT(trajectory.scans.rms_m, 1.15);
+  EXPECT_LT(trajectory.scans.aligned_rms_m, 0.32);
 }
 
-TEST_F(RealWays, StreetByLidar) {
-  const Way way = wayOf("street", 1.0, {.from = 40});
-  EXPECT_TRUE(way.usable);
-  EXPECT_LT(way.scans.rms_m, 0.97);
-  EXPECT_LT(way.scans.aligned_rms_m, 0.2);
+TEST_F(RealTrajectories, StreetByLidar) {
+  const DrivenTrajectory trajectory = trajectoryOf("street", 1.0, {.from = 40});
+  EXPECT_TRUE(trajectory.usable);
+  EXPECT_LT(trajectory.scans.rms_m, 0.97);
+  EXPECT_LT(trajectory.scans.aligned_rms_m, 0.2);
 }
 
-TEST_F(RealWays, NeverMuchWorseThanTheOdometry) {
+TEST_F(RealTrajectories, NeverMuchWorseThanTheOdometry) {
   for (const std::string name : {"corner", "far-rows/plain-301", "far-rows/turned-311"}) {
-    const Way way = wayOf(name, 1.0);
-    EXPECT_LE(way.scans.rms_m, 1.1 * way.odometry.rms_m) << name;
-    EXPECT_LE(way.scans.aligned_rms_m, 1.1 * way.odometry.aligned_rms_m) << name;
+    const DrivenTrajectory trajectory = trajectoryOf(name, 1.0);
+    EXPECT_LE(trajectory.scans.rms_m, 1.1 * trajectory.odometry.rms_m) << name;
+    EXPECT_LE(trajectory.scans.aligned_rms_m, 1.1 * trajectory.odometry.aligned_rms_m) << name;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "core/map_match/anchored_way.h"
+#include "core/map_match/matched_trajectory.h"
 
 #include <algorithm>
 #include <array>
@@ -39,11 +39,11 @@ constexpr double kStill_m = 0.02;  // no pose moves any more
 constexpr double kOnWall_m = 0.5;
 constexpr int kLeastOnWalls = 10;
 
-Eigen::Matrix3d sigmaOf(const Pose2& motion, WayNoise noise) {
+Eigen::Matrix3d sigmaOf(const Pose2& motion, TrajectoryNoise noise) {
   const double length = motion.position().norm();
   const double turn = std::abs(motion.heading);
   Eigen::Vector3d sigma;
-  if (noise == WayNoise::Scans) {
+  if (noise == TrajectoryNoise::Scans) {
     sigma << 0.02 + 0.012 * length, 0.02 + 0.006 * length,
         0.0015 + 0.006 * turn + 0.0007 * std::sqrt(length);
   } else {
@@ -72,7 +72,7 @@ std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
 
 }  // namespace
 
-AnchoredWay::AnchoredWay(const Map& map, const SeenFrames& seen)
+MatchedTrajectory::MatchedTrajectory(const Map& map, const SeenFrames& seen)
     : start_(map.start.value()),
       start_sigma_(kStart_m, kStart_m, kStartTurn),
       seen_(seen),
@@ -85,14 +85,14 @@ AnchoredWay::AnchoredWay(const Map& map, const SeenFrames& seen)
   }
 }
 
-MotionFactor AnchoredWay::motion(const Keyframe& from, const Keyframe& to) const {
-  const Pose2 driven = between(way_[from.observation], way_[to.observation]);
+MotionFactor MatchedTrajectory::motion(const Keyframe& from, const Keyframe& to) const {
+  const Pose2 driven = between(trajectory_[from.observation], trajectory_[to.observation]);
   return {driven, sigmaOf(driven, noise_).inverse()};
 }
 
 /// Of the pose of `to`, by the odometry since a keyframe.
-Eigen::Matrix3d AnchoredWay::carried(const Keyframe& from, const Keyframe& to) const {
-  const Pose2 driven = between(way_[from.observation], way_[to.observation]);
+Eigen::Matrix3d MatchedTrajectory::carried(const Keyframe& from, const Keyframe& to) const {
+  const Pose2 driven = between(trajectory_[from.observation], trajectory_[to.observation]);
   Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
   slope.topRightCorner<2, 1>() = perpendicular(to.pose.position() - from.pose.position());
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
@@ -101,36 +101,42 @@ Eigen::Matrix3d AnchoredWay::carried(const Keyframe& from, const Keyframe& to) c
   return slope * at_keyframe_ * slope.transpose() + root * root.transpose();
 }
 
-void AnchoredWay::add(const std::vector<Pose2>& way, WayNoise noise) {
-  const bool changed = noise != noise_ || (way_.size() > 1 && way[way_.size() - 1] != way_.back());
+void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, TrajectoryNoise noise) {
+  const bool changed =
+      noise != noise_ ||
+      (trajectory_.size() > 1 && trajectory[trajectory_.size() - 1] != trajectory_.back());
   const double last = travelled_m_.empty() ? 0.0 : travelled_m_.back();
   travelled_m_.push_back(
-      way_.empty() ? 0.0 : last + between(way[way.size() - 2], way.back()).position().norm());
-  way_ = way;
+      trajectory_.empty()
+          ? 0.0
+          : last + between(trajectory[trajectory.size() - 2], trajectory.back()).position().norm());
+  trajectory_ = trajectory;
   noise_ = noise;
   if (changed) optimize();
-  work(way_.size() - 1);
+  work(trajectory_.size() - 1);
 }
 
-void AnchoredWay::lay(const std::vector<Pose2>& way, WayNoise noise, const std::stop_token& stop) {
-  way_ = way;
+void MatchedTrajectory::lay(const std::vector<Pose2>& trajectory, TrajectoryNoise noise,
+                            const std::stop_token& stop) {
+  trajectory_ = trajectory;
   noise_ = noise;
-  for (std::size_t i = 0; i < way.size() && !stop.stop_requested(); ++i) {
+  for (std::size_t i = 0; i < trajectory.size() && !stop.stop_requested(); ++i) {
     travelled_m_.push_back(
-        i == 0 ? 0.0 : travelled_m_.back() + between(way[i - 1], way[i]).position().norm());
+        i == 0 ? 0.0
+               : travelled_m_.back() + between(trajectory[i - 1], trajectory[i]).position().norm());
     work(i);
   }
   finish(stop);
 }
 
 /// The newest observation; those after it are not looked at.
-void AnchoredWay::work(std::size_t observation) {
+void MatchedTrajectory::work(std::size_t observation) {
   Keyframe now{observation, start_, {}};
   if (keyframes_.empty()) {
     covariance_ = start_sigma_.cwiseAbs2().asDiagonal();
   } else {
     const Keyframe& before = keyframes_.back();
-    now.pose = before.pose * between(way_[before.observation], way_[observation]);
+    now.pose = before.pose * between(trajectory_[before.observation], trajectory_[observation]);
     pose_ = now.pose;
     const bool far = travelled_m_.back() - travelled_m_[before.observation] >= kKeyframe_m;
     covariance_ = carried(before, now);
@@ -141,7 +147,7 @@ void AnchoredWay::work(std::size_t observation) {
   optimize();
 }
 
-void AnchoredWay::finish(const std::stop_token& stop) {
+void MatchedTrajectory::finish(const std::stop_token& stop) {
   std::vector<std::vector<ScanPoint>> features;
   for (const Keyframe& keyframe : keyframes_) {
     if (stop.stop_requested()) return;
@@ -166,8 +172,8 @@ void AnchoredWay::finish(const std::stop_token& stop) {
 }
 
 /// Straight things, in the frame of the keyframe, seen from where the robot was.
-std::vector<ScanPoint> AnchoredWay::featuresAround(const Keyframe& keyframe,
-                                                   const Window& window) const {
+std::vector<ScanPoint> MatchedTrajectory::featuresAround(const Keyframe& keyframe,
+                                                         const Window& window) const {
   const double here = travelled_m_[keyframe.observation];
   const auto& frames = seen_.frames();
   const auto first = std::partition_point(frames.begin(), frames.end(), [&](const SeenFrame& f) {
@@ -182,7 +188,8 @@ std::vector<ScanPoint> AnchoredWay::featuresAround(const Keyframe& keyframe,
                                ? 0
                                : std::prev(last)->observation + 1);
   for (auto frame = first; frame != last; ++frame) {
-    poses[frame->observation] = between(way_[keyframe.observation], way_[frame->observation]);
+    poses[frame->observation] =
+        between(trajectory_[keyframe.observation], trajectory_[frame->observation]);
   }
   const PlacedRays placed = placeRays(std::span(first, last), poses);
   std::vector<ScanPoint> features;
@@ -195,8 +202,8 @@ std::vector<ScanPoint> AnchoredWay::featuresAround(const Keyframe& keyframe,
   return thinned(features, kThin_m);
 }
 
-void AnchoredWay::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& features,
-                             const Eigen::Matrix3d& expected) {
+void MatchedTrajectory::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& features,
+                                   const Eigen::Matrix3d& expected) {
   keyframe.on_walls.reset();
   const auto prior_root = rootOf(expected.inverse());
   if (!prior_root) return;
@@ -212,7 +219,7 @@ void AnchoredWay::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& f
 }
 
 /// The first pose is the map.
-PoseGraph AnchoredWay::graph() const {
+PoseGraph MatchedTrajectory::graph() const {
   PoseGraph graph({Pose2{}});
   for (std::size_t i = 0; i < keyframes_.size(); ++i) {
     const Keyframe& keyframe = keyframes_[i];
@@ -227,22 +234,22 @@ PoseGraph AnchoredWay::graph() const {
   return graph;
 }
 
-void AnchoredWay::optimize() {
+void MatchedTrajectory::optimize() {
   if (keyframes_.empty()) return;
   PoseGraph poses = graph();
   poses.optimize(kSteps);
   for (std::size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].pose = poses.poses()[i + 1];
   const Keyframe& last = keyframes_.back();
   const std::size_t newest = travelled_m_.size() - 1;
-  pose_ = last.pose * between(way_[last.observation], way_[newest]);
+  pose_ = last.pose * between(trajectory_[last.observation], trajectory_[newest]);
   at_keyframe_ = poses.covariance(keyframes_.size());
   covariance_ = carried(last, {newest, pose_, {}});
 }
 
 /// Between two keyframes by both, each the more the nearer it is.
-Pose2 AnchoredWay::corrected(std::size_t observation, std::size_t keyframe) const {
+Pose2 MatchedTrajectory::corrected(std::size_t observation, std::size_t keyframe) const {
   const auto from = [&](const Keyframe& k) {
-    return k.pose * between(way_[k.observation], way_[observation]);
+    return k.pose * between(trajectory_[k.observation], trajectory_[observation]);
   };
   const Keyframe& before = keyframes_[keyframe];
   if (keyframe + 1 == keyframes_.size()) return from(before);
@@ -252,10 +259,10 @@ Pose2 AnchoredWay::corrected(std::size_t observation, std::size_t keyframe) cons
   return interpolated(from(before), from(after), done / whole);
 }
 
-std::vector<Pose2> AnchoredWay::poses() const {
+std::vector<Pose2> MatchedTrajectory::poses() const {
   std::vector<Pose2> poses;
   std::size_t keyframe = 0;
-  for (std::size_t i = 0; i < way_.size(); ++i) {
+  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
     while (keyframe + 1 < keyframes_.size() && keyframes_[keyframe + 1].observation <= i) {
       ++keyframe;
     }

@@ -1,4 +1,4 @@
-#include "core/trajectory/way_sharpness.h"
+#include "core/trajectory/sharpness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +62,8 @@ double density(const Placed& p, const Placed& other) {
 
 }  // namespace
 
-double waySharpness(const std::vector<SharpnessFrame>& frames, const std::vector<Pose2>& poses,
-                    const SharpnessOptions& options) {
+double sharpnessOf(const std::vector<SharpnessFrame>& frames, const std::vector<Pose2>& poses,
+                   const SharpnessOptions& options) {
   const std::vector<Placed> points = placed(frames, poses);
   if (points.empty()) return 0.0;
   std::unordered_map<Cell, std::vector<const Placed*>> cells;

@@ -1,4 +1,4 @@
-#include "core/trajectory/way_sharpness.h"
+#include "core/trajectory/sharpness.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 namespace handmap {
 namespace {
 
-class WaySharpness : public ::testing::Test {
+class Sharpness : public ::testing::Test {
  protected:
-  WaySharpness() {
+  Sharpness() {
     const auto walls = test::ringCorridor();
     RandomStream random(5);
     for (std::size_t i = 0; i < truth_.size(); ++i) {
@@ -20,15 +20,15 @@ class WaySharpness : public ::testing::Test {
     }
   }
 
-  double of(const std::vector<Pose2>& way) const {
-    return waySharpness(frames_, way, {.apart_m = 4.5});
+  double of(const std::vector<Pose2>& trajectory) const {
+    return sharpnessOf(frames_, trajectory, {.apart_m = 4.5});
   }
 
   std::vector<Pose2> truth_ = test::aroundTheBlock(0.5);
   std::vector<SharpnessFrame> frames_;
 };
 
-TEST_F(WaySharpness, IsGreatestForTheTrueWay) {
+TEST_F(Sharpness, IsGreatestForTheTrueWay) {
   RandomStream random(1);
   std::vector<Pose2> shaken = truth_;
   for (Pose2& pose : shaken) {
@@ -40,17 +40,17 @@ TEST_F(WaySharpness, IsGreatestForTheTrueWay) {
   EXPECT_GT(truth, of(test::slipping(truth_, random)) + 0.1);
 }
 
-TEST_F(WaySharpness, DoesNotDependOnWhereTheWayLies) {
+TEST_F(Sharpness, DoesNotDependOnWhereTheWayLies) {
   std::vector<Pose2> elsewhere;
   for (const Pose2& pose : truth_) elsewhere.push_back(Pose2{100, -50, 1.1} * pose);
   EXPECT_NEAR(of(elsewhere), of(truth_), 0.02);
 }
 
-TEST_F(WaySharpness, IsTheSameEveryTime) { EXPECT_EQ(of(truth_), of(truth_)); }
+TEST_F(Sharpness, IsTheSameEveryTime) { EXPECT_EQ(of(truth_), of(truth_)); }
 
 TEST(WaySharpnessOfNothing, IsZero) {
-  EXPECT_EQ(waySharpness({}, {}), 0.0);
-  EXPECT_EQ(waySharpness({{}, {}}, {Pose2{}, Pose2{1, 0, 0}}), 0.0);
+  EXPECT_EQ(sharpnessOf({}, {}), 0.0);
+  EXPECT_EQ(sharpnessOf({{}, {}}, {Pose2{}, Pose2{1, 0, 0}}), 0.0);
 }
 
 }  // namespace

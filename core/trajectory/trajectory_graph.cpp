@@ -1,4 +1,4 @@
-#include "core/trajectory/way_graph.h"
+#include "core/trajectory/trajectory_graph.h"
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ constexpr int kGraphSteps = 12;
 
 }  // namespace
 
-MotionFactor WayGraph::edge(const Pose2& motion) const {
+MotionFactor TrajectoryGraph::edge(const Pose2& motion) const {
   const double length = motion.position().norm();
   Eigen::Vector3d variance(0.02 + 0.012 * length, 0.02 + 0.006 * length,
                            0.0015 + 0.006 * std::abs(motion.heading) + 0.0007 * std::sqrt(length));
@@ -21,8 +21,9 @@ MotionFactor WayGraph::edge(const Pose2& motion) const {
   return {motion, variance.cwiseSqrt().cwiseInverse().asDiagonal()};
 }
 
-bool WayGraph::add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
-                   const Eigen::Vector3d& wheel_sigma, bool matched, const std::stop_token& stop) {
+bool TrajectoryGraph::add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
+                          const Eigen::Vector3d& wheel_sigma, bool matched,
+                          const std::stop_token& stop) {
   if (!matched) unmatched_ += wheel_sigma.cwiseAbs2();
   if (smooth_.empty()) {
     graph_.addPose(smooth);
@@ -43,7 +44,7 @@ bool WayGraph::add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
   return !loops.empty() && graph_.optimize(kGraphSteps) > 0;
 }
 
-Pose2 WayGraph::corrected(const Pose2& smooth, std::size_t keyframe) const {
+Pose2 TrajectoryGraph::corrected(const Pose2& smooth, std::size_t keyframe) const {
   const Pose2 since = between(smooth_[keyframe], smooth);
   const Pose2 pose = graph_.poses()[keyframe] * since;
   if (keyframe + 1 >= smooth_.size()) return pose;

@@ -10,9 +10,9 @@
 
 namespace handmap {
 
-class WayGraph {
+class TrajectoryGraph {
  public:
-  explicit WayGraph(bool close_loops) : close_loops_(close_loops) {}
+  explicit TrajectoryGraph(bool close_loops) : close_loops_(close_loops) {}
 
   /// Takes the next scan as a keyframe where it is far enough from the last one. `wheel_sigma` is
   /// that of the recorded motion, which alone counts where the scan was not matched. Returns
