@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "drivers/device/reconnect.h"
 #include "drivers/foxglove/foxglove_server.h"
 #include "drivers/rosbridge/ros_publisher.h"
 
@@ -27,6 +28,8 @@ class Onlookers::Telling : public QObject {
     if (rig_.publish.foxglove > 0) monitor_->add(DeviceRole::ToFoxglove);
     map_due_.setSingleShot(true);
     connect(&map_due_, &QTimer::timeout, this, &Telling::tellMap);
+    port_due_.setSingleShot(true);
+    connect(&port_due_, &QTimer::timeout, this, &Telling::listen);
   }
 
   void begin() {
@@ -38,6 +41,7 @@ class Onlookers::Telling : public QObject {
   void end() {
     if (map_due_.isActive()) tellMap();
     map_due_.stop();
+    port_due_.stop();
     QTimer::singleShot(kRest_ms, this, [this] {
       ros_.reset();
       foxglove_.reset();
@@ -86,10 +90,19 @@ class Onlookers::Telling : public QObject {
     if (rig_.publish.foxglove == 0) return;
     foxglove_.emplace();
     connect(&*foxglove_, &FoxgloveServer::clientsChanged, this, [this] { sayWhoLooksOn(); });
-    foxglove_->listen(static_cast<quint16>(rig_.publish.foxglove), rig_.publish.beyond_this_machine
-                                                                       ? QHostAddress::Any
-                                                                       : QHostAddress::LocalHost);
-    sayWhoLooksOn();
+    listen();
+  }
+
+  /// The drive before, or another program, may have the port yet.
+  void listen() {
+    guarded(DeviceRole::ToFoxglove, [this] {
+      port_due_.start(reconnect_.nextDelay());
+      foxglove_->listen(
+          static_cast<quint16>(rig_.publish.foxglove),
+          rig_.publish.beyond_this_machine ? QHostAddress::Any : QHostAddress::LocalHost);
+      port_due_.stop();
+      sayWhoLooksOn();
+    });
   }
 
   void sayWhoLooksOn() {
@@ -131,6 +144,8 @@ class Onlookers::Telling : public QObject {
   std::shared_ptr<const Snapshot> told_;
   bool has_map_ = false;
   QTimer map_due_{this};
+  QTimer port_due_{this};
+  Reconnect reconnect_{kSeed};
   std::optional<RosPublisher> ros_;
   std::optional<FoxgloveServer> foxglove_;
 };

@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QPushButton>
+#include <QTcpServer>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -114,6 +115,33 @@ TEST_F(LiveWindow, AStopBeforeTheFirstObservationIsAnEnd) {
   QTest::qWait(300);
   action(*window, "run.stop")->trigger();
   ASSERT_TRUE(waitFor(*window, RunState::Idle));
+}
+
+TEST_F(LiveWindow, EachDriveGetsThePortOfTheDriveBefore) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  QTcpServer free;
+  ASSERT_TRUE(free.listen(QHostAddress::LocalHost));
+  Rig rig;
+  rig.name = "silent";
+  rig.scanner = ScannerRig{};
+  rig.odometry.kind = OdometryRigKind::Scan;
+  rig.publish.foxglove = free.serverPort();
+  free.close();
+  const auto isLookedOn = [&] {
+    const auto devices = window->run().live()->monitor()->status().devices;
+    return !devices.empty() && devices[0].state == DeviceState::Ready;
+  };
+  for (const bool is_another : {true, false, true, true}) {
+    if (is_another) {
+      window->sources().setRobot(
+          liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+    }
+    window->runs().runOrResume();
+    EXPECT_TRUE(QTest::qWaitFor(isLookedOn, kPatienceMs));
+    action(*window, "run.stop")->trigger();
+    ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  }
 }
 
 TEST_F(LiveWindow, TheDialogSaysWhatIsMissing) {

@@ -149,6 +149,21 @@ TEST(Onlookers, FoxgloveSeesPoseAndMap) {
   }));
 }
 
+TEST(Onlookers, FoxglovesPortIsTakenAsSoonAsItIsFree) {
+  auto before = std::make_unique<Told>(PublishRig{{}, freePort()});
+  ASSERT_TRUE(before->becomes(DeviceRole::ToFoxglove, DeviceState::Ready));
+  const Told told({{}, before->port});  // as the next drive with another robot
+  ASSERT_TRUE(told.becomes(DeviceRole::ToFoxglove, DeviceState::Lost));
+  told.onlookers->tell(at(1.0, 8.0));
+  before.reset();
+  ASSERT_TRUE(told.becomes(DeviceRole::ToFoxglove, DeviceState::Ready))
+      << told.status(DeviceRole::ToFoxglove).detail;
+  Viewer viewer(told.port);
+  ASSERT_TRUE(viewer.hears(2));
+  viewer.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 8}, {"channelId", 2}}}}});
+  EXPECT_TRUE(waitUntil([&] { return !viewer.frames.empty(); })) << "what was told meanwhile";
+}
+
 TEST(Onlookers, WhatCannotBeIsSaidAndEndsNothing) {
   QTcpServer other;
   ASSERT_TRUE(other.listen(QHostAddress::LocalHost));
