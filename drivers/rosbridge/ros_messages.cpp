@@ -86,12 +86,16 @@ RosPointsMessage readLaserScan(const RosValue& message) {
   const double nearest = message.at("range_min").number(0.0, kFarthestPoint_m);
   const double farthest = message.at("range_max").number(0.0, 1e9);
   const std::vector<double> ranges = message.at("ranges").numbers(kMostRays);
+  // In the precision of the ranges: the end of the range itself is what many drivers give where
+  // nothing came back. As an infinite range (REP 117) it is told by no point.
+  const auto end = static_cast<float>(std::min(farthest, kFarthestPoint_m));
   RosPointsMessage scan;
   const auto rays = static_cast<double>(ranges.size());
   scan.stamp_s = stampOf(message) + 0.5 * std::min(between_s * rays, 1.0);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const double range = ranges[i];  // infinite or no number: nothing there
-    if (!(range >= nearest && range <= std::min(farthest, kFarthestPoint_m))) continue;
+    const double range = ranges[i];
+    const auto rounded = static_cast<float>(range);
+    if (!(rounded > 0.0F && rounded >= static_cast<float>(nearest) && rounded < end)) continue;
     const Vec2 point = range * unitVector(first + step * static_cast<double>(i));
     scan.points.push_back(
         {static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F, 1.0F});

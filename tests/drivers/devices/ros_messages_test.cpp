@@ -66,6 +66,26 @@ TEST(RosMessages, LaserScansBecomePointsWhereSomethingWas) {
                Error);
 }
 
+/// REP 117, and what many drivers do besides: nothing came back as far as the scanner reaches.
+TEST(RosMessages, WhatAScannerGivesForNothingIsNoWall) {
+  const auto points = [](float range, double farthest) {
+    const QCborMap message = emulated::laserScan(
+        5.0, {2.0F, range, 2.0F, 2.0F, 2.0F, 2.0F, 2.0F, 2.0F}, RosVersion::Ros2);
+    return readLaserScan(RosValue(with(message, "range_max", farthest), "/scan")).points.size();
+  };
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const double farthest : {12.0, 11.99, 5.6, static_cast<double>(11.99F)}) {
+    const auto most = static_cast<float>(farthest);
+    for (const float range : {most, std::nextafter(most, kInfinity), most + 1.0F, kInfinity,
+                              -kInfinity, kNone, 0.0F, -1.0F, 0.049F}) {
+      EXPECT_EQ(points(range, farthest), 7U) << range << " of " << farthest;
+    }
+    EXPECT_EQ(points(std::nextafter(most, 0.0F), farthest), 8U);
+    EXPECT_EQ(points(0.05F, farthest), 8U);
+  }
+}
+
 TEST(RosMessages, PointCloudsAreReadWithinTheirBounds) {
   const float none = std::numeric_limits<float>::quiet_NaN();
   const std::vector<RangePoint> points = {{1, 2, 3, 0}, {none, 0, 0, 0}, {-4, 5, 0.5F, 0}};
