@@ -25,7 +25,8 @@
 //    "ros":      1,                                  where it is not 2
 //    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS
 //                 "foxglove": 8765,                  a port where Foxglove may look on,
-//                 "beyond_this_machine": false},     also from other machines
+//                 "beyond_this_machine": false,      also from other machines
+//                 "origins": ["https://…"]},         and from these web pages
 //    "record":   "recordings"}                       a folder; each run gets a new one inside
 //
 // Paths count from the folder of the file. "port": "/dev/ttyUSB0@115200", "tcp://host:port"; of
@@ -120,6 +121,7 @@ struct PublishRig {
   std::string ros;   ///< a rosbridge; empty: none
   int foxglove = 0;  ///< port; 0: nothing listens
   bool beyond_this_machine = false;
+  std::vector<std::string> origins = {};  ///< of web pages that may look on, beside Foxglove's own
   bool operator==(const PublishRig&) const = default;
 };
 

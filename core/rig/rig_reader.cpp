@@ -28,6 +28,7 @@ constexpr double kMaxRate_hz = 1000.0;
 constexpr double kMaxStanding_s = 60.0;
 constexpr double kMaxEvery_m = 1000.0;
 constexpr int kMaxPort = 65535;
+constexpr std::size_t kMaxOrigins = 100;
 
 template <typename Kind, std::size_t count>
 Kind kindOf(const JsonValue& json, const std::array<std::pair<Kind, const char*>, count>& known) {
@@ -162,7 +163,7 @@ StopRig readStops(const JsonValue& json) {
 }
 
 PublishRig readPublish(const JsonValue& json) {
-  onlyKnown(json, {"ros", "foxglove", "beyond_this_machine"});
+  onlyKnown(json, {"ros", "foxglove", "beyond_this_machine", "origins"});
   PublishRig publish;
   if (json.find("ros")) publish.ros = neededText(json, "ros");
   if (const auto port = json.find("foxglove")) {
@@ -170,6 +171,11 @@ PublishRig readPublish(const JsonValue& json) {
   }
   if (const auto beyond = json.find("beyond_this_machine")) {
     publish.beyond_this_machine = beyond->flag();
+  }
+  if (const auto origins = json.find("origins")) {
+    for (const JsonValue& origin : origins->items(kMaxOrigins)) {
+      publish.origins.push_back(origin.text(kMaxTextBytes));
+    }
   }
   return publish;
 }

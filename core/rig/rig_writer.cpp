@@ -95,6 +95,7 @@ Json publishJson(const PublishRig& publish) {
   if (!publish.ros.empty()) json["ros"] = publish.ros;
   if (publish.foxglove > 0) json["foxglove"] = publish.foxglove;
   if (publish.beyond_this_machine) json["beyond_this_machine"] = true;
+  if (!publish.origins.empty()) json["origins"] = publish.origins;
   return json;
 }
 

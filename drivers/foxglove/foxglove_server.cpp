@@ -1,6 +1,9 @@
 #include "drivers/foxglove/foxglove_server.h"
 
+#include <QDeadlineTimer>
+#include <QUrl>
 #include <QtEndian>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -20,7 +23,13 @@ using nlohmann::json;
 constexpr std::size_t kMostClients = 8;
 constexpr std::size_t kMostSubscriptions = 64;
 constexpr quint64 kLongestRequest = 64 * 1024;
+constexpr qint64 kReadAtOnce = 2 * kLongestRequest;
 constexpr qint64 kMostWaiting = 4 << 20;  // bytes that a client has not yet taken
+/// A map of more buildings than are drawn by hand may yet be on its way; what comes on top of it is
+/// answers that nobody takes.
+constexpr qint64 kDeaf = 4 * kMostWaiting;
+constexpr int kLook_ms = 100;    // a flood of pings fills some megabytes in between
+constexpr int kPingsAtMost = 5;  // unanswered, before a client is let go
 constexpr std::int64_t kLargestId = 0xffffffff;
 constexpr quint8 kMessageData = 1;
 
@@ -28,6 +37,18 @@ std::uint64_t now_ns() {
   using namespace std::chrono;
   return static_cast<std::uint64_t>(
       duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count());
+}
+
+qint64 now_ms() { return QDeadlineTimer::current(Qt::PreciseTimer).deadline(); }
+
+/// Pages of this machine, and Foxglove's own. Its program for the desktop is a file, or none.
+bool isFamiliar(const QString& origin) {
+  const QUrl url(origin);
+  const QString host = url.host();
+  return origin.isEmpty() || url.scheme() == QLatin1String("file") ||
+         host == QLatin1String("localhost") || QHostAddress(host).isLoopback() ||
+         origin == QLatin1String("https://app.foxglove.dev") ||
+         origin == QLatin1String("https://studio.foxglove.dev");
 }
 
 void sendJson(QWebSocket& socket, const json& message) {
@@ -46,14 +67,18 @@ json described(const FoxgloveChannel& channel) {
 
 }  // namespace
 
-FoxgloveServer::FoxgloveServer(QObject* parent)
+FoxgloveServer::FoxgloveServer(FoxgloveOptions options, QObject* parent)
     : QObject(parent),
+      options_(std::move(options)),
       server_(QStringLiteral("Handmap"), QWebSocketServer::NonSecureMode),
       pose_(poseChannel(1, QStringLiteral("/handmap/pose"))),
       scene_(sceneChannel(2, QStringLiteral("/handmap/map"))) {
   server_.setSupportedSubprotocols(
       {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
   connect(&server_, &QWebSocketServer::newConnection, this, &FoxgloveServer::welcome);
+  connect(&server_, &QWebSocketServer::originAuthenticationRequired, this,
+          [this](QWebSocketCorsAuthenticator* page) { check(*page); });
+  connect(&watch_, &QTimer::timeout, this, &FoxgloveServer::watch);
 }
 
 FoxgloveServer::~FoxgloveServer() { close(); }
@@ -76,24 +101,35 @@ void FoxgloveServer::close() {
   }
 }
 
+/// Any page that a browser on this machine shows could read along otherwise.
+void FoxgloveServer::check(QWebSocketCorsAuthenticator& page) {
+  const QString origin = page.origin();
+  const auto& allowed = options_.origins;
+  const bool may = isFamiliar(origin) ||
+                   std::find(allowed.begin(), allowed.end(), origin.toStdString()) != allowed.end();
+  page.setAllowed(may);
+  if (!may) Q_EMIT turnedAway(origin);
+}
+
 void FoxgloveServer::welcome() {
   QWebSocket* socket = server_.nextPendingConnection();
   if (!socket) return;
-  if (clients_.size() == kMostClients || socket->subprotocol().isEmpty()) {
+  if (socket->subprotocol().isEmpty() || !makePlace()) {
     socket->close(QWebSocketProtocol::CloseCodePolicyViolated,
                   QStringLiteral("expected the protocol foxglove.websocket.v1 and a free place"));
     return socket->deleteLater();
   }
   socket->setMaxAllowedIncomingMessageSize(kLongestRequest);
   socket->setMaxAllowedIncomingFrameSize(kLongestRequest);
-  clients_[socket] = {};
+  socket->setReadBufferSize(kReadAtOnce);
+  Client& client = clients_[socket];
+  client.came_ms = client.answered_ms = now_ms();
   connect(socket, &QWebSocket::textMessageReceived, this,
           [this, socket](const QString& text) { take(*socket, text); });
-  connect(socket, &QWebSocket::disconnected, this, [this, socket] {
-    clients_.erase(socket);
-    socket->deleteLater();
-    Q_EMIT clientsChanged();
-  });
+  connect(socket, &QWebSocket::pong, this,
+          [this, socket] { clients_[socket].answered_ms = now_ms(); });
+  connect(socket, &QWebSocket::disconnected, this, [this, socket] { letGo(*socket); });
+  watch_.start(kLook_ms);
   Q_EMIT clientsChanged();
   sendJson(*socket, {{"op", "serverInfo"},
                      {"name", "Handmap " HANDMAP_VERSION},
@@ -103,6 +139,45 @@ void FoxgloveServer::welcome() {
                      {"sessionId", fmt::format("{}", now_ns())}});
   sendJson(*socket,
            {{"op", "advertise"}, {"channels", json::array({described(pose_), described(scene_)})}});
+}
+
+bool FoxgloveServer::makePlace() {
+  if (clients_.size() < kMostClients) return true;
+  // Who looks at something comes last.
+  const auto first = std::min_element(clients_.begin(), clients_.end(), [](auto& a, auto& b) {
+    return std::pair(!a.second.channels.empty(), a.second.came_ms) <
+           std::pair(!b.second.channels.empty(), b.second.came_ms);
+  });
+  if (!first->second.channels.empty()) return false;
+  QWebSocket& idle = *first->first;
+  letGo(idle);
+  idle.close(QWebSocketProtocol::CloseCodePolicyViolated,
+             QStringLiteral("another one wants to look on, and this one looks at nothing"));
+  return true;
+}
+
+/// Pongs and answers are sent by nobody's leave: what waits is looked at from time to time.
+void FoxgloveServer::watch() {
+  const qint64 now = now_ms();
+  std::vector<QWebSocket*> deaf;
+  const bool is_due = now - pinged_ms_ >= options_.patience_ms / kPingsAtMost;
+  if (is_due) pinged_ms_ = now;
+  for (const auto& [socket, client] : clients_) {
+    if (socket->bytesToWrite() > kDeaf || now - client.answered_ms > options_.patience_ms) {
+      deaf.push_back(socket);
+    } else if (is_due) {
+      socket->ping();
+    }
+  }
+  for (QWebSocket* socket : deaf) letGo(*socket);
+  if (clients_.empty()) watch_.stop();
+}
+
+void FoxgloveServer::letGo(QWebSocket& socket) {
+  socket.disconnect(this);
+  clients_.erase(&socket);
+  socket.deleteLater();
+  Q_EMIT clientsChanged();
 }
 
 void FoxgloveServer::take(QWebSocket& socket, const QString& text) {

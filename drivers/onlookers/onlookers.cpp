@@ -15,6 +15,7 @@ namespace handmap {
 namespace {
 
 constexpr int kMap_ms = 1000;
+constexpr int kMostSaid = 100;       // characters of what a stranger says
 constexpr int kRest_ms = 200;        // for the last messages to leave
 constexpr std::uint64_t kSeed = 15;  // of the waits before it tries again
 
@@ -88,8 +89,15 @@ class Onlookers::Telling : public QObject {
 
   void beginFoxglove() {
     if (rig_.publish.foxglove == 0) return;
-    foxglove_.emplace();
+    foxglove_.emplace(FoxgloveOptions{rig_.publish.origins});
     connect(&*foxglove_, &FoxgloveServer::clientsChanged, this, [this] { sayWhoLooksOn(); });
+    connect(&*foxglove_, &FoxgloveServer::turnedAway, this, [this](const QString& origin) {
+      monitor_->setState(
+          DeviceRole::ToFoxglove, DeviceState::Degraded,
+          phrase(
+              "a web page of {} was turned away: \"origins\" in the rig file would let it look on",
+              origin.left(kMostSaid).toStdString()));
+    });
     listen();
   }
 

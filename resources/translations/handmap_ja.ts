@@ -3302,6 +3302,10 @@
         <source>The end of the run does not depend on it.</source>
         <translation>実行の最終結果には影響しません。</translation>
     </message>
+    <message>
+        <source>a web page of {} was turned away: &quot;origins&quot; in the rig file would let it look on</source>
+        <translation>{} のウェブページを断りました。リグのファイルの &quot;origins&quot; に挙げれば見られます</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

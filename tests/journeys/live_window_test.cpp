@@ -201,7 +201,7 @@ TEST_F(LiveWindow, ARigOverRosIsEnteredAsAnyOther) {
   rig.camera->right = "/right/compressed";
   rig.camera->calibration = path("calib.yml").toStdString();
   rig.odometry.kind = OdometryRigKind::Visual;
-  rig.publish = {"ws://rover:9090", 8765, true};
+  rig.publish = {"ws://rover:9090", 8765, true, {"https://viewer.example"}};
   dialog->form().setRig(rig);
   EXPECT_EQ(dialog->form().rig(), rig);
   dialog->reject();

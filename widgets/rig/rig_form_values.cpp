@@ -114,8 +114,9 @@ Rig RigForm::rig() const {
   rig.odometry = {static_cast<OdometryRigKind>(odometry_->currentData().toInt()),
                   textOf(*odometry_port_), textOf(*odometry_topic_)};
   if (rig.stops && rig.odometry.kind != OdometryRigKind::Ros) rig.stops->topic.clear();
-  rig.publish = {textOf(*publish_ros_), foxglove_->value(),
-                 foxglove_->value() > 0 && beyond_->isChecked()};
+  rig.publish.ros = textOf(*publish_ros_);
+  rig.publish.foxglove = foxglove_->value();
+  rig.publish.beyond_this_machine = foxglove_->value() > 0 && beyond_->isChecked();
   rig.record = textOf(*record_);
   // One set of checks for what a person enters and what a file says.
   return parseRig(formatRig(rig, {}), tr("The rig").toStdString(), {});

@@ -82,9 +82,10 @@ TEST(RigFile, ALookAroundMayBeAskedForOverRos) {
 
 TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
   const Rig rig = parsed(R"("camera": {"ros": "ws://rover:9090", "left": "/left", "right": "/right",
-      "calibration": "c.yml"}, "publish": {"ros": "ws://rover:9090", "foxglove": 8765})");
+      "calibration": "c.yml"}, "publish": {"ros": "ws://rover:9090", "foxglove": 8765,
+      "origins": ["https://viewer.example"]})");
   EXPECT_EQ(rig.camera->ros, "ws://rover:9090");
-  EXPECT_EQ(rig.publish, (PublishRig{"ws://rover:9090", 8765, false}));
+  EXPECT_EQ(rig.publish, (PublishRig{"ws://rover:9090", 8765, false, {"https://viewer.example"}}));
   EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
   EXPECT_NE(refusal(R"("camera": {"ros": "ws://x:1", "left": "a", "right": "b", "width": 640,
                     "calibration": "c"})")

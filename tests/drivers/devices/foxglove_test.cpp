@@ -103,6 +103,79 @@ TEST(FoxgloveServer, OthersAreTurnedAwayAndPlacesAreFew) {
   EXPECT_TRUE(stranger.texts.empty());
 }
 
+TEST(FoxgloveServer, WhoPingsAndDoesNotReadIsLetGo) {
+  FoxgloveServer server;
+  server.listen(0);
+  test::DeafViewer viewer(server.port());
+  ASSERT_TRUE(viewer.isLetIn());
+  qint64 sent = 0;
+  EXPECT_TRUE(waitUntil([&] {
+    for (int i = 0; i < 1000 && viewer.socket.bytesToWrite() < 1 << 20; ++i, sent += 131) {
+      viewer.ping();
+    }
+    return server.clients() == 0;
+  }));
+  EXPECT_LT(sent, 100 << 20) << "bytes of pings, each with its pong";
+}
+
+TEST(FoxgloveServer, WhoAnswersNoPingIsLetGoAndWhoDoesStays) {
+  FoxgloveServer server({.patience_ms = 500});
+  server.listen(0);
+  Viewer viewer(server.port());
+  std::vector<std::unique_ptr<test::DeafViewer>> deaf;
+  for (int i = 0; i < 3; ++i) deaf.push_back(std::make_unique<test::DeafViewer>(server.port()));
+  ASSERT_TRUE(waitUntil([&] { return server.clients() == 4; }));
+  EXPECT_TRUE(waitUntil([&] { return server.clients() == 1; }));
+  EXPECT_EQ(viewer.socket.state(), QAbstractSocket::ConnectedState);
+}
+
+TEST(FoxgloveServer, WhoLooksAtNothingMakesWay) {
+  FoxgloveServer server;
+  server.listen(0);
+  const auto subscribed = [&](Viewer& viewer) {
+    if (!viewer.hears(2)) return false;
+    viewer.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 8}, {"channelId", 2}}}}});
+    return waitUntil([&] { return !viewer.frames.empty(); });
+  };
+  server.publishMap(oneBuilding());
+  std::vector<std::unique_ptr<Viewer>> idle;
+  for (int i = 0; i < 8; ++i) idle.push_back(std::make_unique<Viewer>(server.port()));
+  ASSERT_TRUE(waitUntil([&] { return server.clients() == 8; }));
+  std::vector<std::unique_ptr<Viewer>> looking;
+  for (int i = 0; i < 8; ++i) {
+    looking.push_back(std::make_unique<Viewer>(server.port()));
+    ASSERT_TRUE(subscribed(*looking.back())) << i;
+  }
+  EXPECT_EQ(server.clients(), 8);
+  Viewer late(server.port());
+  EXPECT_TRUE(waitUntil([&] { return late.socket.closeCode() == 1008; })) << "all places are used";
+  for (const auto& viewer : looking) {
+    EXPECT_EQ(viewer->socket.state(), QAbstractSocket::ConnectedState);
+  }
+}
+
+TEST(FoxgloveServer, ForeignWebPagesAreTurnedAwayUnlessAllowed) {
+  FoxgloveServer server({.origins = {"https://viewer.example"}});
+  QString turned_away;
+  QObject::connect(&server, &FoxgloveServer::turnedAway, &server,
+                   [&](const QString& origin) { turned_away = origin; });
+  server.listen(0);
+  for (const char* origin :
+       {"", "file://", "http://localhost:8080", "http://127.0.0.1", "https://[::1]:3000",
+        "https://app.foxglove.dev", "https://viewer.example"}) {
+    test::DeafViewer viewer(server.port(), origin);
+    EXPECT_TRUE(viewer.isLetIn()) << origin;
+  }
+  EXPECT_TRUE(turned_away.isEmpty()) << turned_away.toStdString();
+  for (const char* origin :
+       {"null", "https://evil.example", "https://app.foxglove.dev.evil.example",
+        "http://localhost.evil.example", "https://viewer.example:444", "http://viewer.example"}) {
+    test::DeafViewer viewer(server.port(), origin);
+    EXPECT_FALSE(viewer.isLetIn()) << origin;
+    EXPECT_EQ(turned_away.toStdString(), origin);
+  }
+}
+
 TEST(FoxglovePeer, FoxglovesOwnClientUnderstandsPoseAndMap) {
   const std::string missing = Peer::missing(QStringLiteral("@foxglove/ws-protocol"));
   if (!missing.empty()) GTEST_SKIP() << missing;

@@ -164,6 +164,18 @@ TEST(Onlookers, FoxglovesPortIsTakenAsSoonAsItIsFree) {
   EXPECT_TRUE(waitUntil([&] { return !viewer.frames.empty(); })) << "what was told meanwhile";
 }
 
+TEST(Onlookers, WebPagesThatMayLookOnAreThoseOfTheRig) {
+  Told told({{}, freePort(), false, {"https://viewer.example"}});
+  ASSERT_TRUE(told.becomes(DeviceRole::ToFoxglove, DeviceState::Ready));
+  test::DeafViewer friendly(told.port, "https://viewer.example");
+  EXPECT_TRUE(friendly.isLetIn());
+  test::DeafViewer foreign(told.port, "https://evil.example");
+  EXPECT_FALSE(foreign.isLetIn());
+  ASSERT_TRUE(told.becomes(DeviceRole::ToFoxglove, DeviceState::Degraded));
+  EXPECT_NE(told.status(DeviceRole::ToFoxglove).detail.find("https://evil.example"),
+            std::string::npos);
+}
+
 TEST(Onlookers, WhatCannotBeIsSaidAndEndsNothing) {
   QTcpServer other;
   ASSERT_TRUE(other.listen(QHostAddress::LocalHost));
