@@ -1,6 +1,7 @@
 #include "core/rig/rig_monitor.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "core/base/phrase.h"
 
@@ -90,6 +91,20 @@ bool RigMonitor::takeLookAround() {
   return std::exchange(look_around_, false);
 }
 
+double RigMonitor::robotTime(double time_s) const {
+  constexpr DeviceRole kOrder[] = {DeviceRole::Scanner, DeviceRole::Camera, DeviceRole::Odometry};
+  const std::scoped_lock lock(mutex_);
+  for (const DeviceRole role : kOrder) {
+    const auto has = [role](const Watched& watched) {
+      return watched.status.role == role && watched.ahead_s;
+    };
+    const auto found = std::find_if(devices_.begin(), devices_.end(), has);
+    if (found != devices_.end()) return time_s + *found->ahead_s;
+  }
+  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+  return now.count() - (clock_() - time_s);
+}
+
 RigMonitor::Watched* RigMonitor::find(DeviceRole role) {
   const auto found = std::find_if(devices_.begin(), devices_.end(), [role](const Watched& watched) {
     return watched.status.role == role;
@@ -127,6 +142,11 @@ void RigMonitor::datum(DeviceRole role, double time_s) {
   device->status.rate_hz = static_cast<double>(device->rate_count) / span;
   device->rate_since_s = device->newest_s;
   device->rate_count = 0;
+}
+
+void RigMonitor::stamped(DeviceRole role, double time_s, double stamp_s) {
+  const std::scoped_lock lock(mutex_);
+  if (Watched* device = find(role)) device->ahead_s = stamp_s - time_s;
 }
 
 void RigMonitor::refused(const std::string& reason, const std::string& detail) {

@@ -67,6 +67,9 @@ class RigMonitor {
   RigPreview preview() const;
   double now() const { return clock_(); }
   const RigClock& clock() const { return clock_; }
+  /// What the robot's own clock said at a time of the rig, seconds since 1970: that of its devices
+  /// which stamp by it, of whatever the robot sees with before its odometry; else this machine's.
+  double robotTime(double time_s) const;
 
   // To be asked of the rig.
   void end() { end_.request_stop(); }  ///< the person ends the drive: the source is at its end
@@ -78,6 +81,7 @@ class RigMonitor {
   void add(DeviceRole role);
   void setState(DeviceRole role, DeviceState state, const std::string& detail);
   void datum(DeviceRole role, double time_s);
+  void stamped(DeviceRole role, double time_s, double stamp_s);
   void refused(const std::string& reason, const std::string& detail = {});
   void observed(double time_s);
   void given();
@@ -93,6 +97,7 @@ class RigMonitor {
     double newest_s = 0.0;
     double rate_since_s = 0.0;
     long rate_count = 0;
+    std::optional<double> ahead_s;  ///< the robot's clock of the rig's
   };
   Watched* find(DeviceRole role);
 

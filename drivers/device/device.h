@@ -27,6 +27,9 @@ class Device : public QObject {
  Q_SIGNALS:
   /// `detail`: plain words for a person, never those of a parser alone.
   void stateChanged(handmap::DeviceState state, const QString& detail);
+  /// What it tells next was measured at `time_s` of the rig, which the robot's own clock, seconds
+  /// since 1970, called `stamp_s`.
+  void stamped(double time_s, double stamp_s);
 };
 
 // Times are seconds of the rig's clock (steady, 0 when the rig began) at which it was measured.

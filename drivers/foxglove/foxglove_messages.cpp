@@ -1,5 +1,6 @@
 #include "drivers/foxglove/foxglove_messages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -18,8 +19,10 @@ QByteArray textOf(const json& value) {
   return QByteArray::fromStdString(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-json timeOf(std::uint64_t time_ns) {
-  return {{"sec", time_ns / 1'000'000'000}, {"nsec", time_ns % 1'000'000'000}};
+json timeOf(double time_s) {
+  const double seconds = std::floor(std::max(time_s, 0.0));  // of Foxglove's none is negative
+  return {{"sec", static_cast<std::uint32_t>(seconds)},
+          {"nsec", static_cast<std::uint32_t>((std::max(time_s, 0.0) - seconds) * 1e9)}};
 }
 
 json vectorOf(double x, double y, double z) { return {{"x", x}, {"y", y}, {"z", z}}; }
@@ -92,11 +95,11 @@ FoxgloveChannel sceneChannel(std::uint32_t id, const QString& topic) {
   return {id, topic, QStringLiteral("foxglove.SceneUpdate"), QString::fromUtf8(textOf(schema))};
 }
 
-QByteArray poseInFrame(std::uint64_t time_ns, const Pose2& pose) {
-  return textOf({{"timestamp", timeOf(time_ns)}, {"frame_id", "map"}, {"pose", poseOf(pose)}});
+QByteArray poseInFrame(double time_s, const Pose2& pose) {
+  return textOf({{"timestamp", timeOf(time_s)}, {"frame_id", "map"}, {"pose", poseOf(pose)}});
 }
 
-QByteArray sceneUpdate(std::uint64_t time_ns, const Map& map) {
+QByteArray sceneUpdate(double time_s, const Map& map) {
   json entities = json::array();
   for (const Building& building : map.buildings) {
     const Polygon footprint = building.footprint();
@@ -108,10 +111,10 @@ QByteArray sceneUpdate(std::uint64_t time_ns, const Map& map) {
         {"thickness", kLine_m},    {"scale_invariant", false},
         {"points", points},        {"color", {{"r", 0.0}, {"g", 0.35}, {"b", 0.85}, {"a", 1.0}}},
         {"colors", json::array()}, {"indices", json::array()}};
-    entities.push_back({{"timestamp", timeOf(time_ns)},
+    entities.push_back({{"timestamp", timeOf(time_s)},
                         {"frame_id", "map"},
                         {"id", building.id},
-                        {"lifetime", timeOf(0)},
+                        {"lifetime", timeOf(0.0)},
                         {"frame_locked", false},
                         {"metadata", json::array()},
                         {"arrows", json::array()},
@@ -123,7 +126,7 @@ QByteArray sceneUpdate(std::uint64_t time_ns, const Map& map) {
                         {"texts", json::array()},
                         {"models", json::array()}});
   }
-  const json deletion = {{"timestamp", timeOf(time_ns)}, {"type", kDeleteAll}, {"id", ""}};
+  const json deletion = {{"timestamp", timeOf(time_s)}, {"type", kDeleteAll}, {"id", ""}};
   return textOf({{"deletions", json::array({deletion})}, {"entities", entities}});
 }
 

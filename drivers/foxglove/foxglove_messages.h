@@ -20,9 +20,9 @@ struct FoxgloveChannel {
 FoxgloveChannel poseChannel(std::uint32_t id, const QString& topic);
 FoxgloveChannel sceneChannel(std::uint32_t id, const QString& topic);
 
-/// foxglove.PoseInFrame, in the map frame. `time_ns`: since 1970.
-QByteArray poseInFrame(std::uint64_t time_ns, const Pose2& pose);
+/// foxglove.PoseInFrame, in the map frame. `time_s`: since 1970.
+QByteArray poseInFrame(double time_s, const Pose2& pose);
 /// foxglove.SceneUpdate: an outline for each building, in place of all before.
-QByteArray sceneUpdate(std::uint64_t time_ns, const Map& map);
+QByteArray sceneUpdate(double time_s, const Map& map);
 
 }  // namespace handmap

@@ -221,39 +221,36 @@ void FoxgloveServer::subscribe(QWebSocket& socket, std::uint32_t subscription,
   }
   channels[subscription] = channel;
   if (channel != scene_.id || !map_) return;
-  const std::uint64_t time_ns = now_ns();
-  send(socket, subscription, time_ns, sceneUpdate(time_ns, *map_));
+  send(socket, subscription, sceneUpdate(map_time_s_, *map_));
 }
 
-// 1, the subscription, nanoseconds since 1970, little-endian; then the message.
-void FoxgloveServer::send(QWebSocket& socket, std::uint32_t subscription, std::uint64_t time_ns,
+// 1, the subscription, nanoseconds since 1970 when it is sent, little-endian; then the message.
+void FoxgloveServer::send(QWebSocket& socket, std::uint32_t subscription,
                           const QByteArray& payload) {
   if (socket.bytesToWrite() > kMostWaiting) return;  // it is too slow: it misses some
   QByteArray frame(13, '\0');
   frame[0] = static_cast<char>(kMessageData);
   qToLittleEndian(subscription, frame.data() + 1);
-  qToLittleEndian(time_ns, frame.data() + 5);
+  qToLittleEndian(now_ns(), frame.data() + 5);
   socket.sendBinaryMessage(frame + payload);
 }
 
-void FoxgloveServer::publish(std::uint32_t channel, std::uint64_t time_ns,
-                             const QByteArray& payload) {
+void FoxgloveServer::publish(std::uint32_t channel, const QByteArray& payload) {
   for (const auto& [socket, client] : clients_) {
     for (const auto& [subscription, subscribed] : client.channels) {
-      if (subscribed == channel) send(*socket, subscription, time_ns, payload);
+      if (subscribed == channel) send(*socket, subscription, payload);
     }
   }
 }
 
-void FoxgloveServer::publishPose(const Pose2& pose) {
-  const std::uint64_t time_ns = now_ns();
-  publish(pose_.id, time_ns, poseInFrame(time_ns, pose));
+void FoxgloveServer::publishPose(double time_s, const Pose2& pose) {
+  publish(pose_.id, poseInFrame(time_s, pose));
 }
 
-void FoxgloveServer::publishMap(std::shared_ptr<const Map> map) {
+void FoxgloveServer::publishMap(double time_s, std::shared_ptr<const Map> map) {
   map_ = std::move(map);
-  const std::uint64_t time_ns = now_ns();
-  if (map_) publish(scene_.id, time_ns, sceneUpdate(time_ns, *map_));
+  map_time_s_ = time_s;
+  if (map_) publish(scene_.id, sceneUpdate(time_s, *map_));
 }
 
 }  // namespace handmap

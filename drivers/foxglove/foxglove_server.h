@@ -44,9 +44,10 @@ class FoxgloveServer : public QObject {
   quint16 port() const { return server_.serverPort(); }
   int clients() const { return static_cast<int>(clients_.size()); }
 
-  void publishPose(const Pose2& pose);
+  /// Times are seconds since 1970 of the robot's clock, to which what is told belongs.
+  void publishPose(double time_s, const Pose2& pose);
   /// Whoever comes later gets the last one.
-  void publishMap(std::shared_ptr<const Map> map);
+  void publishMap(double time_s, std::shared_ptr<const Map> map);
 
  Q_SIGNALS:
   void clientsChanged();
@@ -66,9 +67,8 @@ class FoxgloveServer : public QObject {
   void take(QWebSocket& socket, const QString& text);
   void obey(QWebSocket& socket, const QString& text);
   void subscribe(QWebSocket& socket, std::uint32_t subscription, std::uint32_t channel);
-  void send(QWebSocket& socket, std::uint32_t subscription, std::uint64_t time_ns,
-            const QByteArray& payload);
-  void publish(std::uint32_t channel, std::uint64_t time_ns, const QByteArray& payload);
+  void send(QWebSocket& socket, std::uint32_t subscription, const QByteArray& payload);
+  void publish(std::uint32_t channel, const QByteArray& payload);
 
   FoxgloveOptions options_;
   QWebSocketServer server_;
@@ -78,6 +78,7 @@ class FoxgloveServer : public QObject {
   FoxgloveChannel pose_;
   FoxgloveChannel scene_;
   std::shared_ptr<const Map> map_;
+  double map_time_s_ = 0.0;
 };
 
 }  // namespace handmap

@@ -72,6 +72,9 @@ class RigHost::Hosting {
 
   void watch(Device& device, DeviceRole role) {
     monitor_.add(role);
+    QObject::connect(
+        &device, &Device::stamped, &context_,
+        [this, role](double time_s, double stamp_s) { monitor_.stamped(role, time_s, stamp_s); });
     QObject::connect(&device, &Device::stateChanged, &context_,
                      [this, role](DeviceState state, const QString& detail) {
                        monitor_.setState(role, state, detail.toStdString());

@@ -129,8 +129,9 @@ class Onlookers::Telling : public QObject {
     }
     if (!told_) return;
     const FrameReport& report = told_->report;
-    if (ros_) ros_->publishPose(report.pose, report.pose_sigma);
-    if (foxglove_) foxglove_->publishPose(report.pose);
+    const double time_s = monitor_->robotTime(report.time_s);
+    if (ros_) ros_->publishPose(time_s, report.pose, report.pose_sigma);
+    if (foxglove_) foxglove_->publishPose(time_s, report.pose);
     if (!map_due_.isActive()) map_due_.start(has_map_ ? kMap_ms : 0);
   }
 
@@ -140,8 +141,9 @@ class Onlookers::Telling : public QObject {
       // The map shares its snapshot's life.
       const std::shared_ptr<const Map> map(told_, &*told_->map);
       has_map_ = true;
-      if (ros_) ros_->publishMap(map);
-      if (foxglove_) foxglove_->publishMap(map);
+      const double time_s = monitor_->robotTime(told_->report.time_s);
+      if (ros_) ros_->publishMap(time_s, map);
+      if (foxglove_) foxglove_->publishMap(time_s, map);
     });
   }
 

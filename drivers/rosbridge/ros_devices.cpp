@@ -29,7 +29,10 @@ RosOdometry::RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString&
              std::move(clock), [this](const RosValue& message, double arrival_s) {
                const RosOdometryMessage read = readOdometry(message);
                const auto told = stream_.take(read.stamp_s, read.pose, arrival_s);
-               if (told) Q_EMIT moved(told->time_s, told->pose);
+               if (told) {
+                 Q_EMIT stamped(told->time_s, read.stamp_s);
+                 Q_EMIT moved(told->time_s, told->pose);
+               }
                return stream_.detail();
              }) {
   connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
@@ -59,7 +62,10 @@ RosScanner::RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& t
                const RosPointsMessage read =
                    kind == Kind::LaserScan ? readLaserScan(message) : readPointCloud(message);
                const auto time_s = offset_.rigTime(read.stamp_s, arrival_s);
-               if (time_s) Q_EMIT scanned(*time_s, read.points);
+               if (time_s) {
+                 Q_EMIT stamped(*time_s, read.stamp_s);
+                 Q_EMIT scanned(*time_s, read.points);
+               }
                return QString();
              }) {
   connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
@@ -116,7 +122,10 @@ QString RosCamera::take(Images& own, Images& other, const RosValue& message, dou
   const RosImageMessage& left = &own == &left_images_ ? image : partner;
   const RosImageMessage& right = &own == &left_images_ ? partner : image;
   const auto time_s = offset_.rigTime(left.stamp_s, arrival_s);
-  if (time_s) Q_EMIT pairTaken(*time_s, left.image, right.image);
+  if (time_s) {
+    Q_EMIT stamped(*time_s, left.stamp_s);
+    Q_EMIT pairTaken(*time_s, left.image, right.image);
+  }
   return {};
 }
 

@@ -2,7 +2,6 @@
 
 #include <QCborArray>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -67,10 +66,10 @@ void fillRow(const Polygon& polygon, double y, const Vec2& origin, double cell_m
 
 }  // namespace
 
-RosTime rosTimeNow() {
-  using namespace std::chrono;
-  const auto now = duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
-  return {now / 1'000'000'000, now % 1'000'000'000};
+RosTime rosTimeOf(double since_1970_s) {
+  const double seconds = std::floor(since_1970_s);
+  return {static_cast<std::int64_t>(seconds),
+          static_cast<std::int64_t>((since_1970_s - seconds) * 1e9)};
 }
 
 QCborMap poseMessage(const RosHeader& header, const Pose2& pose,

@@ -10,12 +10,12 @@
 
 namespace handmap {
 
-/// A moment of the wall clock, since 1970, as ROS has it.
+/// A moment, since 1970, as ROS has it.
 struct RosTime {
   std::int64_t seconds = 0;
   std::int64_t nanoseconds = 0;
 };
-RosTime rosTimeNow();
+RosTime rosTimeOf(double since_1970_s);
 
 struct RosHeader {
   RosTime stamp;

@@ -14,8 +14,9 @@ struct RosTopics {
   QString frame = QStringLiteral("map");
 };
 
-/// Lives in the thread of its client. What is published while there is no connection is not lost
-/// but for poses: the map is sent again when there is one.
+/// Times are seconds since 1970 of the robot's clock, to which what is told belongs. Lives in the
+/// thread of its client. What is published while there is no connection is not lost but for poses:
+/// the map is sent again when there is one.
 class RosPublisher : public QObject {
   Q_OBJECT
   Q_DISABLE_COPY_MOVE(RosPublisher)
@@ -23,16 +24,17 @@ class RosPublisher : public QObject {
   explicit RosPublisher(std::shared_ptr<RosbridgeClient> client, RosTopics topics = {});
   ~RosPublisher() override;
 
-  void publishPose(const Pose2& pose, const std::array<double, 3>& sigma);
-  void publishMap(std::shared_ptr<const Map> map);
+  void publishPose(double time_s, const Pose2& pose, const std::array<double, 3>& sigma);
+  void publishMap(double time_s, std::shared_ptr<const Map> map);
 
  private:
-  RosHeader header() const;
+  RosHeader header(double time_s) const;
   void sendMap();
 
   std::shared_ptr<RosbridgeClient> client_;
   RosTopics topics_;
   std::shared_ptr<const Map> map_;
+  double map_time_s_ = 0.0;
 };
 
 }  // namespace handmap

@@ -1,5 +1,7 @@
 #include "core/rig/rig_monitor.h"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 namespace handmap {
@@ -28,6 +30,27 @@ TEST(RigMonitor, NamesASilentDeviceWithinASecond) {
   EXPECT_EQ(watched.device().rate_hz, 0.0);
   watched.deliver(DeviceRole::Scanner, 7.0, 0.1);
   EXPECT_EQ(watched.device().state, DeviceState::Ready);
+}
+
+TEST(RigMonitor, TheRobotsTimeIsThatOfItsOwnClockWhereItIsKnown) {
+  Watched watched;
+  watched.now = 100.0;
+  const auto this_machine = [] {
+    const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+    return now.count();
+  };
+  const double before = this_machine();
+  const double told = watched.monitor.robotTime(90.0);
+  EXPECT_GE(told, before - 10.0 - 1e-6);
+  EXPECT_LE(told, this_machine() - 10.0 + 1e-6);
+  watched.monitor.stamped(DeviceRole::Odometry, 50.0, 8050.0);  // the rig has none
+  watched.monitor.add(DeviceRole::Odometry);
+  watched.monitor.add(DeviceRole::Scanner);
+  watched.monitor.stamped(DeviceRole::Odometry, 50.0, 1050.25);
+  EXPECT_EQ(watched.monitor.robotTime(90.0), 1090.25);
+  watched.monitor.stamped(DeviceRole::Scanner, 50.0, 1050.5);  // by which observations are timed
+  watched.monitor.stamped(DeviceRole::Odometry, 51.0, 1051.25);
+  EXPECT_EQ(watched.monitor.robotTime(90.0), 1090.5);
 }
 
 TEST(RigMonitor, ASlowDeviceIsNotSilentBetweenItsData) {

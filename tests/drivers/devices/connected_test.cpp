@@ -1,4 +1,6 @@
 // The devices that a rig file names, as they are made.
+#include <functional>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -6,6 +8,7 @@
 #include "drivers/connected/connected_devices.h"
 #include "drivers/emulators/ros_emulated_messages.h"
 #include "drivers/emulators/rosbridge_emulator.h"
+#include "drivers/live/rig_host.h"
 #include "tests/drivers/devices/waiting.h"
 
 namespace handmap {
@@ -44,6 +47,36 @@ TEST(ConnectedDevices, TwoCamerasOverRosGivePairs) {
     test::pass(20);
   }
   EXPECT_TRUE(test::waitUntil([&] { return pairs >= 5; }));
+}
+
+TEST(ConnectedDevices, ARobotOverRosKeepsItsTime) {
+  RosbridgeEmulator ros;
+  const std::string url = ros.url().toString().toStdString();
+  const Rig rig = parseRig(fmt::format(R"({{"format": "handmap-rig", "version": 1,
+          "scanner": {{"kind": "ros", "port": "{}", "topic": "/scan"}},
+          "odometry": {{"kind": "ros", "port": "{}", "topic": "/odom"}}}})",
+                                       url, url),
+                           "rig.json", "/");
+  const auto monitor = std::make_shared<RigMonitor>();
+  RigHost host(rig, connectedDevices(), monitor);
+  ASSERT_TRUE(test::waitUntil([&] {
+    return ros.hasSubscriber(QStringLiteral("/scan")) && ros.hasSubscriber(QStringLiteral("/odom"));
+  }));
+  const auto robot_s = [&] { return 1'500'000'000.0 + monitor->now(); };
+  const auto drivesUntil = [&](const std::function<bool()>& holds) {
+    return test::waitUntil([&] {
+      ros.publish(QStringLiteral("/odom"), emulated::odometry(robot_s(), {}, RosVersion::Ros2));
+      return holds();
+    });
+  };
+  ASSERT_TRUE(drivesUntil([&] { return monitor->status().devices.at(0).count > 0; }));
+  const double then = robot_s();
+  ros.publish(QStringLiteral("/scan"),
+              emulated::laserScan(then, std::vector<float>(8, 2.0F), RosVersion::Ros2));
+  ASSERT_TRUE(drivesUntil([&] { return monitor->status().observation_age_s.has_value(); }));
+  const auto observation = host.next({});
+  ASSERT_TRUE(observation);
+  EXPECT_NEAR(monitor->robotTime(observation->time_s), then, 1e-6);
 }
 
 }  // namespace

@@ -115,6 +115,26 @@ TEST(Onlookers, RosHearsOfEachPoseAndOfTheMap) {
       120);
 }
 
+TEST(Onlookers, WhatIsToldIsOfTheRobotsTime) {
+  RosbridgeEmulator ros;
+  Listener listener(ros);
+  Told told({ros.url().toString().toStdString()});
+  told.monitor->add(DeviceRole::Scanner);
+  told.monitor->stamped(DeviceRole::Scanner, 2.0, 1'700'000'002.0);
+  ASSERT_TRUE(told.becomes(DeviceRole::ToRos, DeviceState::Ready));
+  auto snapshot = std::make_shared<Snapshot>(*at(1.0, 8.0));
+  snapshot->report.time_s = 7.25;
+  told.onlookers->tell(snapshot);
+  ASSERT_TRUE(waitUntil([&] { return listener.count.size() == 3; }));
+  for (const char* topic : {"/handmap/pose", "/handmap/map"}) {
+    const QCborMap stamp = listener.last[QLatin1String(topic)][QStringLiteral("header")]
+                               .toMap()[QStringLiteral("stamp")]
+                               .toMap();
+    EXPECT_EQ(stamp[QStringLiteral("sec")].toInteger(), 1'700'000'007) << topic;
+    EXPECT_EQ(stamp[QStringLiteral("nanosec")].toInteger(), 250'000'000) << topic;
+  }
+}
+
 TEST(Onlookers, ARosThatGoesIsNamedAndToldAgainWhenItIsBack) {
   RosbridgeEmulator ros;
   Told told({ros.url().toString().toStdString()});

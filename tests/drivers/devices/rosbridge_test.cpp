@@ -211,10 +211,10 @@ TEST(RosPublisher, WhoHearsGetsPosesAndTheMapAlsoAfterALoss) {
                    [&](const QString& topic, const QCborMap&) { heard << topic; });
   const auto client = clientOf(server);
   RosPublisher publisher(client);
-  publisher.publishMap(oneBuilding());  // before there is a connection
+  publisher.publishMap(5.0, oneBuilding());  // before there is a connection
   ASSERT_TRUE(waitUntil([&] { return heard.contains(QStringLiteral("/handmap/buildings")); }));
   EXPECT_TRUE(heard.contains(QStringLiteral("/handmap/map")));
-  publisher.publishPose({1.0, 2.0, 3.0}, {0.1, 0.1, 0.01});
+  publisher.publishPose(5.0, {1.0, 2.0, 3.0}, {0.1, 0.1, 0.01});
   ASSERT_TRUE(waitUntil([&] { return heard.contains(QStringLiteral("/handmap/pose")); }));
   heard.clear();
   server.unplug();
@@ -237,8 +237,8 @@ TEST(RosbridgePeer, RoslibSendsOdometryAndHearsWhatIsPublished) {
   ASSERT_TRUE(waitUntil([&] { return server.hasSubscriber(QStringLiteral("/scan")); }));
   RosPublisher publisher(client);
   ASSERT_TRUE(waitUntil([&] { return client->isConnected(); }));
-  publisher.publishMap(oneBuilding());
-  publisher.publishPose({7.5, 2.0, 3.0}, {0.1, 0.1, 0.5});
+  publisher.publishMap(5.0, oneBuilding());
+  publisher.publishPose(1.7e9, {7.5, 2.0, 3.0}, {0.1, 0.1, 0.5});
   server.publish(QStringLiteral("/scan"),
                  emulated::laserScan(1.0, {1.0F, 2.0F, 3.0F, 4.5F}, RosVersion::Ros2));
   EXPECT_TRUE(peer.says("POSE 7.5 0.25 map true")) << peer.said;
