@@ -167,9 +167,9 @@ void RigMonitor::given() {
   ++status_.given;
 }
 
-void RigMonitor::passedOver() {
+void RigMonitor::passedOver(long observations) {
   const std::scoped_lock lock(mutex_);
-  ++status_.passed_over;
+  status_.passed_over += observations;
 }
 
 void RigMonitor::setActivity(const std::string& words) {

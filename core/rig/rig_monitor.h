@@ -85,7 +85,7 @@ class RigMonitor {
   void refused(const std::string& reason, const std::string& detail = {});
   void observed(double time_s);
   void given();
-  void passedOver();
+  void passedOver(long observations);
   void setActivity(const std::string& words);
   void setRecording(const RecordingStatus& recording);
   void show(const cv::Mat& left, const cv::Mat& right);

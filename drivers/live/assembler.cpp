@@ -13,9 +13,10 @@ namespace {
 /// Older than that it was held up somewhere, and the time stamp may be wrong too.
 constexpr double kLatest_s = 2.0;
 constexpr double kFuture_s = 0.1;
-/// Odometry of 5 Hz comes within it; nobody wants to wait longer.
+/// Beyond the time between two odometries; nobody wants to wait longer.
 constexpr double kOdometryPatience_s = 0.5;
-constexpr std::size_t kMostWaiting = 8;
+constexpr std::size_t kMostWaiting = 100;  // of 40 a second, while odometry comes once a second
+constexpr std::size_t kMostWaitingBytes = 256U << 20U;
 constexpr std::size_t kMostPoints = 500'000;
 /// Who has moved so far does not see so many points the same to the last bit.
 constexpr std::size_t kTelling = 20;
@@ -40,6 +41,12 @@ std::vector<RangePoint> inRobotFrame(const std::vector<RangePoint>& points,
                      p.z + static_cast<float>(mount.z), p.w});
   }
   return moved;
+}
+
+std::size_t bytesOf(const View& view) {
+  const auto image = [](const cv::Mat& m) { return m.total() * m.elemSize(); };
+  const std::size_t points = view.points ? view.points->size() * sizeof(RangePoint) : 0;
+  return image(view.left) + image(view.right) + points;
 }
 
 bool isSame(const RangePoint& a, const RangePoint& b) {
@@ -120,10 +127,19 @@ void Assembler::tick(double now_s) {
 }
 
 void Assembler::addMoving(double time_s, View view) {
+  waiting_bytes_ += bytesOf(view);
   waiting_.push_back({time_s, std::move(view)});
-  if (waiting_.size() <= kMostWaiting) return;
+  while (waiting_.size() > kMostWaiting || waiting_bytes_ > kMostWaitingBytes) {
+    takeWaiting();
+    sinks_.refused(phrase("too many observations that wait for odometry"));
+  }
+}
+
+Assembler::Waiting Assembler::takeWaiting() {
+  Waiting first = std::move(waiting_.front());
   waiting_.pop_front();
-  sinks_.refused(phrase("no odometry at the time of an observation"));
+  waiting_bytes_ -= bytesOf(first.view);
+  return first;
 }
 
 /// Gives out what has its odometry by now, in order, and gives up on what waited too long.
@@ -131,11 +147,14 @@ void Assembler::settle(double now_s) {
   while (!waiting_.empty()) {
     const double time_s = waiting_.front().time_s;
     const std::optional<Pose2> pose = rig_.odometry.isMeasured() ? odometry_.at(time_s) : Pose2{};
-    if (!pose && now_s - time_s < kOdometryPatience_s) return;
-    Waiting ready = std::move(waiting_.front());
-    waiting_.pop_front();
+    const bool may_come =
+        time_s > newest_odometry_s_ && now_s - time_s < kOdometryPatience_s + odometry_.period_s();
+    if (!pose && may_come) return;
+    Waiting ready = takeWaiting();
     if (!pose) {
-      sinks_.refused(phrase("no odometry at the time of an observation"));
+      sinks_.refused(odometry_.isAround(time_s)
+                         ? phrase("odometry too far apart around an observation")
+                         : phrase("no odometry at the time of an observation"));
       continue;
     }
     if (isFrozen(ready.view, *pose)) {

@@ -38,7 +38,12 @@ class Assembler {
  private:
   using Word = std::string (*)();  ///< said only where something is wrong
   bool isTimely(double time_s, double& newest_s, double now_s, Word what);
+  struct Waiting {
+    double time_s;
+    View view;
+  };
   void addMoving(double time_s, View view);
+  Waiting takeWaiting();
   bool isFrozen(const View& view, const Pose2& pose);
   void settle(double now_s);
   void deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views);
@@ -50,11 +55,8 @@ class Assembler {
   std::optional<StopScan> stops_;
   double newest_odometry_s_ = -1.0;
   double newest_view_s_ = -1.0;
-  struct Waiting {
-    double time_s;
-    View view;
-  };
   std::deque<Waiting> waiting_;  ///< for their odometry
+  std::size_t waiting_bytes_ = 0;
   std::vector<RangePoint> newest_points_;
   Pose2 newest_points_from_;  ///< where they came first
   std::vector<View> stop_views_;

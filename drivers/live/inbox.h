@@ -1,10 +1,12 @@
-// One place for the newest observation, between the thread of the rig and that of the run.
+// The place for the newest observations, between the thread of the rig and that of the run.
 #pragma once
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/recording/observation.h"
 
@@ -12,8 +14,8 @@ namespace handmap {
 
 class Inbox {
  public:
-  /// True: one that nobody has taken made way for it.
-  bool put(Observation observation);
+  /// What became whole at the same time. Returns how many that nobody has taken made way for them.
+  std::size_t put(std::vector<Observation> observations);
   /// No more will come; what is there can still be taken.
   void close();
   /// Waits. nullopt when `stop` was requested, and after close() when there is none.
@@ -22,7 +24,7 @@ class Inbox {
  private:
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::optional<Observation> newest_;
+  std::deque<Observation> newest_;
   bool closed_ = false;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kKept_s = 60.0;
 constexpr std::size_t kMostPoses = 20'000;  // 300 Hz
-constexpr double kLongestGap_s = 1.0;
+constexpr double kLongestGap_s = 1.5;       // of one a second, of which one comes late
 // What encoders and gyroscopes of a standing robot tremble by.
 constexpr double kStill_m = 0.02;
 constexpr double kStill_rad = 0.02;
@@ -44,6 +44,16 @@ std::optional<Pose2> OdometryTrack::at(double time_s) const {
   const double gap = after->time_s - before.time_s;
   if (gap > kLongestGap_s) return std::nullopt;
   return interpolated(before.pose, after->pose, (time_s - before.time_s) / gap);
+}
+
+bool OdometryTrack::isAround(double time_s) const {
+  return !poses_.empty() && poses_.front().time_s <= time_s && time_s <= poses_.back().time_s;
+}
+
+double OdometryTrack::period_s() const {
+  if (poses_.size() < 2) return 0.0;
+  const double period_s = poses_.back().time_s - std::prev(poses_.end(), 2)->time_s;
+  return period_s > kLongestGap_s ? 0.0 : period_s;
 }
 
 double OdometryTrack::standingFor() const {

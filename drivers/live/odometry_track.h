@@ -13,9 +13,13 @@ class OdometryTrack {
   /// False: not later than the newest, and left out.
   bool add(double time_s, const Pose2& pose);
 
-  /// Interpolated between two poses not more than a second apart. nullopt where there are none
-  /// around that time: not yet, or no more.
+  /// Interpolated between two poses not more than 1.5 s apart. nullopt where there are none around
+  /// that time: not yet, or never.
   std::optional<Pose2> at(double time_s) const;
+  /// Poses before and after that time are known.
+  bool isAround(double time_s) const;
+  /// Between the newest two poses; 0 where something is missing between them.
+  double period_s() const;
   /// So long the robot has not moved, at the newest pose; 0 where there is none.
   double standingFor() const;
 

@@ -24,9 +24,10 @@ class RigHost::Hosting {
   Hosting(const Rig& rig, const MakeDevices& make, RigMonitor& monitor, Inbox& inbox)
       : monitor_(monitor),
         inbox_(inbox),
-        assembler_(rig, {[this](Observation observation) { give(std::move(observation)); },
-                         [this](double pan) { look(pan); },
-                         [this](const std::string& reason) { monitor_.refused(reason); }}),
+        assembler_(rig,
+                   {[this](Observation observation) { whole_.push_back(std::move(observation)); },
+                    [this](double pan) { look(pan); },
+                    [this](const std::string& reason) { monitor_.refused(reason); }}),
         devices_(make(rig, monitor)) {
     connectSensors();
     connectHead();
@@ -60,6 +61,7 @@ class RigHost::Hosting {
     } catch (const std::exception& error) {
       monitor_.refused(phrase("unexpected error"), error.what());
     }
+    give();
   }
 
   template <typename Work>
@@ -129,16 +131,20 @@ class RigHost::Hosting {
     if (devices_.head) devices_.head->lookAt(pan, 0.0);
   }
 
-  void give(Observation observation) {
-    monitor_.observed(observation.time_s);
-    if (observation.views.front().points) monitor_.show(*observation.views.front().points);
-    if (inbox_.put(std::move(observation))) monitor_.passedOver();
+  /// Scans that waited for the same odometry are given together: none is passed over for another.
+  void give() {
+    if (whole_.empty()) return;
+    const Observation& newest = whole_.back();
+    monitor_.observed(newest.time_s);
+    if (newest.views.front().points) monitor_.show(*newest.views.front().points);
+    monitor_.passedOver(static_cast<long>(inbox_.put(std::exchange(whole_, {}))));
   }
 
   RigMonitor& monitor_;
   Inbox& inbox_;
   QObject context_;
   QTimer ticking_;
+  std::vector<Observation> whole_;
   Assembler assembler_;
   RigDevices devices_;  // last: they go first
 };

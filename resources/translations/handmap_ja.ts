@@ -3306,6 +3306,14 @@
         <source>a web page of {} was turned away: &quot;origins&quot; in the rig file would let it look on</source>
         <translation>{} のウェブページを断りました。リグのファイルの &quot;origins&quot; に挙げれば見られます</translation>
     </message>
+    <message>
+        <source>too many observations that wait for odometry</source>
+        <translation>オドメトリを待つ観測が多すぎます</translation>
+    </message>
+    <message>
+        <source>odometry too far apart around an observation</source>
+        <translation>観測の前後のオドメトリが離れすぎています</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

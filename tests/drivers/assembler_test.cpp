@@ -1,5 +1,6 @@
 #include "drivers/live/assembler.h"
 
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -63,6 +64,53 @@ TEST(Assembler, PointsAreMovedToWhereTheScannerIs) {
   EXPECT_NEAR(point.x, 0.5, 1e-6);
   EXPECT_NEAR(point.y, 1.25, 1e-6);
   EXPECT_NEAR(point.z, 0.75, 1e-6);
+}
+
+/// Scans and odometries a second; odometry comes late and never quite at its time.
+class AssemblerAt : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(AssemblerAt, EveryScanGetsTheOdometryAroundIt) {
+  const auto [scans_hz, odometries_hz] = GetParam();
+  Assembled heard(laserCart());
+  constexpr double kFor_s = 20.0;
+  int scans = 0;
+  int odometries = 0;
+  const auto odometryTime = [&](int i) {
+    return (i + 0.1 * std::sin(5.0 * i)) / odometries_hz + 1.0;
+  };
+  for (double now = 1.0; now < 1.0 + kFor_s; now += 0.001) {
+    if (odometryTime(odometries) + 0.05 < now) {
+      const double time_s = odometryTime(odometries++);
+      heard.assembler.moved(time_s, {time_s, 0.0, 0.0}, now);
+    }
+    if (1.001 + scans / scans_hz < now) {
+      heard.assembler.scanned(1.001 + scans++ / scans_hz, onePoint(), now);
+    }
+    heard.assembler.tick(now);
+  }
+  const double lost_at_most = 1.5 * scans_hz;  // at the beginning, while the rate is not yet known
+  const double waiting_at_most = 1.5 * scans_hz / odometries_hz + 3.0;
+  EXPECT_GE(static_cast<double>(heard.observations.size()), scans - lost_at_most - waiting_at_most);
+  for (const Observation& observation : heard.observations) {
+    EXPECT_NEAR(observation.odometry.x, observation.time_s, 1e-9);
+  }
+  const auto later = heard.refused["no odometry at the time of an observation"];
+  EXPECT_LE(later, lost_at_most);
+  EXPECT_EQ(heard.refused.size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, AssemblerAt,
+                         testing::Values(std::pair(40.0, 20.0), std::pair(10.0, 1.0),
+                                         std::pair(40.0, 1.0), std::pair(10.0, 50.0)));
+
+TEST(Assembler, OdometryTooFarApartIsSaidAndHoldsNothingUp) {
+  Assembled heard(laserCart());
+  heard.assembler.moved(1.0, {}, 1.0);
+  heard.assembler.scanned(2.4, onePoint(), 2.4);
+  heard.assembler.moved(2.6, {}, 2.6);  // what was in between is known now: nothing
+  EXPECT_EQ(heard.refused["odometry too far apart around an observation"], 1);
+  heard.assembler.scanned(2.6, onePoint(), 2.6);
+  EXPECT_EQ(heard.observations.size(), 1U);
 }
 
 TEST(Assembler, GivesUpOnOdometryThatDoesNotCome) {
@@ -138,8 +186,15 @@ TEST(Assembler, WithoutMeasuredOdometryNothingIsWaitedFor) {
 
 TEST(Assembler, MemoryStaysBoundedWhenOdometryNeverComes) {
   Assembled heard(laserCart());
-  for (int i = 0; i < 100; ++i) heard.assembler.scanned(1.0 + 0.001 * i, onePoint(), 1.1);
-  EXPECT_GE(heard.refused["no odometry at the time of an observation"], 90);
+  for (int i = 0; i < 400; ++i) heard.assembler.scanned(1.0 + 0.001 * i, onePoint(), 1.4);
+  EXPECT_GE(heard.refused["too many observations that wait for odometry"], 200);
+}
+
+TEST(Assembler, LargeScansWaitInSmallNumbers) {
+  Assembled heard(laserCart());
+  const std::vector<RangePoint> large(500'000, {1.0F, 0.0F, 0.0F, 1.0F});  // 8 MB
+  for (int i = 0; i < 40; ++i) heard.assembler.scanned(1.0 + 0.001 * i, large, 1.1);
+  EXPECT_GE(heard.refused["too many observations that wait for odometry"], 5);
 }
 
 TEST(Assembler, ALookAroundIsOneObservation) {

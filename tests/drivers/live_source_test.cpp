@@ -109,6 +109,36 @@ TEST(LiveSource, ASlowRunGetsTheNewestAndTheWayOfThoseThatItMissed) {
   EXPECT_LT(live.monitor->now() - second.time_s, 2.0) << "the newest, not the oldest";
 }
 
+/// Whose devices are told what to say.
+template <typename Sensor>
+struct Spoken : Sensor {
+  std::function<void()> on_open = [] {};
+  void open() override { on_open(); }
+  void close() override {}
+};
+
+TEST(LiveSource, ScansThatWaitedForOneOdometryAreAllTaken) {
+  LiveJob live = job(drive());
+  live.monitor = std::make_shared<RigMonitor>([] { return 100.0; });
+  live.make = [](const Rig&, RigMonitor&) {
+    auto odometry = std::make_unique<Spoken<OdometrySensor>>();
+    auto scanner = std::make_unique<Spoken<RangeSensor>>();
+    scanner->on_open = [odometry = odometry.get(), scanner = scanner.get()] {
+      Q_EMIT odometry->moved(98.0, {});
+      Q_EMIT odometry->moved(99.0, {});
+      for (int i = 1; i < 10; ++i) Q_EMIT scanner->scanned(99.0 + 0.1 * i, {{1, 0, 0, 1}});
+      Q_EMIT odometry->moved(100.0, {1.0, 0.0, 0.0});
+    };
+    RigDevices devices;
+    devices.odometry = std::move(odometry);
+    devices.scanner = std::move(scanner);
+    return devices;
+  };
+  const auto source = openLive(live, {});
+  for (int i = 1; i < 10; ++i) EXPECT_NEAR(take(*source).odometry.x, 0.1 * i, 1e-9);
+  EXPECT_EQ(live.monitor->status().passed_over, 0);
+}
+
 TEST(LiveSource, TellsStateAgeAndRateOfEachDevice) {
   const LiveJob live = job(drive());
   const auto source = openLive(live, {});
