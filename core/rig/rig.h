@@ -2,7 +2,8 @@
 //
 //   {"format": "handmap-rig", "version": 1,          required; of the rest what there is
 //    "name": "Cart with a laser",
-//    "range_limit_m": 30,                            1 … 200; nothing farther is measured
+//    "range_limit_m": 30,                            1 … 200; nothing farther is measured, nor
+//                                                    beyond what the scanner says it reaches
 //    "camera":   {"kind": "video",                   or "firewire" (Bumblebee: "device" is its
 //                                                    number or "first"), "vision" (GigE, USB3)
 //                 "device": "/dev/video0"            both images in one, side by side; or

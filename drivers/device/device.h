@@ -52,6 +52,8 @@ class RangeSensor : public Device {
  Q_SIGNALS:
   /// In the sensor's frame: x forward, y left, z up, origin at the sensor.
   void scanned(double time_s, const std::vector<handmap::RangePoint>& points);
+  /// By the scanner's own word, before its first scan: it measures nothing farther.
+  void reaches(double range_m);
 };
 
 class PairCamera : public Device {

@@ -1,5 +1,6 @@
 #include "drivers/live/live_source.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -20,6 +21,8 @@ namespace {
 
 /// So often it is looked whether left is left: a camera that was pulled may come back as the other.
 constexpr double kLookClosely_s = 1.0;
+
+constexpr double kLeastReach_m = 1.0;  // as of a recording
 
 /// The camera behind the images that the run gets, and how they are made.
 struct Optics {
@@ -61,6 +64,8 @@ class LiveSource : public ObservationSource {
       }
     }
     info_.start_odometry = first_->odometry;
+    // Silence says nothing of what is beyond the scanner's reach.
+    info_.range_limit_m = std::min(info_.range_limit_m, std::max(host_->reach_m(), kLeastReach_m));
     return true;
   }
 

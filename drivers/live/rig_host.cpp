@@ -21,9 +21,11 @@ constexpr int kRest_ms = 200;
 /// What lives in the thread.
 class RigHost::Hosting {
  public:
-  Hosting(const Rig& rig, const MakeDevices& make, RigMonitor& monitor, Inbox& inbox)
+  Hosting(const Rig& rig, const MakeDevices& make, RigMonitor& monitor, Inbox& inbox,
+          std::atomic<double>& reach_m)
       : monitor_(monitor),
         inbox_(inbox),
+        reach_m_(reach_m),
         assembler_(rig,
                    {[this](Observation observation) { whole_.push_back(std::move(observation)); },
                     [this](double pan) { look(pan); },
@@ -99,6 +101,8 @@ class RigHost::Hosting {
     }
     if (devices_.scanner) {
       watch(*devices_.scanner, DeviceRole::Scanner);
+      QObject::connect(devices_.scanner.get(), &RangeSensor::reaches, &context_,
+                       [this](double range_m) { reach_m_ = range_m; });
       QObject::connect(devices_.scanner.get(), &RangeSensor::scanned, &context_,
                        [this](double time_s, const std::vector<RangePoint>& points) {
                          monitor_.datum(DeviceRole::Scanner, time_s);
@@ -142,6 +146,7 @@ class RigHost::Hosting {
 
   RigMonitor& monitor_;
   Inbox& inbox_;
+  std::atomic<double>& reach_m_;
   QObject context_;
   QTimer ticking_;
   std::vector<Observation> whole_;
@@ -181,7 +186,7 @@ void RigHost::work(const Rig& rig, const MakeDevices& make, std::promise<void> o
   QEventLoop loop;
   std::optional<Hosting> hosting;
   try {
-    hosting.emplace(rig, make, *monitor_, inbox_);
+    hosting.emplace(rig, make, *monitor_, inbox_, reach_m_);
     hosting->open();
   } catch (...) {
     opened.set_exception(std::current_exception());

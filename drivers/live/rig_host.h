@@ -1,8 +1,10 @@
 // The thread in which the devices of a rig live, with an event loop.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <future>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,6 +32,9 @@ class RigHost {
   /// The newest observation, not rectified; waits for it. nullopt when `stop` was requested, or
   /// when the person has ended the drive (RigMonitor::end(); the devices are then being closed).
   std::optional<Observation> next(const std::stop_token& stop);
+  /// The rig measures nothing farther, by the word of its scanner; infinite before the first
+  /// observation, and where the scanner says nothing.
+  double reach_m() const { return reach_m_; }
 
  private:
   class Hosting;
@@ -39,6 +44,7 @@ class RigHost {
 
   std::shared_ptr<RigMonitor> monitor_;
   Inbox inbox_;
+  std::atomic<double> reach_m_ = std::numeric_limits<double>::infinity();
   std::mutex mutex_;
   QEventLoop* loop_ = nullptr;  ///< while it turns; under mutex_
   std::optional<std::stop_callback<std::function<void()>>> on_end_;

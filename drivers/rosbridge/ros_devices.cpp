@@ -63,6 +63,7 @@ RosScanner::RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& t
                    kind == Kind::LaserScan ? readLaserScan(message) : readPointCloud(message);
                const auto time_s = offset_.rigTime(read.stamp_s, arrival_s);
                if (time_s) {
+                 if (read.reach_m) Q_EMIT reaches(*read.reach_m);
                  Q_EMIT stamped(*time_s, read.stamp_s);
                  Q_EMIT scanned(*time_s, read.points);
                }

@@ -90,6 +90,7 @@ RosPointsMessage readLaserScan(const RosValue& message) {
   // nothing came back. As an infinite range (REP 117) it is told by no point.
   const auto end = static_cast<float>(std::min(farthest, kFarthestPoint_m));
   RosPointsMessage scan;
+  scan.reach_m = end;
   const auto rays = static_cast<double>(ranges.size());
   scan.stamp_s = stampOf(message) + 0.5 * std::min(between_s * rays, 1.0);
   for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -2,6 +2,7 @@
 // (secs, nsecs) and ROS 2 (sec, nanosec) are both understood. All throw BadInput.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -23,6 +24,8 @@ RosOdometryMessage readOdometry(const RosValue& message);
 struct RosPointsMessage {
   double stamp_s = 0.0;  ///< of the middle of the scan
   std::vector<RangePoint> points;
+  /// Of a LaserScan: where nothing came back there is no point, and nothing is known from there on.
+  std::optional<double> reach_m = {};
 };
 /// sensor_msgs/LaserScan; z = 0.
 RosPointsMessage readLaserScan(const RosValue& message);

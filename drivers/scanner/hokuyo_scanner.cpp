@@ -76,7 +76,9 @@ void HokuyoScanner::take(const ScipAnswer& answer) {
     go(Step::Asking);
   } else if (step_ == Step::Asking && command == "PP" && well) {
     parameters_ = parseScipParameters(answer);
-    if (parameters_) go(Step::LightingUp);
+    if (!parameters_) return;
+    Q_EMIT reaches(0.001 * parameters_->most_mm);
+    go(Step::LightingUp);
   } else if (step_ == Step::LightingUp && command == "BM") {
     // 02: the laser is on already.
     if (well || answer.status == "02") return go(Step::Starting);

@@ -139,6 +139,25 @@ TEST(LiveSource, ScansThatWaitedForOneOdometryAreAllTaken) {
   EXPECT_EQ(live.monitor->status().passed_over, 0);
 }
 
+TEST(LiveSource, NothingIsMeasuredFartherThanTheScannerReaches) {
+  for (const auto& [reach_m, limit_m] : {std::pair(12.0, 12.0), std::pair(1e4, 40.0)}) {
+    LiveJob live = job(drive());
+    live.rig.range_limit_m = 40.0;
+    live.rig.odometry.kind = OdometryRigKind::None;
+    live.make = [reach_m = reach_m](const Rig&, RigMonitor& monitor) {
+      auto scanner = std::make_unique<Spoken<RangeSensor>>();
+      scanner->on_open = [&monitor, reach_m, scanner = scanner.get()] {
+        Q_EMIT scanner->reaches(reach_m);
+        Q_EMIT scanner->scanned(monitor.now(), {{1, 0, 0, 1}});
+      };
+      RigDevices devices;
+      devices.scanner = std::move(scanner);
+      return devices;
+    };
+    EXPECT_EQ(openLive(live, {})->info().range_limit_m, limit_m);
+  }
+}
+
 TEST(LiveSource, TellsStateAgeAndRateOfEachDevice) {
   const LiveJob live = job(drive());
   const auto source = openLive(live, {});

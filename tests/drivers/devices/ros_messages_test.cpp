@@ -56,6 +56,7 @@ TEST(RosMessages, LaserScansBecomePointsWhereSomethingWas) {
   EXPECT_NEAR(scan.points[0].x, -1.0F, 1e-6F);  // behind
   EXPECT_NEAR(scan.points[1].y, -std::sqrt(2.0F), 1e-6F);
   EXPECT_EQ(scan.stamp_s, 5.0);
+  EXPECT_EQ(scan.reach_m, 30.0);
   // In JSON what is not a number is null.
   const QCborArray list = {1.0, nullptr, 3.0};
   EXPECT_EQ(readLaserScan(RosValue(with(message, "ranges", list), "/scan")).points.size(), 2U);

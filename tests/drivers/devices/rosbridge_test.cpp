@@ -105,6 +105,9 @@ TEST(Rosbridge, ScansCloudsAndPairsOfImagesComeOverOneConnection) {
     int pairs = 0;
     QObject::connect(&laser, &RangeSensor::scanned, &laser,
                      [&](double, const std::vector<RangePoint>& scan) { rays = scan.size(); });
+    double reach_m = 0.0;
+    QObject::connect(&laser, &RangeSensor::reaches, &laser,
+                     [&](double range_m) { reach_m = range_m; });
     QObject::connect(&lidar, &RangeSensor::scanned, &lidar,
                      [&](double, const std::vector<RangePoint>& scan) { points = scan.size(); });
     QObject::connect(&camera, &PairCamera::pairTaken, &camera,
@@ -141,6 +144,7 @@ TEST(Rosbridge, ScansCloudsAndPairsOfImagesComeOverOneConnection) {
     }
     ASSERT_TRUE(waitUntil([&] { return pairs == 9; })) << pairs;
     EXPECT_EQ(rays, 99U);
+    EXPECT_EQ(reach_m, 30.0);
     EXPECT_EQ(points, 1000U);
     EXPECT_EQ(camera.unpaired(), 1);
     EXPECT_TRUE(log.is(DeviceState::Ready));
