@@ -24,7 +24,7 @@ constexpr double kStatedSides = 4.0;
 /// What a fitted side is off whatever it says: poses, recesses, and how far maps of real places
 /// are.
 constexpr double kLeastSigma_m = 0.3;
-/// Fewer buildings that are right do not tell how the whole lies.
+/// Fewer buildings that are right may be so by chance.
 constexpr double kLeastTogether = 3.0;
 
 /// How far a side that was seen lies from where it is drawn, outwards.
@@ -87,7 +87,8 @@ class Mixture {
   Mixture(std::vector<Compared> buildings, const Eigen::Matrix3d& start_information)
       : buildings_(std::move(buildings)), start_information_(start_information) {}
 
-  void solve() {
+  /// `start_is_known`: as well as nothing but buildings that are right can tell better.
+  void solve(bool start_is_known) {
     iterate();
     // As if all were right: a way that lies askew on the drawing has none of them where it is
     // drawn.
@@ -98,8 +99,13 @@ class Mixture {
     askew.iterate();
     if (askew.log_density_ > log_density_) *this = std::move(askew);
     if (together() >= kLeastTogether) return;
-    motion_.setZero();
-    covariance_ = start_information_.inverse();
+    if (start_is_known) {
+      motion_.setZero();
+      covariance_ = start_information_.inverse();
+    } else {  // all tell how the whole lies, each as well as it is drawn
+      for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
+      for (int round = 0; round < kMostRounds; ++round) maximize();
+    }
     expect();
   }
 
@@ -205,7 +211,7 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
   }
   const Eigen::Vector3d sigma(start_m, start_m, start_turn);
   Mixture mixture(std::move(buildings), sigma.array().square().inverse().matrix().asDiagonal());
-  mixture.solve();
+  mixture.solve(!drawing.start_uncertainty);
   Agreement agreement;
   const Eigen::Vector3d& motion = mixture.motion();
   const Pose2 about{origin.x(), origin.y(), 0.0};

@@ -69,6 +69,31 @@ TEST(Agreement, LeavesADrawingFromMemoryToTheRays) {
   EXPECT_EQ(agreement.motion, Pose2{});
 }
 
+TEST(Agreement, AStartThatIsStatedToBeOffIsPulledRightByAllBuildings) {
+  Map drawing = sixHouses();
+  drawing.uncertainty = {1.0, 1.0};
+  drawing.start_uncertainty = StartUncertainty{2.0, toRadians(5.0)};
+  const Pose2 off{-1.5, 1.2, toRadians(5.0)};
+  Map fitted = drawing;
+  RandomStream random(11);
+  for (Building& house : fitted.buildings) {
+    see(house);
+    shift(house, {random.normal(0.0, 1.0), random.normal(0.0, 1.0)});
+    auto& box = std::get<Rectangle>(house.shape);
+    box.centre = off.toOuter(box.centre);
+    box.heading += off.heading;
+  }
+  const StartUncertainty& start = *drawing.start_uncertainty;
+  const Agreement agreement = agreementOf(drawing, fitted, start.position, start.heading);
+  EXPECT_NEAR(agreement.motion.heading, off.heading, toRadians(1.0));
+  for (const Building& house : drawing.buildings) {
+    const Vec2 centre = house.box().centre;
+    const double left = (agreement.motion.toOuter(centre) - off.toOuter(centre)).norm();
+    EXPECT_LT(left, 3.0 * agreement.sigmaAt(centre)) << house.id;
+    EXPECT_LT(left, 1.5) << house.id;
+  }
+}
+
 TEST(Agreement, FindsTheOneHouseThatIsDrawnWrong) {
   const Map drawing = sixHouses();
   Map fitted = drawing;
