@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/map/certainty.h"
@@ -34,8 +35,9 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
   const Labels::Label label = labels_.of(b, found);
   const Building& drawn = drawing_.buildings[b];
   if (drawn.fixed) return;
-  const RefinedBuilding refined = refinedBuilding(
-      drawn, drawing_.uncertaintyOf(drawn), label.found ? labels_.motion() : whole_, label.found);
+  const RefinedBuilding refined =
+      refinedBuilding(drawn, drawing_.uncertaintyOf(drawn),
+                      label.found ? labels_.motion() : motionBeside(b), label.found);
   Building building = drawn.fitted(refined.box());
   building.estimate = refined.estimate;
   forgetCertainty(building);
@@ -61,12 +63,18 @@ void MapCorrection::compare(std::size_t b, std::span<const FoundBox> found) {
 }
 
 void MapCorrection::predict() {
-  std::vector<Displaced> buildings;
+  found_.clear();
   for (const std::optional<Displaced>& building : displaced_) {
-    if (building) buildings.push_back(*building);
+    if (building) found_.push_back(*building);
   }
-  const DrawingMotion& expected = labels_.expectedMotion();
-  whole_ = predictedMotion(expected, labels_.motion(), predictiveShare(expected, buildings));
+  share_ = predictiveShare(labels_.expectedMotion(), found_);
+}
+
+DrawingMotion MapCorrection::motionBeside(std::size_t b) const {
+  const Vec2 here = drawing_.buildings[b].box().centre;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Displaced& other : found_) nearest = std::min(nearest, (other.drawn - here).norm());
+  return predictedMotion(labels_.expectedMotion(), labels_.motion(), shareAt(nearest, share_));
 }
 
 std::function<Map()> MapCorrection::mapLater() const {

@@ -26,8 +26,7 @@ class MapCorrection {
       : drawing_(drawing),
         labels_(labels),
         corrected_(drawing.buildings),
-        displaced_(drawing.buildings.size()),
-        whole_(labels.expectedMotion()) {
+        displaced_(drawing.buildings.size()) {
     auto rest = std::make_shared<Map>(drawing);
     rest->buildings.clear();
     rest_ = std::move(rest);
@@ -42,6 +41,8 @@ class MapCorrection {
  private:
   void compare(std::size_t building, std::span<const FoundBox> found);
   void predict();
+  /// How the drawing lies at a building that was not found.
+  DrawingMotion motionBeside(std::size_t building) const;
   void correct(std::size_t building, std::span<const FoundBox> found,
                const HasReached& has_reached);
 
@@ -51,8 +52,9 @@ class MapCorrection {
   SharedListWriter<Building> corrected_;
   SharedList<Building> buildings_;                   ///< the same, to be shown
   std::vector<std::optional<Displaced>> displaced_;  ///< by building; of those that were found
-  DrawingMotion whole_;   ///< how the drawing lies where nothing of it was found
-  std::size_t last_ = 0;  ///< of the far buildings
+  std::vector<Displaced> found_;                     ///< those that were
+  double share_ = 0.0;                               ///< of the whole's motion; predictiveShare()
+  std::size_t last_ = 0;                             ///< of the far buildings
 };
 
 }  // namespace handmap

@@ -1,6 +1,7 @@
 #include "core/estimation/drawing/predicted_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <Eigen/LU>
@@ -34,6 +35,11 @@ double predictiveShare(const DrawingMotion& expected, std::span<const Displaced>
     squares += predicted.squaredNorm();
   }
   return std::clamp(agreed / squares, 0.0, 1.0);
+}
+
+double shareAt(double distance_m, double share) {
+  constexpr double kBlock_m = 50.0;  // choice
+  return share * std::exp(-0.5 * std::pow(distance_m / kBlock_m, 2));
 }
 
 DrawingMotion predictedMotion(const DrawingMotion& expected, const DrawingMotion& found,

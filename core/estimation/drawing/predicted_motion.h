@@ -20,6 +20,10 @@ struct Displaced {
 /// drawn.
 double predictiveShare(const DrawingMotion& expected, std::span<const Displaced> buildings);
 
+/// As much of that as holds so far from the nearest building that was found: what is farther than a
+/// block away was drawn for itself.
+double shareAt(double distance_m, double share);
+
 /// That share of the way from what was expected to what was found, and as sure.
 DrawingMotion predictedMotion(const DrawingMotion& expected, const DrawingMotion& found,
                               double share);

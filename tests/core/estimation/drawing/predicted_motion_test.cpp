@@ -1,5 +1,7 @@
 #include "core/estimation/drawing/predicted_motion.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
@@ -53,6 +55,13 @@ TEST(PredictedMotion, ADrawingMayBeSureOfItsScaleTurnAndPlace) {
   const double share = predictiveShare(DrawingMotion{}, street(whole, 1.0, 1));
   EXPECT_GE(share, 0.0);
   EXPECT_LT(share, 0.1);
+}
+
+TEST(PredictedMotion, IsSaidOfWhatStandsBesideWhatWasFound) {
+  EXPECT_EQ(shareAt(0.0, 0.6), 0.6);
+  EXPECT_GT(shareAt(30.0, 0.6), 0.45);
+  EXPECT_LT(shareAt(200.0, 0.6), 0.001);
+  EXPECT_EQ(shareAt(std::numeric_limits<double>::infinity(), 0.6), 0.0);
 }
 
 TEST(PredictedMotion, GoesAShareOfTheWay) {
