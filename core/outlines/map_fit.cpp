@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/estimation/drawing/size_range.h"
 #include "core/map/certainty.h"
 #include "core/outlines/joint_places.h"
 
@@ -48,6 +49,10 @@ OutlinePrior priorOf(const OutlineTask& task) {
   const double turn = std::remainder(headingOf(task.drawn) - prior.heading, kPi / 2.0);
   const Rectangle drawn = boundingRectangle(task.drawn, prior.heading + turn);
   prior.expected_log_size = {std::log(drawn.width / now.width), std::log(drawn.depth / now.depth)};
+  const SizeRange width = sizeRange(drawn.width, task.size_m);
+  const SizeRange depth = sizeRange(drawn.depth, task.size_m);
+  prior.least_log_size = {std::log(width.low / now.width), std::log(depth.low / now.depth)};
+  prior.most_log_size = {std::log(width.high / now.width), std::log(depth.high / now.depth)};
   prior.shift_m = task.shift_m;
   const double share = task.size_m / std::sqrt(drawn.width * drawn.depth);
   prior.log_scale =
@@ -56,6 +61,11 @@ OutlinePrior priorOf(const OutlineTask& task) {
   prior.shear = task.rectangle ? 0.0 : std::clamp(share, kLeastShare, kMostShear);
   prior.corner_m = task.rectangle ? 0.0 : std::min(task.size_m, kMostCorner_m);
   return prior;
+}
+
+/// A size that is out of its range is that of another thing.
+bool startMayBe(const OutlinePrior& prior) {
+  return (prior.least_log_size.array() <= 0.0).all() && (prior.most_log_size.array() >= 0.0).all();
 }
 
 double priorShift(const OutlineTask& task) {
@@ -142,7 +152,8 @@ class Settling {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
     } else {
-      result.outline = start >= drawn ? task.start : task.drawn;
+      const bool at_start = start >= drawn && startMayBe(priors_[i]);
+      result.outline = at_start ? task.start : task.drawn;
     }
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
       result.estimate = estimateOf(result.outline, task, scorer);

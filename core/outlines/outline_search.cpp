@@ -24,7 +24,8 @@ struct Stage {
 constexpr Stage kStages[] = {{0.8, 12, 1.0, 0.3}, {0.3, 8, 0.5, 0.15}};
 constexpr Stage kLast = {0.15, 4, 0.25, 0.03};
 constexpr double kLeastWallStep = 0.06;
-constexpr double kAnother_m = 1.0;  // places of which no corner is farther apart are the same
+constexpr double kAnotherThing = 1e4;  // nats, by the log of how far a size is out of its range
+constexpr double kAnother_m = 1.0;     // places of which no corner is farther apart are the same
 
 using Move = OutlineMove;
 
@@ -59,8 +60,14 @@ class Shape {
     const auto part = [](double value, double sigma) {
       return sigma > 0.0 ? -0.5 * std::pow(value / sigma, 2) : 0.0;
     };
-    return part(m[0], prior_.shift_m) + part(m[1], prior_.shift_m) + part(m[2], prior_.turn) +
-           part(m[3] - prior_.expected_log_size.x(), prior_.log_scale) +
+    double beyond = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double size = m[static_cast<std::size_t>(3 + axis)];
+      beyond +=
+          std::max({0.0, size - prior_.most_log_size[axis], prior_.least_log_size[axis] - size});
+    }
+    return -kAnotherThing * beyond + part(m[0], prior_.shift_m) + part(m[1], prior_.shift_m) +
+           part(m[2], prior_.turn) + part(m[3] - prior_.expected_log_size.x(), prior_.log_scale) +
            part(m[4] - prior_.expected_log_size.y(), prior_.log_scale) + part(m[5], prior_.shear);
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <stop_token>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct OutlinePrior {
   double corner_m = 1.0;  ///< of each wall, when the whole is in place; 0: walls stay together
   /// log of the size along each axis that is most probable, as a share of that of `start`.
   Vec2 expected_log_size = Vec2::Zero();
+  /// The least and the greatest along each axis.
+  Vec2 least_log_size = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  Vec2 most_log_size = Vec2::Constant(std::numeric_limits<double>::infinity());
 };
 
 /// Shift (m), turn, logs of both scales, shear.

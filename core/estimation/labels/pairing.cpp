@@ -48,6 +48,23 @@ int farWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox&
   return far;
 }
 
+/// Whether all of it was seen well and it is a thing of the size of a car, which no larger building
+/// is, however wrong sizes may be drawn: where they are off by 3 m, a car is 2.3 σ from a house of
+/// 9 m.
+bool isCar(const Rectangle& drawn, const DrawingMotion& motion, const FoundBox& found) {
+  constexpr double kLong_m = 6.0;
+  constexpr double kWide_m = 3.0;
+  constexpr double kWell_m = 0.5;  // one σ; choice
+  const auto within = [](const Rectangle& box, double times) {
+    return std::max(box.width, box.depth) < times * kLong_m &&
+           std::min(box.width, box.depth) < times * kWide_m;
+  };
+  for (std::size_t wall = 0; wall < 4; ++wall) {
+    if (found.reachSigma(wall) > kWell_m) return false;
+  }
+  return within(found.box.rectangle(), 1.0) && !within(drawn, 1.0 / motion.scale());
+}
+
 /// How well some walls of a found box fit a drawn one, and what they say of the whole drawing.
 struct Match {
   double distance;  ///< squared Mahalanobis
@@ -94,6 +111,7 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
   DrawingMotion& motion = result.motion;
   result.log_likelihood = -compareHeading(drawn.heading, found, options.heading_sigma, motion);
   const DrawnBox prior(drawn, uncertainty, motion, found.box);
+  if (isCar(drawn, motion, found)) return std::nullopt;
   if (farWalls(prior, motion, found, seen) > 1) return std::nullopt;
   const auto count = static_cast<std::size_t>(seen.count);
   Match match = compareWalls(prior, motion, found, {seen.index.data(), count});

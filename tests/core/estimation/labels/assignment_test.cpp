@@ -1,5 +1,7 @@
 #include "core/estimation/labels/assignment.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
@@ -220,6 +222,28 @@ TEST(Assignment, AStartThatIsNotSureLetsTheDrawingLieElsewhere) {
               std::hypot(kUsualTurnSigma, toRadians(5.0)), 1e-9);
   EXPECT_GT(rootHypotheses(drawing, withStart({0.0, toRadians(20.0)}, {})).size(), 1U)
       << "one Gaussian does not reach so far";
+}
+
+/// A house of 10 by 9 m, drawn by somebody whose sizes are off by 3 m.
+TEST(Assignment, ACarIsNoHouse) {
+  Case c;
+  c.drawing.start = Pose2{};
+  c.drawing.uncertainty = {3.0, 3.0};
+  Building building;
+  building.id = "A";
+  building.shape = Rectangle{{40.0, 20.0}, 10.0, 9.0, 0.0};
+  c.drawing.buildings = {building};
+  const auto takes = [&](double width, double depth) {
+    c.found = {foundAt({{40.0, 20.0}, width, depth, 0.0})};
+    const std::vector<Hypothesis> all = assignAlone(c, {}, AssignmentOptions{});
+    return std::ranges::any_of(all, [](const Hypothesis& h) { return placesOf(h)[0] == 0; });
+  };
+  EXPECT_TRUE(takes(10.0, 9.0));
+  EXPECT_TRUE(takes(6.0, 5.0));
+  EXPECT_TRUE(takes(18.0, 9.0));
+  EXPECT_FALSE(takes(4.3, 1.8));
+  c.drawing.uncertainty.size = 10.0;
+  EXPECT_FALSE(takes(4.3, 1.8)) << "however wrong sizes are stated to be";
 }
 
 TEST(Assignment, WhatMayNotExistNeedsABetterMatch) {
