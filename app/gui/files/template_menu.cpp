@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QMainWindow>
 #include <QMenu>
 #include <QStandardPaths>
 #include <array>
