@@ -93,7 +93,8 @@ Chart chartAgainstSigma(const std::vector<TrialGroup>& groups, std::size_t measu
   chart.title = fmt::format("Error of {} against the error of the drawing", kMeasures[measure]);
   chart.x_label = "error of the drawing, sigma (m)";
   chart.y_label = "mean absolute error (m) with 95 % interval";
-  chart.series = {series("drawn", SeriesLook::Drawing), series(nameOf(Method::Handmap), SeriesLook::Handmap),
+  chart.series = {series("drawn", SeriesLook::Drawing),
+                  series(nameOf(Method::Handmap), SeriesLook::Handmap),
                   series(nameOf(Method::Paper), SeriesLook::Paper)};
   for (const TrialGroup& group : groups) {
     if (group.trials.empty()) continue;

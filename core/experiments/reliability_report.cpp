@@ -127,8 +127,9 @@ Report reliabilityReport(const std::vector<RunStatements>& runs) {
       }
       if (of_world.empty()) continue;
       const Subject subject = subjectsOf(of_world)[i];
-      ChartSeries series{
-          simulated ? "simulated" : "real", simulated ? SeriesLook::Odometry : SeriesLook::Handmap, {}};
+      ChartSeries series{simulated ? "simulated" : "real",
+                         simulated ? SeriesLook::Odometry : SeriesLook::Handmap,
+                         {}};
       addRanges(series.name, subject, report, series);
       chart.title = fmt::format("Reliability: {}", subject.name);
       if (!series.points.empty()) chart.series.push_back(series);

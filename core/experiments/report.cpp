@@ -46,7 +46,9 @@ std::string conditions(const Experiment& experiment, const std::vector<TrialGrou
 
 }  // namespace
 
-SeriesLook lookOf(Method method) { return method == Method::Paper ? SeriesLook::Paper : SeriesLook::Handmap; }
+SeriesLook lookOf(Method method) {
+  return method == Method::Paper ? SeriesLook::Paper : SeriesLook::Handmap;
+}
 
 Report reportOf(const Experiment& experiment, const std::map<TrialKey, Trial>& trials) {
   const std::vector<TrialGroup> groups = groupsOf(experiment, trials);

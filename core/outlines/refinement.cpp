@@ -159,8 +159,8 @@ std::variant<Rectangle, Polygon> moved(std::variant<Rectangle, Polygon> shape,
 
 /// How well the start tells how a way without the buildings lies on the drawing.
 StartUncertainty startOf(const Map& drawing) {
-  return drawing.start_uncertainty
-      .value_or(StartUncertainty{kStart_m, drawing.whole.turn.value_or(kStartTurn)});
+  return drawing.start_uncertainty.value_or(
+      StartUncertainty{kStart_m, drawing.whole.turn.value_or(kStartTurn)});
 }
 
 /// The drawing with the outlines that were found, in the frame of the way.

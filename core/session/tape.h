@@ -77,9 +77,9 @@ class Tape {
 
   const SourceInfo info_;
   std::stop_source closing_;
-  std::mutex source_mutex_;                     // one reads at a time; taken before mutex_
-  std::unique_ptr<ObservationSource> source_;   // under source_mutex_; nullptr: closed
-  std::optional<Observation> waiting_;          // under it: of the source, not yet perceived
+  std::mutex source_mutex_;                    // one reads at a time; taken before mutex_
+  std::unique_ptr<ObservationSource> source_;  // under source_mutex_; nullptr: closed
+  std::optional<Observation> waiting_;         // under it: of the source, not yet perceived
   Perception perception_;
 
   mutable std::mutex mutex_;

@@ -43,7 +43,8 @@ std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
   const Eigen::LLT<Eigen::Matrix3d> known(kInformation * matched);
   if (known.info() != Eigen::Success) return std::nullopt;
   Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
-  covariance.diagonal() += Eigen::Vector3d(kLeastLoopSigma_m, kLeastLoopSigma_m, kFloorTurn).cwiseAbs2();
+  covariance.diagonal() +=
+      Eigen::Vector3d(kLeastLoopSigma_m, kLeastLoopSigma_m, kFloorTurn).cwiseAbs2();
   const Eigen::Matrix3d information = covariance.inverse();
   const Eigen::LLT<Eigen::Matrix3d> root(information);
   if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;

@@ -10,11 +10,11 @@ namespace handmap {
 
 namespace {
 
-constexpr double kLine_m = 0.08;          // σ of a return about the line of another
-constexpr double kPoint_m = 0.3;          // about the nearest point of a bush
-constexpr double kShared = 0.4;           // neighbouring returns are wrong together
-constexpr double kKernelGates = 0.3;      // where Cauchy's kernel begins to bend, in gates
-constexpr double kNear_m = 0.25;          // what counts as explained
+constexpr double kLine_m = 0.08;              // σ of a return about the line of another
+constexpr double kPoint_m = 0.3;              // about the nearest point of a bush
+constexpr double kShared = 0.4;               // neighbouring returns are wrong together
+constexpr double kKernelGates = 0.3;          // where Cauchy's kernel begins to bend, in gates
+constexpr double kNear_m = 0.25;              // what counts as explained
 constexpr std::size_t kMostScanPoints = 400;  // more tell the same
 constexpr int kMatchSteps = 4;
 constexpr double kStill_m = 1e-3;

@@ -39,14 +39,15 @@ std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again)
   }
   if (shared.empty()) return shared;
   SharedParameter heading{kHeading,
-                    kHeading,
-                    std::remainder(a.heading - b.heading, kPi / 2.0),
-                    {},
-                    {},
-                    Vec2::Zero(),
-                    Vec2::Zero(),
-                    old.heading_sigma * old.heading_sigma +
-                        again.heading_sigma * again.heading_sigma + kHeadingFloor * kHeadingFloor};
+                          kHeading,
+                          std::remainder(a.heading - b.heading, kPi / 2.0),
+                          {},
+                          {},
+                          Vec2::Zero(),
+                          Vec2::Zero(),
+                          old.heading_sigma * old.heading_sigma +
+                              again.heading_sigma * again.heading_sigma +
+                              kHeadingFloor * kHeadingFloor};
   heading.old_slope = Eigen::Matrix<double, 5, 1>::Unit(kHeading);
   heading.again_slope = -heading.old_slope;
   shared.push_back(heading);

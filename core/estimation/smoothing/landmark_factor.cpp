@@ -7,7 +7,7 @@ namespace handmap {
 
 namespace {
 
-constexpr double kNearest = 0.5;        // metres; choice: no robot comes nearer to a thing
+constexpr double kNearest = 0.5;                // metres; choice: no robot comes nearer to a thing
 constexpr double kLandmarkCauchySquared = 4.0;  // σ²; choice: at 2 σ a sighting weighs half
 
 }  // namespace

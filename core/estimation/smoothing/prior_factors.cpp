@@ -19,7 +19,7 @@ constexpr double kSameWall = 0.1;      // metres, one σ; choice: frames of two 
 constexpr double kSameHeading = 0.01;  // radians, the same
 constexpr double kTogether = 2.0;  // times σ; choice: what stands together is drawn wrong together
 constexpr double kWallCauchySquared = 4.0;  // a wall; choice: some labels are wrong
-constexpr double kNowhere = 1e6;        // m²
+constexpr double kNowhere = 1e6;            // m²
 
 }  // namespace
 
@@ -80,8 +80,8 @@ DrawnWallsFactor drawnWallsFactor(const FoundBox& found, const SeenWalls& seen,
   factor.residual = Eigen::Map<const Eigen::Vector4d>(found.box.reach.data()) - drawn.mean();
   factor.by_motion = drawn.slope();
   // Cauchy's weight.
-  factor.weight /=
-      1.0 + factor.residual.dot(factor.weight * factor.residual) / (kWallCauchySquared * seen.count);
+  factor.weight /= 1.0 + factor.residual.dot(factor.weight * factor.residual) /
+                             (kWallCauchySquared * seen.count);
   return factor;
 }
 

@@ -8,7 +8,7 @@ namespace handmap {
 namespace {
 
 constexpr float kLeastCosine = 0.02F;  // choice: a ray along the wall itself
-constexpr double kSightGate = 4.0;          // σ; choice: as far as the sensor model's table
+constexpr double kSightGate = 4.0;     // σ; choice: as far as the sensor model's table
 constexpr double kNearLimit = 2.0;     // σ; choice: 98 % of the returns come back
 
 /// The returns of the frame from the walls of the box. What one frame says of a wall is off as a
