@@ -250,8 +250,9 @@ UnknownMembers withOwnMembers(const Map& map) {
   const auto started = readStart(textOf(members, kStart), "map");
   put(members, kStart, map.start_uncertainty ? formatStart(*map.start_uncertainty) : "",
       started == map.start_uncertainty, started.has_value());
+  const LayerStates usual{};
   const LayerStates layered = readLayers(textOf(members, kLayers));
-  put(members, kLayers, formatLayers(map.layers), layered == map.layers, layered != LayerStates());
+  put(members, kLayers, formatLayers(map.layers), layered == map.layers, layered != usual);
   const std::string model = readModel(textOf(members, kModel));
   put(members, kModel, map.model.empty() ? "" : quotedJson(map.model), model == map.model,
       !model.empty());

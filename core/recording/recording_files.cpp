@@ -103,7 +103,7 @@ std::optional<fs::path> recordingAround(const fs::path& file) {
 std::optional<fs::path> recordingOf(const fs::path& file) {
   std::error_code error;
   const fs::path here = fs::absolute(file, error).lexically_normal();
-  if (const auto folder = recordingAround(here)) return folder;
+  if (auto folder = recordingAround(here)) return folder;
   const fs::path behind_links = fs::weakly_canonical(here, error);
   return error ? std::nullopt : recordingAround(behind_links);
 }
