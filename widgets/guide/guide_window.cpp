@@ -27,7 +27,7 @@ class Pages : public QTextBrowser {
 
  protected:
   QVariant loadResource(int type, const QUrl& name) override {
-    const QVariant resource = QTextBrowser::loadResource(type, name);
+    QVariant resource = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::ImageResource) return resource;
     const QImage image = resource.metaType() == QMetaType::fromType<QByteArray>()
                              ? QImage::fromData(resource.toByteArray())
