@@ -70,17 +70,18 @@ TEST(Assembler, PointsAreMovedToWhereTheScannerIs) {
 class AssemblerAt : public testing::TestWithParam<std::pair<double, double>> {};
 
 TEST_P(AssemblerAt, EveryScanGetsTheOdometryAroundIt) {
-  const auto [scans_hz, odometries_hz] = GetParam();
+  const double scans_hz = GetParam().first;
+  const double odometries_hz = GetParam().second;
   Assembled heard(laserCart());
   constexpr double kFor_s = 20.0;
   int scans = 0;
   int odometries = 0;
-  const auto odometryTime = [&](int i) {
+  const auto odometry_time = [&](int i) {
     return (i + 0.1 * std::sin(5.0 * i)) / odometries_hz + 1.0;
   };
   for (double now = 1.0; now < 1.0 + kFor_s; now += 0.001) {
-    if (odometryTime(odometries) + 0.05 < now) {
-      const double time_s = odometryTime(odometries++);
+    if (odometry_time(odometries) + 0.05 < now) {
+      const double time_s = odometry_time(odometries++);
       heard.assembler.moved(time_s, {time_s, 0.0, 0.0}, now);
     }
     if (1.001 + scans / scans_hz < now) {

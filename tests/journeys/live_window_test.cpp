@@ -128,7 +128,7 @@ TEST_F(LiveWindow, EachDriveGetsThePortOfTheDriveBefore) {
   rig.odometry.kind = OdometryRigKind::Scan;
   rig.publish.foxglove = free.serverPort();
   free.close();
-  const auto isLookedOn = [&] {
+  const auto is_looked_on = [&] {
     const auto devices = window->run().live()->monitor()->status().devices;
     return !devices.empty() && devices[0].state == DeviceState::Ready;
   };
@@ -138,7 +138,7 @@ TEST_F(LiveWindow, EachDriveGetsThePortOfTheDriveBefore) {
           liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
     }
     window->runs().runOrResume();
-    EXPECT_TRUE(QTest::qWaitFor(isLookedOn, kPatienceMs));
+    EXPECT_TRUE(QTest::qWaitFor(is_looked_on, kPatienceMs));
     action(*window, "run.stop")->trigger();
     ASSERT_TRUE(waitFor(*window, RunState::Idle));
   }

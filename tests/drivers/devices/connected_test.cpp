@@ -63,17 +63,17 @@ TEST(ConnectedDevices, ARobotOverRosKeepsItsTime) {
     return ros.hasSubscriber(QStringLiteral("/scan")) && ros.hasSubscriber(QStringLiteral("/odom"));
   }));
   const auto robot_s = [&] { return 1'500'000'000.0 + monitor->now(); };
-  const auto drivesUntil = [&](const std::function<bool()>& holds) {
+  const auto drives_until = [&](const std::function<bool()>& holds) {
     return test::waitUntil([&] {
       ros.publish(QStringLiteral("/odom"), emulated::odometry(robot_s(), {}, RosVersion::Ros2));
       return holds();
     });
   };
-  ASSERT_TRUE(drivesUntil([&] { return monitor->status().devices.at(0).count > 0; }));
+  ASSERT_TRUE(drives_until([&] { return monitor->status().devices.at(0).count > 0; }));
   const double then = robot_s();
   ros.publish(QStringLiteral("/scan"),
               emulated::laserScan(then, std::vector<float>(8, 2.0F), RosVersion::Ros2));
-  ASSERT_TRUE(drivesUntil([&] { return monitor->status().observation_age_s.has_value(); }));
+  ASSERT_TRUE(drives_until([&] { return monitor->status().observation_age_s.has_value(); }));
   const auto observation = host.next({});
   ASSERT_TRUE(observation);
   EXPECT_NEAR(monitor->robotTime(observation->time_s), then, 1e-6);
