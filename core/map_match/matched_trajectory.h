@@ -21,8 +21,8 @@ class MatchedTrajectory {
   /// Keeps a reference to `seen`. The map needs a start.
   MatchedTrajectory(const Map& map, const SeenFrames& seen);
 
-  /// `way`: poses of all observations so far, in any one frame, as told without the map; those of
-  /// before may have changed too. One more than before.
+  /// `trajectory`: poses of all observations so far, in any one frame, as told without the map;
+  /// those of before may have changed too. One more than before.
   void add(const std::vector<Pose2>& trajectory, TrajectoryNoise noise);
   /// All observations of a way at once, as if they came one by one, and the end; nothing may have
   /// been added yet. Of no use any more where `stop` was requested.

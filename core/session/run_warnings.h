@@ -29,7 +29,7 @@ struct RunCounts {
   void add(const Percept& percept, const FrameReport& report);
 };
 
-/// What the warnings are drawn from; `way` and `refined` as at the end of the run.
+/// What the warnings are drawn from; `trajectory` and `refined` as at the end of the run.
 struct RunOutcome {
   const RunCounts& counts;
   double range_limit_m;

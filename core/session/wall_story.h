@@ -54,8 +54,8 @@ struct WallStory {
 inline constexpr double kOnWall_m = 0.5;
 
 /// Wall `wall` of the footprint of a building, from corner `wall` to the next. `refined`: of a run
-/// on `drawing`; `way`: in order of time. Scans whose time is not within it tell nothing. A wall or
-/// building that is not there has an empty story.
+/// on `drawing`; `trajectory`: in order of time. Scans whose time is not within it tell nothing. A
+/// wall or building that is not there has an empty story.
 WallStory storyOf(const Map& drawing, const Map& refined,
                   const std::vector<StampedPose>& trajectory, std::span<const SeenScan> scans,
                   std::size_t building, std::size_t wall, double tolerance_m = kOnWall_m);

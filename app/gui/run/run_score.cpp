@@ -23,9 +23,9 @@ RunScore scoreRun(const Map& drawing, const Map& refined, const std::optional<Ma
                   compareMaps(refined, *truth_map, false).mean()};
   }
   if (!truth.empty()) {
-    const Trajectory true_way(truth, "truth");
-    const auto odometry = compareTrajectories(last.odometry.all(), true_way);
-    const auto corrected = compareTrajectories(last.trajectory.all(), true_way);
+    const Trajectory true_trajectory(truth, "truth");
+    const auto odometry = compareTrajectories(last.odometry.all(), true_trajectory);
+    const auto corrected = compareTrajectories(last.trajectory.all(), true_trajectory);
     if (odometry && corrected) score.trajectories = {*odometry, *corrected};
   }
   return score;

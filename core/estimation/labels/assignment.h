@@ -51,7 +51,7 @@ void settle(std::vector<Hypothesis>& roots, const Building& drawn, const Uncerta
             const FoundBox& found, const AssignmentOptions& options);
 
 /// The best hypotheses that grow from the roots, the best first. Not empty. `found` have ids.
-/// `way`: where the robot has been, map frame.
+/// `trajectory`: where the robot has been, map frame.
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
                                std::span<const Pose2> trajectory,
                                const std::vector<Hypothesis>& roots,

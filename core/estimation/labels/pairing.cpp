@@ -55,14 +55,14 @@ bool isCar(const Rectangle& drawn, const DrawingMotion& motion, const FoundBox& 
   constexpr double kLong_m = 6.0;
   constexpr double kWide_m = 3.0;
   constexpr double kWell_m = 0.5;  // one σ; choice
-  const auto within = [](const Rectangle& box, double times) {
-    return std::max(box.width, box.depth) < times * kLong_m &&
-           std::min(box.width, box.depth) < times * kWide_m;
+  const auto is_small = [](const Rectangle& box, double scale) {
+    return scale * std::max(box.width, box.depth) < kLong_m &&
+           scale * std::min(box.width, box.depth) < kWide_m;
   };
   for (std::size_t wall = 0; wall < 4; ++wall) {
     if (found.reachSigma(wall) > kWell_m) return false;
   }
-  return within(found.box.rectangle(), 1.0) && !within(drawn, 1.0 / motion.scale());
+  return is_small(found.box.rectangle(), 1.0) && !is_small(drawn, motion.scale());
 }
 
 /// How well some walls of a found box fit a drawn one, and what they say of the whole drawing.
@@ -110,8 +110,8 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
   Pairing result{0.0, seen.count, seen.widths, before};
   DrawingMotion& motion = result.motion;
   result.log_likelihood = -compareHeading(drawn.heading, found, options.heading_sigma, motion);
-  const DrawnBox prior(drawn, uncertainty, motion, found.box);
   if (isCar(drawn, motion, found)) return std::nullopt;
+  const DrawnBox prior(drawn, uncertainty, motion, found.box);
   if (farWalls(prior, motion, found, seen) > 1) return std::nullopt;
   const auto count = static_cast<std::size_t>(seen.count);
   Match match = compareWalls(prior, motion, found, {seen.index.data(), count});

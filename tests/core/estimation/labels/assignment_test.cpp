@@ -224,15 +224,19 @@ TEST(Assignment, AStartThatIsNotSureLetsTheDrawingLieElsewhere) {
       << "one Gaussian does not reach so far";
 }
 
-/// A house of 10 by 9 m, drawn by somebody whose sizes are off by 3 m.
-TEST(Assignment, ACarIsNoHouse) {
+Case oneHouse(double width, double depth, double sigma) {
   Case c;
   c.drawing.start = Pose2{};
-  c.drawing.uncertainty = {3.0, 3.0};
+  c.drawing.uncertainty = {sigma, sigma};
   Building building;
   building.id = "A";
-  building.shape = Rectangle{{40.0, 20.0}, 10.0, 9.0, 0.0};
+  building.shape = Rectangle{{40.0, 20.0}, width, depth, 0.0};
   c.drawing.buildings = {building};
+  return c;
+}
+
+TEST(Assignment, ACarIsNoHouse) {
+  Case c = oneHouse(10.0, 9.0, 3.0);
   const auto takes = [&](double width, double depth) {
     c.found = {foundAt({{40.0, 20.0}, width, depth, 0.0})};
     const std::vector<Hypothesis> all = assignAlone(c, {}, AssignmentOptions{});
@@ -247,15 +251,9 @@ TEST(Assignment, ACarIsNoHouse) {
 }
 
 TEST(Assignment, WhatMayNotExistNeedsABetterMatch) {
-  Case c;
-  c.drawing.start = Pose2{};
-  c.drawing.uncertainty = {2.0, 2.0};
-  Building building;
-  building.id = "A";
-  building.shape = Rectangle{{40.0, 20.0}, 20.0, 15.0, 0.0};
+  Case c = oneHouse(20.0, 15.0, 2.0);
   const auto share = [&](double off, bool may_not_exist) {
-    building.may_not_exist = may_not_exist;
-    c.drawing.buildings = {building};
+    c.drawing.buildings.front().may_not_exist = may_not_exist;
     c.found = {foundAt({{40.0 + off, 20.0}, 20.0, 15.0, 0.0})};
     double with = 0.0;
     for (const Hypothesis& hypothesis : assignAlone(c, {}, plainOptions())) {
