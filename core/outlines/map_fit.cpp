@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/estimation/drawing/size_range.h"
 #include "core/map/certainty.h"
 #include "core/outlines/joint_places.h"
+#include "core/outlines/terraces.h"
 
 namespace handmap {
 
@@ -14,53 +14,11 @@ namespace {
 
 constexpr double kLeastEvidence = 10.0;  // nats
 constexpr double kLeastGain = 3.0;
-// How people draw what they know: sizes, turns, skews and single walls are off by no more, one σ,
-// however uncertain the drawing says it is; and by so much however certain.
-constexpr double kMostScale = 0.3;
-constexpr double kMostTurn = 0.08;
-constexpr double kMostShear = 0.03;
-constexpr double kMostCorner_m = 1.0;
-constexpr double kLeastShare = 0.01;
 constexpr double kFitSlack_m = 0.15;
 
 double sizeOf(const Polygon& outline) {
   const Bounds bounds = boundsOf(outline);
   return (bounds.high - bounds.low).norm();
-}
-
-double headingOf(const Polygon& outline) {
-  double longest = 0.0;
-  Vec2 along(1.0, 0.0);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 wall = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
-    if (wall.norm() <= longest) continue;
-    longest = wall.norm();
-    along = wall;
-  }
-  return std::atan2(along.y(), along.x());
-}
-
-OutlinePrior priorOf(const OutlineTask& task) {
-  OutlinePrior prior;
-  prior.start = task.start;
-  prior.heading = headingOf(task.start);
-  const Rectangle now = boundingRectangle(task.start, prior.heading);
-  // What is longest may have become another side.
-  const double turn = std::remainder(headingOf(task.drawn) - prior.heading, kPi / 2.0);
-  const Rectangle drawn = boundingRectangle(task.drawn, prior.heading + turn);
-  prior.expected_log_size = {std::log(drawn.width / now.width), std::log(drawn.depth / now.depth)};
-  const SizeRange width = sizeRange(drawn.width, task.size_m);
-  const SizeRange depth = sizeRange(drawn.depth, task.size_m);
-  prior.least_log_size = {std::log(width.low / now.width), std::log(depth.low / now.depth)};
-  prior.most_log_size = {std::log(width.high / now.width), std::log(depth.high / now.depth)};
-  prior.shift_m = task.shift_m;
-  const double share = task.size_m / std::sqrt(drawn.width * drawn.depth);
-  prior.log_scale =
-      std::clamp(std::hypot(share, task.whole.scale.value_or(0.0)), kLeastShare, kMostScale);
-  prior.turn = std::clamp(std::hypot(share, task.whole.turn.value_or(0.0)), kLeastShare, kMostTurn);
-  prior.shear = task.rectangle ? 0.0 : std::clamp(share, kLeastShare, kMostShear);
-  prior.corner_m = task.rectangle ? 0.0 : std::min(task.size_m, kMostCorner_m);
-  return prior;
 }
 
 /// A size that is out of its range is that of another thing.
@@ -127,6 +85,12 @@ class Settling {
     places_ = placesTogether(priors_, placed_, range_limit_m_, owners_, seed_, stop_);
     std::ranges::fill(owners_, kNobody);
     std::ranges::fill(settled_, std::nullopt);
+    for (std::size_t i = 0; i < tasks_.size() && !stop_.stop_requested(); ++i) {
+      for (auto& [b, prior, place] : dividedTerrace(i, tasks_, places_, placed_, range_limit_m_)) {
+        priors_[b] = std::move(prior);
+        places_[b] = std::move(place);
+      }
+    }
     std::vector<std::size_t> order(tasks_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{},

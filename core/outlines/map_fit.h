@@ -7,21 +7,9 @@
 #include <vector>
 
 #include "core/map/certainty.h"
-#include "core/outlines/outline_search.h"
+#include "core/outlines/outline_task.h"
 
 namespace handmap {
-
-/// A building to be fitted.
-struct OutlineTask {
-  Polygon drawn;               ///< as drawn, carried along with the whole drawing
-  Polygon start;               ///< where it is looked for first
-  double shift_m = 0.0;        ///< how far that may be off, one σ
-  double drawn_shift_m = 0.0;  ///< how far the drawn place may be off, one σ
-  double size_m = 0.0;         ///< how far its sizes may, one σ
-  WholeUncertainty whole;      ///< of a drawing that it was not carried along with, where stated
-  bool rectangle = false;      ///< stays one
-  bool labelled = false;       ///< something was found at the start that is taken for it
-};
 
 enum class Verdict { Moved, Kept };
 

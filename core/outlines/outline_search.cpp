@@ -253,6 +253,24 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
   return finished(candidate, shape, prior, scorer, fine, stop);
 }
 
+FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior,
+                       const OutlineScorer& scorer) {
+  const Shape shape(prior);
+  const Rectangle now = boundingRectangle(prior.start, prior.heading);
+  const double quarters = std::round((box.heading - prior.heading) / (kPi / 2.0));
+  const bool across = std::fmod(std::abs(quarters), 2.0) == 1.0;
+  const Vec2 shift = box.centre - now.centre;
+  const Move move{shift.x(),
+                  shift.y(),
+                  box.heading - prior.heading - quarters * kPi / 2.0,
+                  std::log((across ? box.depth : box.width) / now.width),
+                  std::log((across ? box.width : box.depth) / now.depth),
+                  0.0};
+  FittedOutline placed{shape(move), move, 0.0, shape.logPrior(move)};
+  placed.score = scorer(placed.outline, kLast.slack_m, fineStride(scorer));
+  return placed;
+}
+
 double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,
                     const OutlineScorer& scorer) {
   constexpr double kFirst = 0.05;  // metres

@@ -1,5 +1,7 @@
 #include "core/outlines/map_fit.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/outlines/drive.h"
@@ -99,6 +101,41 @@ TEST(MapFit, ComesBackEmptyWhenStopped) {
   stop.request_stop();
   EXPECT_TRUE(
       fitOutlines({taskFor(kFittedHouse, true)}, placed, 40.0, 1, stop.get_token()).empty());
+}
+
+/// Four houses wall to wall, drawn as people do: a middle one twice as wide would explain as much.
+TEST(MapFit, LeavesEachHouseOfATerraceItsPlace) {
+  const std::vector<Polygon> houses = {Rectangle{{9.0, 12.0}, 10.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{19.5, 12.0}, 11.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{29.5, 12.0}, 9.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{39.5, 12.0}, 11.0, 8.0, 0.0}.corners()};
+  const std::vector<Polygon> drawn = {Rectangle{{7.0, 14.0}, 8.0, 9.0, 0.05}.corners(),
+                                      Rectangle{{22.5, 11.0}, 13.0, 7.0, -0.05}.corners(),
+                                      Rectangle{{31.5, 14.5}, 7.5, 7.0, 0.08}.corners(),
+                                      Rectangle{{37.0, 10.5}, 12.0, 10.0, 0.0}.corners()};
+  const Drive drive = drivePast(houses);
+  std::vector<OutlineTask> tasks;
+  for (const Polygon& house : drawn) tasks.push_back(taskFor(house, true));
+  const auto results = fitOutlines(tasks, placeRays(drive.seen, drive.way), 40.0, 1);
+  ASSERT_EQ(results.size(), houses.size());
+  double drawn_share = 0.0;
+  double share = 0.0;
+  for (std::size_t i = 0; i < houses.size(); ++i) {
+    EXPECT_EQ(results[i].verdict, Verdict::Moved) << i;
+    drawn_share += intersectionOverUnion(drawn[i], houses[i]) / 4.0;
+    share += intersectionOverUnion(results[i].outline, houses[i]) / 4.0;
+  }
+  EXPECT_GT(share, drawn_share + 0.05);
+}
+
+TEST(MapFit, DividesNoHouseOnWhichAnotherIsDrawnToo) {
+  const Drive drive = drivePast({kFittedHouse});
+  const auto results = fitOutlines({taskFor(moved(kFittedHouse, {1.0, 1.0}), true),
+                                    taskFor(moved(kFittedHouse, {3.0, 7.0}), true)},
+                                   placeRays(drive.seen, drive.way), 40.0, 1);
+  EXPECT_GT(std::max(intersectionOverUnion(results.at(0).outline, kFittedHouse),
+                     intersectionOverUnion(results.at(1).outline, kFittedHouse)),
+            0.85);
 }
 
 }  // namespace
