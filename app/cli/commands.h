@@ -17,6 +17,8 @@ void addOdometryCommand(CLI::App& app, ChosenCommand& chosen);
 void addCalibrateCommand(CLI::App& app, ChosenCommand& chosen);
 void addCompareCommand(CLI::App& app, ChosenCommand& chosen);
 void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen);
+void addImportCommand(CLI::App& app, ChosenCommand& chosen);
+void addTryCommand(CLI::App& app, ChosenCommand& chosen);
 void addValidateCommand(CLI::App& app, ChosenCommand& chosen);
 void addTrainCommand(CLI::App& app, ChosenCommand& chosen);
 void addClassifyCommand(CLI::App& app, ChosenCommand& chosen);

@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <chrono>
-#include <clocale>
 #include <condition_variable>
 #include <ctime>
 #include <functional>
@@ -14,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/options.h"
+#include "app/cli/qt_core.h"
 #include "core/base/error.h"
 #include "drivers/connected/connected_devices.h"
 #include "drivers/virtual/stereo_rig.h"
@@ -23,7 +23,23 @@ namespace handmap {
 namespace {
 
 constexpr auto kLook = std::chrono::milliseconds(250);
+constexpr double kSilence_s = 8.0;  // scanners need some seconds to spin up
 constexpr double kMostSeconds = 1e7;
+
+/// Why there is no observation yet, as far as the devices tell.
+std::string whyNothing(const RigStatus& status) {
+  std::string why;
+  for (const DeviceStatus& device : status.devices) {
+    if (device.role > DeviceRole::Camera || device.count > 0) continue;
+    why += fmt::format("; {}: no data, {}{}{}", nameOf(device.role), nameOf(device.state),
+                       device.detail.empty() ? "" : ": ", device.detail);
+  }
+  for (const auto& [reason, count] : status.refused) {
+    why += fmt::format("; not used, {} times: {}", count, reason);
+  }
+  if (why.empty()) why = "; all devices send: do scans or images and odometry have the same clock?";
+  return "nothing to be seen yet" + why;
+}
 
 /// A folder of its own for this drive.
 std::filesystem::path recordFolder(const std::filesystem::path& inside) {
@@ -104,11 +120,7 @@ void checkLive(const CLI::App& command, const LiveArguments& arguments, bool rec
 
 LiveDrive::LiveDrive(const LiveArguments& arguments, const Map& drawing, std::uint64_t seed)
     : for_s_(arguments.for_s) {
-  static int count = 1;
-  static char name[] = "handmap-cli";
-  static char* names[] = {name, nullptr};
-  application_ = std::make_unique<QCoreApplication>(count, names);
-  std::setlocale(LC_ALL, "C");  // Qt takes that of the person; files have decimal points
+  application_ = qtCore();
   job_.monitor = std::make_shared<RigMonitor>();
   if (!arguments.virtual_rig.empty()) {
     VirtualDrive drive = driveThroughDrawing(drawing, seed, arguments);
@@ -145,6 +157,7 @@ void LiveDrive::watch(const std::stop_token& stop, Progress& progress) const {
   std::unique_lock lock(mutex);
   std::map<DeviceRole, std::string> told;
   std::string recording_told;
+  bool silence_told = false;
   const double begin = job_.monitor->now();
   while (!stop.stop_requested()) {
     const RigStatus status = job_.monitor->status();
@@ -160,6 +173,11 @@ void LiveDrive::watch(const std::stop_token& stop, Progress& progress) const {
     if (status.recording.error != recording_told) {
       recording_told = status.recording.error;
       progress.message(fmt::format("the recording has ended, the run goes on: {}", recording_told));
+    }
+    const bool nothing = status.given == 0 && !status.observation_age_s;
+    if (nothing && !silence_told && job_.monitor->now() - begin > kSilence_s) {
+      silence_told = true;
+      progress.message(whyNothing(status));
     }
     if (for_s_ && job_.monitor->now() - begin >= *for_s_) job_.monitor->end();
     never.wait_for(lock, stop, kLook, [] { return false; });

@@ -10,4 +10,16 @@ int complain(const Error& error) {
   return static_cast<int>(error.code());
 }
 
+int complain(const Doubts& doubts) {
+  int status = 0;
+  for (const Doubt& doubt : doubts) {
+    if (doubt.certain) {
+      status = complain(Error(ErrorCode::BadInput, doubt.message, doubt.hint));
+    } else {
+      fmt::print(stderr, "handmap-cli: warning: {}\nhint: {}\n", doubt.message, doubt.hint);
+    }
+  }
+  return status;
+}
+
 }  // namespace handmap

@@ -17,6 +17,7 @@ struct OdometryArguments {
   std::string recording;
   ReplayOptions replay;
   OdometryKind kind = OdometryKind::Visual;
+  bool quiet = false;
   std::string out;
 };
 
@@ -36,9 +37,9 @@ void add(Drive& drive, const Observation& observation) {
 }
 
 /// nullopt when it was interrupted.
-std::optional<Drive> driveToEnd(ObservationSource& source) {
+std::optional<Drive> driveToEnd(ObservationSource& source, Verbosity verbosity) {
   const Interrupt interrupt;
-  Progress progress(source.info().observations);
+  Progress progress(source.info().observations, verbosity);
   Drive drive;
   std::string first_reason;
   const auto done = [&] { return static_cast<int>(drive.poses.size()) + drive.skipped; };
@@ -48,12 +49,12 @@ std::optional<Drive> driveToEnd(ObservationSource& source) {
       if (!observation) break;
       add(drive, *observation);
       if (observation->odometry_guessed) {
-        progress.message(fmt::format("frame {}: motion guessed", observation->frame));
+        progress.repeatable(fmt::format("frame {}: motion guessed", observation->frame));
       }
     } catch (const FrameError& error) {
       ++drive.skipped;
       if (first_reason.empty()) first_reason = error.what();
-      progress.message(fmt::format("frame {} skipped: {}", error.frame(), error.what()));
+      progress.repeatable(fmt::format("frame {} skipped: {}", error.frame(), error.what()));
     }
     progress.update(done(), 0.0);
   }
@@ -75,9 +76,10 @@ int odometry(OdometryArguments arguments) {
   if (arguments.kind == OdometryKind::Visual) arguments.replay.kind = SourceKind::Images;
   if (arguments.kind == OdometryKind::Scan) arguments.replay.kind = SourceKind::Points;
   std::string taken;
-  const auto source =
-      openWithOdometry(arguments.recording, arguments.replay, arguments.kind, taken);
-  const std::optional<Drive> drive = driveToEnd(*source);
+  const Verbosity verbosity = arguments.quiet ? Verbosity::Quiet : Verbosity::Usual;
+  const auto source = openWithOdometry(openRecording(arguments.recording), arguments.replay,
+                                       arguments.kind, verbosity, taken);
+  const std::optional<Drive> drive = driveToEnd(*source, verbosity);
   if (!drive) return Interrupt::kExitStatus;
   writeFileAtomically(arguments.out, formatTum(drive->poses));
   fmt::print("{}: {} poses over {:.2f} m, {} guessed, {} frames skipped\n", arguments.out,
@@ -98,6 +100,7 @@ void addOdometryCommand(CLI::App& app, ChosenCommand& chosen) {
       ->option_text("DIR");
   addFrames(*command, a.replay, "Take each Nth observation of the source");
   addOdometry(*command, a.replay, a.kind);
+  addQuiet(*command, a.quiet);
   command->add_option("--out", a.out, "Poses from the first observation on (required)")
       ->required()
       ->option_text("odometry.tum");

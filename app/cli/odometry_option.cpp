@@ -26,11 +26,15 @@ void addOdometry(CLI::App& command, ReplayOptions& replay, OdometryKind& kind) {
       ->option_text("FILE.tum|recorded|visual|scan|auto");
 }
 
-std::unique_ptr<ObservationSource> openWithOdometry(const std::string& folder,
+std::unique_ptr<ObservationSource> openWithOdometry(const Recording& recording,
                                                     const ReplayOptions& replay, OdometryKind kind,
-                                                    std::string& taken) {
-  ChosenOdometry choice = replayWithOdometry(openRecording(folder), replay, kind);
+                                                    Verbosity verbosity, std::string& taken) {
+  ChosenOdometry choice = replayWithOdometry(recording, replay, kind);
   taken = nameOf(choice.kind);
+  if (verbosity == Verbosity::Quiet) return std::move(choice.source);
+  if (kind == OdometryKind::Recorded && choice.kind == OdometryKind::Scan) {
+    fmt::print(stderr, "odometry: none is recorded, the scans tell the motion\n");
+  }
   if (kind == OdometryKind::Auto) {
     fmt::print(stderr, "odometry: {} taken: {}\n", taken, choice.reason);
   }

@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 
+#include "app/cli/progress.h"
 #include "core/trajectory/odometry_choice.h"
 
 namespace handmap {
@@ -14,9 +15,10 @@ namespace handmap {
 /// now.
 void addOdometry(CLI::App& command, ReplayOptions& replay, OdometryKind& kind);
 
-/// Opens the recording; what auto took is told on stderr, and in `taken`.
-std::unique_ptr<ObservationSource> openWithOdometry(const std::string& folder,
+/// The source of a recording; what was taken for another than was asked for is told on stderr
+/// (unless quiet), and in `taken`.
+std::unique_ptr<ObservationSource> openWithOdometry(const Recording& recording,
                                                     const ReplayOptions& replay, OdometryKind kind,
-                                                    std::string& taken);
+                                                    Verbosity verbosity, std::string& taken);
 
 }  // namespace handmap

@@ -46,6 +46,10 @@ void addBuildingClass(CLI::App& command, std::optional<int>& building_class) {
             "Which class of a network is a building");
 }
 
+void addQuiet(CLI::App& command, bool& quiet) {
+  command.add_flag("--quiet", quiet, "Say nothing but errors on stderr");
+}
+
 void checkOutputFiles(const std::vector<std::string>& outputs,
                       const std::vector<std::string>& inputs, NewOdometry odometry) {
   std::error_code error;

@@ -37,6 +37,9 @@ CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& 
 /// --building-class, of networks.
 void addBuildingClass(CLI::App& command, std::optional<int>& building_class);
 
+/// --quiet.
+void addQuiet(CLI::App& command, bool& quiet);
+
 /// Of --allow-outside.
 inline constexpr auto kAllowOutsideText =
     "Follow what a map names outside of its folder: only for maps you trust";

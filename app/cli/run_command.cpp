@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/live_run.h"
+#include "app/cli/messages.h"
 #include "app/cli/odometry_option.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
@@ -16,6 +19,8 @@
 #include "core/classification/load_classifier.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
+#include "core/plausibility/drawing.h"
+#include "core/plausibility/plausibility.h"
 #include "core/recording/image_file.h"
 #include "core/session/run_session.h"
 #include "drivers/pace/punctual_source.h"
@@ -42,6 +47,10 @@ struct RunArguments {
   std::optional<int> building_class;
   std::string given_poses;
   bool allow_outside = false;
+  bool quiet = false;
+  bool json = false;
+
+  Verbosity verbosity() const { return quiet ? Verbosity::Quiet : Verbosity::Usual; }
 };
 
 void checkOutputs(const RunArguments& arguments, const std::string& model) {
@@ -97,11 +106,11 @@ std::shared_ptr<const Snapshot> runToEnd(
     if (more) last = std::move(snapshot);
     if (more && tell) tell(last);
     if (more && session.frames().back().odometry_guessed && done() > before) {
-      progress.message(fmt::format("frame {}: motion guessed", session.frames().back().frame));
+      progress.repeatable(fmt::format("frame {}: motion guessed", session.frames().back().frame));
     }
     for (; skipped < session.skipped().size(); ++skipped) {
       const SkippedFrame& frame = session.skipped()[skipped];
-      progress.message(fmt::format("frame {} skipped: {}", frame.frame, frame.reason));
+      progress.repeatable(fmt::format("frame {} skipped: {}", frame.frame, frame.reason));
     }
   }
   progress.finish(done());
@@ -161,20 +170,36 @@ int finish(const RunArguments& arguments, const RunSession& session,
            const std::shared_ptr<const Snapshot>& last) {
   if (!last) return Interrupt::kExitStatus;
   writeOutputs(arguments, session, *last);
-  fmt::print("{}", runSummary(session));
+  fmt::print("{}", arguments.json ? runSummaryJson(session) : runSummary(session));
   return 0;
 }
 
+/// Throws nothing of what may be right: it is told. The status of what cannot be.
+int lookAtNumbers(const RunArguments& arguments, Recording recording, const Map& drawing) {
+  if (!arguments.replay.odometry.empty()) {
+    recording.odometry = readTum(arguments.replay.odometry);
+  } else if (arguments.odometry != OdometryKind::Recorded) {
+    recording.odometry = {};
+  }
+  Doubts doubts = doubtsOfDrawing(drawing, arguments.map);
+  std::ranges::move(doubtsOf(recording), std::back_inserter(doubts));
+  std::ranges::move(doubtsOfWay(recording, drawing, arguments.map), std::back_inserter(doubts));
+  if (arguments.quiet) std::erase_if(doubts, [](const Doubt& doubt) { return !doubt.certain; });
+  return complain(doubts);
+}
+
 int runRecording(RunArguments arguments, Map drawing) {
-  auto source = openWithOdometry(arguments.recording, arguments.replay, arguments.odometry,
-                                 arguments.settings.odometry);
+  const Recording recording = openRecording(arguments.recording);
+  if (const int status = lookAtNumbers(arguments, recording, drawing); status != 0) return status;
+  auto source = openWithOdometry(recording, arguments.replay, arguments.odometry,
+                                 arguments.verbosity(), arguments.settings.odometry);
   const Interrupt interrupt;
   if (arguments.speed > 0.0) {
     source =
         std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
   }
   RunSession session(std::move(drawing), std::move(source), arguments.settings);
-  Progress progress(session.source().observations);
+  Progress progress(session.source().observations, arguments.verbosity());
   return finish(arguments, session, runToEnd(session, interrupt.token(), progress));
 }
 
@@ -182,7 +207,7 @@ int runRecording(RunArguments arguments, Map drawing) {
 /// the program.
 int runLive(const RunArguments& arguments, Map drawing) {
   const Interrupt interrupt;
-  Progress progress(0);
+  Progress progress(0, arguments.verbosity());
   LiveDrive drive(arguments.live, drawing, arguments.settings.seed);
   auto source = drive.open(interrupt, progress);
   if (!source) {
@@ -193,7 +218,7 @@ int runLive(const RunArguments& arguments, Map drawing) {
   const auto last =
       runToEnd(session, {}, progress,
                [&drive](const std::shared_ptr<const Snapshot>& snapshot) { drive.tell(snapshot); });
-  fmt::print(stderr, "{}", drive.summary());
+  if (!arguments.quiet) fmt::print(stderr, "{}", drive.summary());
   return finish(arguments, session, last);
 }
 
@@ -271,6 +296,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   addNumber(*command, "--speed", a.speed, 0.0, 1e3,
             "Keep to the recording's clock times N and pass over what comes too late; 0: wait");
   addSeed(*command, a.settings.seed, "Of the random numbers");
+  addQuiet(*command, a.quiet);
+  command->add_flag("--json", a.json, "Print the result for programs");
   addNumber(*command, "--threads", a.settings.threads, 0, 1024,
             "0 for all; the result is the same");
   command->add_option("--out", a.out, "The corrected map")->option_text("refined.handmap");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace handmap {
 
@@ -34,6 +35,33 @@ std::string runSummary(const RunSession& session) {
     }
   }
   return text;
+}
+
+std::string runSummaryJson(const RunSession& session) {
+  using Json = nlohmann::ordered_json;
+  const Pose2 pose = session.trajectory().back().pose;
+  Json json = {{"observations", session.frames().size()},
+               {"skipped", session.skipped().size()},
+               {"pose", {{"x", pose.x}, {"y", pose.y}, {"heading_deg", toDegrees(pose.heading)}}},
+               {"buildings", Json::array()},
+               {"warnings", Json::array()}};
+  for (const Building& building : session.refinedMap().buildings) {
+    const Rectangle box = building.box();
+    Json one = {{"id", building.id},   {"x", box.centre.x()},
+                {"y", box.centre.y()}, {"width", box.width},
+                {"depth", box.depth},  {"heading_deg", toDegrees(box.heading)}};
+    if (const auto& estimate = building.estimate) {
+      one["estimate"] = {{"sigma_x", estimate->sigma_x},
+                         {"sigma_y", estimate->sigma_y},
+                         {"sigma_width", estimate->sigma_width},
+                         {"observations", estimate->observations}};
+    }
+    json["buildings"].push_back(std::move(one));
+  }
+  for (const RunWarning& warning : session.warnings()) {
+    json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace handmap

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/base/spelling.h"
 #include "core/base/text.h"
 
 namespace handmap {
@@ -163,6 +164,10 @@ json parseJson(std::string_view text, const std::string& source) {
 
 JsonValue JsonValue::at(const std::string& key) const {
   if (auto member = find(key)) return *std::move(member);
+  for (const auto& [other, value] : json_->items()) {
+    const auto meant = likelyMeant(other, {key});
+    if (meant) fail(quotedJson(other), quotedJson(key));
+  }
   throwBadInput(source_, pathOf(key), phrase("nothing"), phrase("this key"));
 }
 

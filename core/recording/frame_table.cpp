@@ -10,6 +10,7 @@
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/as_written.h"
+#include "core/recording/points_part.h"
 #include "core/recording/time_limits.h"
 
 namespace handmap {
@@ -101,6 +102,11 @@ class TableReader {
   double number(Column column, double limit) const {
     const auto value = parseFinite(field(column));
     if (!value || std::abs(*value) > limit) {
+      const bool is_time = column == Column::Time || column == Column::RightTime;
+      if (value && is_time && !likelyUnitOfTime(*value).empty()) {
+        fail(kColumns[column], found(column),
+             phrase("seconds; this looks like {}", likelyUnitOfTime(*value)));
+      }
       fail(kColumns[column], found(column),
            phrase("a finite number, at most {}", formatNumber(limit)));
     }
@@ -165,7 +171,10 @@ std::vector<FrameRow> readFrameTable(const std::filesystem::path& path,
   for (; line; line = lines.next()) {
     throwIfStopped(stop);
     try {
-      rows.push_back(reader.read(*line));
+      FrameRow row = reader.read(*line);
+      const bool may_lack_digits = partOf(row.points) && isCutOff(*line, content);
+      if (may_lack_digits && !rows.empty()) break;
+      rows.push_back(std::move(row));
     } catch (const Error&) {
       if (rows.empty() || !isCutOff(*line, content)) throw;
       break;

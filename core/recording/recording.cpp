@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/json.h"
 #include "core/base/phrase.h"
+#include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/recording/calibration.h"
 #include "core/recording/frame_table.h"
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;  // since 2 a row may name a part of a points file
 constexpr std::uintmax_t kMaxRecordingBytes = 1u << 20;
 constexpr std::size_t kMaxTextBytes = 4096;
 /// What is kept of the surroundings grows with the square: 0.6 GB at 200 m, and no sensor that
@@ -84,6 +85,31 @@ void readCamera(const JsonValue& json, Recording& recording) {
   }
 }
 
+/// Members that nobody knows but that look like one that is known and not there.
+void findStrangeKeys(const JsonValue& object, const std::vector<std::string_view>& known,
+                     const std::vector<std::string_view>& free, Recording& recording) {
+  std::vector<std::string_view> all = known;
+  all.insert(all.end(), free.begin(), free.end());
+  for (const auto& [key, value] : object.others(all)) {
+    const auto meant = likelyMeant(key, known);
+    if (!meant || object.find(*meant)) continue;
+    const std::string path = object.path().empty() ? key : object.path() + "." + key;
+    recording.strange_keys.push_back(phrase("{}: {}: found a key that nothing knows, expected {}",
+                                            object.source(), path, *meant));
+  }
+}
+
+void findStrangeKeys(const JsonValue& json, Recording& recording) {
+  findStrangeKeys(json, {"name", "range_limit_m", "camera"},
+                  {"format", "version", "licence", "license"}, recording);
+  const auto camera = json.find("camera");
+  if (!camera) return;
+  findStrangeKeys(*camera, {"calibration", "left", "right", "rectified", "mount"}, {}, recording);
+  if (const auto mount = camera->find("mount")) {
+    findStrangeKeys(*mount, {"x_m", "y_m", "z_m", "pitch_deg", "yaw_deg"}, {}, recording);
+  }
+}
+
 Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop) {
   const fs::path path = folder / "recording.json";
   const auto parsed = parseJson(readFile(path, kMaxRecordingBytes), path.string());
@@ -96,6 +122,7 @@ Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop)
   if (const auto range = json.find("range_limit_m")) {
     recording.range_limit_m = range->number(kMinRange_m, kMaxRange_m);
   }
+  findStrangeKeys(json, recording);
   recording.rows = readFrameTable(folder / "frames.csv", stop);
   const bool has_images = std::any_of(recording.rows.begin(), recording.rows.end(),
                                       [](const FrameRow& row) { return !row.left.empty(); });

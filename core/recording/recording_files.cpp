@@ -63,7 +63,7 @@ bool isInTable(const fs::path& folder, const std::string& lowered_name) {
     const std::size_t end = at + lowered_name.size();
     const bool begins = at == 0 || table[at - 1] == ',' || table[at - 1] == '\n';
     const bool ends = end == table.size() ||
-                      std::string_view(",\r\n ").find(table[end]) != std::string_view::npos;
+                      std::string_view(",@\r\n ").find(table[end]) != std::string_view::npos;
     if (begins && ends) return true;
   }
   return false;

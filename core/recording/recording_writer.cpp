@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -32,9 +33,13 @@ CameraMount asWritten(CameraMount mount) {
   return mount;
 }
 
-std::string formatRecordingJson(const SourceInfo& info) {
+/// Programs that read version 1 alone look for a file a frame.
+constexpr int kVersionWithParts = 2;
+constexpr double kSecondsOfFile = 60.0;
+
+std::string formatRecordingJson(const SourceInfo& info, int version) {
   nlohmann::ordered_json json = {{"format", "handmap-recording"},
-                                 {"version", 1},
+                                 {"version", version},
                                  {"name", info.name},
                                  {"range_limit_m", info.range_limit_m}};
   if (info.camera) {
@@ -69,7 +74,7 @@ void createEmpty(const fs::path& folder) {
 
 }  // namespace
 
-/// A text file that grows by whole lines; they are with the system when append() returns.
+/// A file that grows by whole pieces; they are with the system when append() returns.
 class GrowingFile {
  public:
   explicit GrowingFile(fs::path path) : path_(std::move(path)) {}
@@ -95,6 +100,9 @@ class GrowingFile {
     }
     written_ += whole;
   }
+
+  off_t written() const { return written_; }
+  const fs::path& path() const { return path_; }
 
   /// On the disk, as far as there is one.
   void sync() const {
@@ -147,19 +155,33 @@ struct RecordingWriter::Files {
       writePng(view.left, folder / row.left);
       writePng(view.right, folder / row.right);
     }
-    if (view.points && !view.points->empty()) {
-      row.points = nameOf("points", ".bin", observation, index);
-      writeFileAtomically(folder / row.points, {reinterpret_cast<const char*>(view.points->data()),
-                                                view.points->size() * sizeof(RangePoint)});
-    }
+    if (view.points) row.points = writePoints(*view.points, observation.time_s);
     return row;
   }
 
-  /// Poses first: a row is never there without its pose.
+  /// As frames.csv names them. With the system before their row is.
+  std::string writePoints(const std::vector<RangePoint>& points_of_view, double time_s) {
+    if (!points) {
+      writeFileAtomically(folder / "recording.json", json_with_parts);
+      std::error_code ignored;  // writing into it tells
+      fs::create_directory(folder / "points", ignored);
+      first_points_s = time_s;
+    }
+    const auto minute = static_cast<long>((time_s - first_points_s) / kSecondsOfFile);
+    const std::string name = fmt::format("points/minute-{:04}.bin", minute);
+    if (!points || points->path() != folder / name) points.emplace(folder / name);
+    const off_t offset = points->written();
+    const std::size_t bytes = points_of_view.size() * sizeof(RangePoint);
+    points->append({reinterpret_cast<const char*>(points_of_view.data()), bytes});
+    return fmt::format("{}@{}+{}", name, offset, bytes);
+  }
+
+  /// Points and poses first: a row is never there without its pose.
   void syncNowAndThen() {
     const auto now = std::chrono::steady_clock::now();
     if (now - synced < kSyncEvery) return;
     synced = now;
+    if (points) points->sync();
     odometry.sync();
     truth.sync();
     frames.sync();
@@ -167,10 +189,13 @@ struct RecordingWriter::Files {
 
   fs::path folder;
   SourceInfo info;
+  std::string json_with_parts;  ///< recording.json once there are points
   std::chrono::steady_clock::time_point synced = std::chrono::steady_clock::now();
   GrowingFile frames;
   GrowingFile odometry;
   GrowingFile truth;
+  std::optional<GrowingFile> points;
+  double first_points_s = 0.0;
   int last_frame = -1;
   double last_time_s = -std::numeric_limits<double>::infinity();
 };
@@ -184,7 +209,8 @@ RecordingWriter::RecordingWriter(const fs::path& folder, const SourceInfo& info)
     files_->info.camera = readCalibration(calibration, "P0", "P1", asWritten(info.camera->mount));
   }
   files_->info.start_odometry = asWritten(info.start_odometry);
-  writeFileAtomically(folder / "recording.json", formatRecordingJson(info));
+  writeFileAtomically(folder / "recording.json", formatRecordingJson(info, 1));
+  files_->json_with_parts = formatRecordingJson(info, kVersionWithParts);
   files_->frames.append(frameTableHeader());
 }
 

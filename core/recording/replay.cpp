@@ -169,6 +169,8 @@ std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptio
       throwBadInput(source, "", phrase("points chosen to see with"),
                     phrase("images for visual odometry"));
     }
+  }
+  if (options.visual_odometry || options.without_odometry) {
     recording.odometry = {};
     return std::make_unique<ReplaySource>(std::move(recording), std::move(groups), kind, start_s);
   }

@@ -27,7 +27,13 @@ double yawOf(double qx, double qy, double qz, double qw) {
 
 std::string placeOf(const TextLine& line) { return phrase("line {}", line.number); }
 
-StampedPose parseTumLine(const TextLine& line, const std::string& file) {
+/// A pose, and whether its quaternion tips the robot over by more than 60°.
+struct TumLine {
+  StampedPose pose;
+  bool tipped = false;
+};
+
+TumLine parseTumLine(const TextLine& line, const std::string& file) {
   const auto words = splitWords(line.text);
   std::array<double, 8> v{};
   if (words.size() != v.size()) {
@@ -37,6 +43,10 @@ StampedPose parseTumLine(const TextLine& line, const std::string& file) {
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto value = parseFinite(words[i]);
     const double limit = i == 0 ? kMaxTime_s : kMaxCoordinate;
+    if (value && i == 0 && std::abs(*value) > limit) {
+      throwBadInput(file, placeOf(line), fmt::format("\"{}\"", words[i].substr(0, 40)),
+                    phrase("seconds; this looks like {}", likelyUnitOfTime(*value)));
+    }
     if (!value || std::abs(*value) > limit) {
       throwBadInput(file, placeOf(line), fmt::format("\"{}\"", words[i].substr(0, 40)),
                     phrase("a finite number, at most {}", formatNumber(limit)));
@@ -48,7 +58,8 @@ StampedPose parseTumLine(const TextLine& line, const std::string& file) {
     throwBadInput(file, placeOf(line), phrase("a quaternion of length {:.3g}", norm),
                   phrase("length 1"));
   }
-  return {v[0], {v[1], v[2], yawOf(v[4], v[5], v[6], v[7])}};
+  const double upwards = 1.0 - 2.0 * (v[4] * v[4] + v[5] * v[5]);
+  return {{v[0], {v[1], v[2], yawOf(v[4], v[5], v[6], v[7])}}, upwards < 0.5};
 }
 
 /// `place()` names it, where it is to be named.
@@ -89,12 +100,16 @@ Trajectory readTum(const std::filesystem::path& path, const std::stop_token& sto
   const std::string file = path.string();
   const std::string content = readFile(path, kMaxTrajectoryBytes);
   std::vector<StampedPose> poses;
+  std::size_t tipped = 0;
+  TextLine first_tipped{};
   ContentLines lines(content);
   while (const auto line = lines.next()) {
     throwIfStopped(stop);
     StampedPose stamped;
     try {
-      stamped = parseTumLine(*line, file);
+      const TumLine parsed = parseTumLine(*line, file);
+      stamped = parsed.pose;
+      if (parsed.tipped && tipped++ == 0) first_tipped = *line;
     } catch (const Error&) {
       if (poses.empty() || !isCutOff(*line, content)) throw;
       break;
@@ -109,6 +124,12 @@ Trajectory readTum(const std::filesystem::path& path, const std::stop_token& sto
   }
   if (poses.empty()) {
     throwBadInput(file, "", phrase("no pose"), phrase("lines of time x y z qx qy qz qw"));
+  }
+  if (2 * tipped > poses.size()) {  // a robot on wheels
+    throwBadInput(
+        file, placeOf(first_tipped),
+        phrase("a quaternion that tips the robot over, as {} of {} do", tipped, poses.size()),
+        phrase("qx qy qz qw of x forward, y left, z up: is w the first of yours?"));
   }
   return {std::move(poses), file};
 }
@@ -126,7 +147,7 @@ Pose2 asWritten(const Pose2& pose) {
   constexpr int kMost = 8;  // of three million headings none needed more than two
   Pose2 written = pose;
   for (int i = 0; i < kMost; ++i) {
-    const Pose2 again = parseTumLine({1, formatTum({{0.0, written}})}, "pose").pose;
+    const Pose2 again = parseTumLine({1, formatTum({{0.0, written}})}, "pose").pose.pose;
     if (again == written) break;
     written = again;
   }

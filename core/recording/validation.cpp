@@ -1,7 +1,5 @@
 #include "core/recording/validation.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -26,12 +24,6 @@ std::vector<std::string> problemsOf(const Recording& recording) {
     if (!recording.odometry.empty() && !recording.odometry.at(row.time_s)) {
       problems.push_back(fmt::format("frame {}: no odometry at {} s", row.frame, row.time_s));
     }
-  }
-  const auto& rows = recording.rows;
-  const bool has_images =
-      std::any_of(rows.begin(), rows.end(), [](const FrameRow& row) { return !row.left.empty(); });
-  if (recording.odometry.empty() && !has_images) {  // images tell the motion, too
-    problems.push_back(recording.folder.string() + ": no odometry");
   }
   return problems;
 }

@@ -36,7 +36,10 @@ void checkCentre(const StereoCamera& camera, cv::Size size, const std::string& f
 }  // namespace
 
 ViewReader::ViewReader(const Recording& recording)
-    : folder_(recording.folder), camera_(recording.camera), rectifier_(recording.rectifier) {
+    : folder_(recording.folder),
+      camera_(recording.camera),
+      rectifier_(recording.rectifier),
+      points_as_(recording.points_as) {
   if (rectifier_) size_ = rectifier_->size();
 }
 
@@ -56,6 +59,8 @@ void ViewReader::readImages(const FrameRow& row, View& view) {
 
 void ViewReader::readPoints(const FrameRow& row, View& view) const {
   view.points = handmap::readPoints(folder_ / row.points);
+  if (points_as_ == PointsReading{}) return;
+  for (RangePoint& point : *view.points) point = points_as_(point);
 }
 
 cv::Mat ViewReader::readSized(const std::string& name) {

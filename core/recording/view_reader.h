@@ -24,6 +24,7 @@ class ViewReader {
   std::filesystem::path folder_;
   std::optional<StereoCamera> camera_;
   std::shared_ptr<const Rectifier> rectifier_;
+  PointsReading points_as_;
   cv::Size size_;
   SwapCheck swap_check_;
 };

@@ -1,5 +1,6 @@
 #include "core/trajectory/local_map_odometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,10 +13,36 @@ constexpr double kKeep_m = 0.8;
 constexpr double kKeep = 0.15;  // radians
 constexpr std::array kOdometryGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
 constexpr int kLeastMatched = 20;
+constexpr double kExplained = 0.7;  // of the straight returns: no other turn is looked for
+constexpr std::array kOtherTurns{0.12, -0.12, 0.25, -0.25, 0.4, -0.4, 0.6, -0.6};  // radians
 constexpr double kTurnSigmas = 3.0;
 constexpr double kMoveSquare = 18.0;  // in σ²
 
+double explained(const std::optional<ScanMatch>& match) {
+  return match ? match->straight_near / std::max(1.0, static_cast<double>(match->straight)) : 0.0;
+}
+
 }  // namespace
+
+LocalMapOdometry LocalMapOdometry::ofGuesses() {
+  LocalMapOdometry odometry;
+  odometry.noise_ = WheelNoise::ofGuesses();
+  odometry.guessed_ = true;
+  return odometry;
+}
+
+std::optional<ScanMatch> LocalMapOdometry::bestMatch(const std::vector<ScanPoint>& scan,
+                                                     const MotionPrior& prior) const {
+  const Pose2 start = prior.from * prior.motion.motion;
+  auto best = matchScan(scan, map_, start, kOdometryGates_m, prior);
+  if (!guessed_ || explained(best) >= kExplained) return best;
+  for (const double turn : kOtherTurns) {
+    const Pose2 turned{start.x, start.y, start.heading + turn};
+    auto other = matchScan(scan, map_, turned, kOdometryGates_m);
+    if (explained(other) > explained(best)) best = std::move(other);
+  }
+  return best;
+}
 
 bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& scan) {
   const bool first = scans_++ == 0;
@@ -32,10 +59,10 @@ bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& 
 
 std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>& scan,
                                                    const Pose2& motion, const MotionPrior& prior) {
-  const auto match =
-      matchScan(scan, map_, prior.from * prior.motion.motion, kOdometryGates_m, prior);
+  const auto match = bestMatch(scan, prior);
   if (!match || match->matched < kLeastMatched) return std::nullopt;
   noise_.learn(motion, between(prior.from, match->pose));
+  if (guessed_) return match->pose;
   const Eigen::Vector3d off = prior.motion.at(prior.from, match->pose).residual;
   if (std::abs(off.z()) > kTurnSigmas) return std::nullopt;
   if (off.head<2>().squaredNorm() > kMoveSquare) return std::nullopt;

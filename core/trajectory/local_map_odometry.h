@@ -11,6 +11,10 @@ namespace handmap {
 
 class LocalMapOdometry {
  public:
+  LocalMapOdometry() = default;
+  /// For add() with motions that are guessed: the turn is looked for wider.
+  static LocalMapOdometry ofGuesses();
+
   /// The recorded odometry and what was seen there. Where the match is not to be believed, the
   /// odometry goes on.
   /// Returns whether the match moved the pose.
@@ -27,11 +31,14 @@ class LocalMapOdometry {
   };
   std::optional<Pose2> matchedPose(const std::vector<ScanPoint>& scan, const Pose2& motion,
                                    const MotionPrior& prior);
+  std::optional<ScanMatch> bestMatch(const std::vector<ScanPoint>& scan,
+                                     const MotionPrior& prior) const;
   void keep(const std::vector<ScanPoint>& scan);
 
   PointMap map_;
   std::deque<KeptScan> kept_;
   WheelNoise noise_;
+  bool guessed_ = false;
   Pose2 pose_;
   Pose2 recorded_;
   std::optional<Pose2> kept_at_;

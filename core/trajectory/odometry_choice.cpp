@@ -127,8 +127,7 @@ Verdict judged(const Recording& recording, const ReplayOptions& options) {
 
 Verdict automatic(const Recording& recording, const ReplayOptions& options) {
   if (recording.odometry.empty() && options.odometry.empty()) {
-    const auto kind =
-        replaysImages(recording, options) ? OdometryKind::Visual : OdometryKind::Recorded;
+    const auto kind = replaysImages(recording, options) ? OdometryKind::Visual : OdometryKind::Scan;
     return {kind, "nothing recorded", {}};
   }
   if (!hasPoints(recording)) {
@@ -143,7 +142,10 @@ std::unique_ptr<ObservationSource> withScans(const Recording& recording, ReplayO
                   phrase("range points for odometry from scans: --source points"));
   }
   options.kind = SourceKind::Points;
-  return withScanOdometry(replay(recording, options));
+  options.without_odometry = recording.odometry.empty() && options.odometry.empty();
+  auto source = replay(recording, options);
+  return options.without_odometry ? withScansAlone(std::move(source))
+                                  : withScanOdometry(std::move(source));
 }
 
 }  // namespace
@@ -175,6 +177,11 @@ ChosenOdometry replayWithOdometry(Recording recording, ReplayOptions options, Od
       choice.source = replay(std::move(recording), options);
       return choice;
     }
+  }
+  const bool nothing_recorded = recording.odometry.empty() && options.odometry.empty();
+  if (choice.kind == OdometryKind::Recorded && nothing_recorded && hasPoints(recording) &&
+      !replaysImages(recording, options)) {
+    choice.kind = OdometryKind::Scan;
   }
   if (choice.kind == OdometryKind::Scan) {
     choice.source = withScans(recording, std::move(options));

@@ -8,7 +8,8 @@
 
 namespace handmap {
 
-/// Recorded: the recording's own or a file's (visual where there is none). Auto: the one that makes
+/// Recorded: the recording's own or a file's (where there is none, visual or, of a range sensor,
+/// scan). Auto: the one that makes
 /// what the range sensor saw the sharpest.
 enum class OdometryKind { Recorded, Visual, Scan, Auto };
 

@@ -1,5 +1,6 @@
 #include "core/trajectory/scan_odometry_source.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/base/error.h"
@@ -11,10 +12,13 @@ namespace handmap {
 
 namespace {
 
+constexpr double kMostOfBefore = 3.0;  // after a gap: a robot does not keep its speed for long
+
 class ScanOdometrySource : public ObservationSource {
  public:
-  explicit ScanOdometrySource(std::unique_ptr<ObservationSource> source)
-      : source_(std::move(source)), info_(source_->info()) {
+  ScanOdometrySource(std::unique_ptr<ObservationSource> source, bool alone)
+      : source_(std::move(source)), info_(source_->info()), alone_(alone) {
+    if (alone) odometry_ = LocalMapOdometry::ofGuesses();
     info_.odometry.clear();
   }
 
@@ -25,8 +29,17 @@ class ScanOdometrySource : public ObservationSource {
     if (!observation) return observation;
     const auto start = std::chrono::steady_clock::now();
     const auto points = allPoints(*observation);
-    odometry_.add(observation->odometry, features(usableReturns(points, info_.range_limit_m)));
+    const Pose2 before = odometry_.pose();
+    const double elapsed_s = observation->time_s - time_s_;
+    if (alone_) guessed_ = guessed_ * motionIn(elapsed_s);
+    const bool matched = odometry_.add(alone_ ? guessed_ : observation->odometry,
+                                       features(usableReturns(points, info_.range_limit_m)));
     observation->odometry = odometry_.pose();
+    if (alone_) observation->odometry_guessed = any_ && !matched;
+    motion_ = between(before, odometry_.pose());
+    motion_s_ = any_ ? elapsed_s : 0.0;
+    time_s_ = observation->time_s;
+    any_ = true;
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
     observation->read_ms += spent.count();
@@ -34,9 +47,22 @@ class ScanOdometrySource : public ObservationSource {
   }
 
  private:
+  /// At the speed of before.
+  Pose2 motionIn(double elapsed_s) const {
+    if (motion_s_ <= 0.0) return {};
+    const double share = std::min(kMostOfBefore, elapsed_s / motion_s_);
+    return {share * motion_.x, share * motion_.y, share * motion_.heading};
+  }
+
   std::unique_ptr<ObservationSource> source_;
   SourceInfo info_;
   LocalMapOdometry odometry_;
+  bool alone_;
+  bool any_ = false;
+  Pose2 guessed_;  ///< all motions as they were guessed
+  Pose2 motion_;
+  double motion_s_ = 0.0;  ///< that it took
+  double time_s_ = 0.0;
 };
 
 }  // namespace
@@ -54,7 +80,11 @@ std::vector<RangePoint> allPoints(const Observation& observation) {
 }
 
 std::unique_ptr<ObservationSource> withScanOdometry(std::unique_ptr<ObservationSource> source) {
-  return std::make_unique<ScanOdometrySource>(std::move(source));
+  return std::make_unique<ScanOdometrySource>(std::move(source), false);
+}
+
+std::unique_ptr<ObservationSource> withScansAlone(std::unique_ptr<ObservationSource> source) {
+  return std::make_unique<ScanOdometrySource>(std::move(source), true);
 }
 
 }  // namespace handmap

@@ -12,6 +12,9 @@ namespace handmap {
 /// Observations without returns go on by the recorded odometry. next() throws BadInput for images
 /// without range points.
 std::unique_ptr<ObservationSource> withScanOdometry(std::unique_ptr<ObservationSource> source);
+/// The same where nothing is recorded: the speed of before is where each match begins. Where a scan
+/// does not match, that speed goes on (Observation::odometry_guessed).
+std::unique_ptr<ObservationSource> withScansAlone(std::unique_ptr<ObservationSource> source);
 
 /// The returns of all views of an observation, robot frame.
 std::vector<RangePoint> allPoints(const Observation& observation);

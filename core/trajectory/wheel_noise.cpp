@@ -45,6 +45,16 @@ double learntScale(const std::deque<double>& deviations, double most) {
 
 }  // namespace
 
+WheelNoise WheelNoise::ofGuesses() {
+  constexpr double kMove = 30.0;   // 0.3 m and 90 % of the way
+  constexpr double kTurn = 150.0;  // 9° and more the farther
+  WheelNoise noise;
+  noise.learns_ = false;
+  noise.move_ = kMove;
+  noise.turn_ = kTurn;
+  return noise;
+}
+
 Eigen::Vector3d WheelNoise::sigma(const Pose2& recorded) const {
   return common(recorded).cwiseProduct(Eigen::Vector3d(move_, move_, turn_));
 }
@@ -55,6 +65,7 @@ MotionFactor WheelNoise::factor(const Pose2& recorded) const {
 }
 
 void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
+  if (!learns_) return;
   const Eigen::Vector3d sigma = common(recorded);
   const Vec2 off = matched.position() - length_ * recorded.position();
   remember(move_deviations_, std::abs(off.x()) / sigma.x(), kDeviations);

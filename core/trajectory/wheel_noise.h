@@ -10,6 +10,9 @@ namespace handmap {
 /// σ of odometry by the way and the turn, times two scales that are learnt; and its length.
 class WheelNoise {
  public:
+  /// Nothing is recorded, motions are guessed: they may be off by as much as robots speed up.
+  static WheelNoise ofGuesses();
+
   /// Recorded motion, its length corrected, with its noise.
   MotionFactor factor(const Pose2& recorded) const;
   /// σ of (along, aside, heading) of a recorded motion.
@@ -20,6 +23,7 @@ class WheelNoise {
   double lengthScale() const { return length_; }
 
  private:
+  bool learns_ = true;
   double length_ = 1.0;
   double move_ = 2.0;  // until it is known: a start with too little doubt turns the whole way
   double turn_ = 3.0;

@@ -23,8 +23,12 @@ foreach(page ${programs})
   install(FILES ${PROJECT_BINARY_DIR}/${page}.1
     DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 endforeach()
-install(FILES ${resources}/completions/handmap-cli
+install(FILES ${resources}/completions/handmap-cli.bash RENAME handmap-cli
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(FILES ${resources}/completions/_handmap-cli
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT program)
+install(FILES ${resources}/completions/handmap-cli.fish
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/handmap)
@@ -61,5 +65,5 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-dejavu-core, qt6-translations
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME handmap-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libeigen3-dev, libopencv-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libpolyclipping-dev, librandom123-dev, libyaml-cpp-dev, libpugixml-dev")
+  "libeigen3-dev, libopencv-dev, libtbb-dev, libfmt-dev, nlohmann-json3-dev, libpolyclipping-dev, librandom123-dev, libyaml-cpp-dev, libpugixml-dev, zlib1g-dev")
 include(CPack)

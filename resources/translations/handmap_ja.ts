@@ -2011,24 +2011,8 @@
         <translation>OpenCV の校正ではありません</translation>
     </message>
     <message>
-        <source>16 bytes a point, at least one point</source>
-        <translation>一点 16 バイト、一点以上</translation>
-    </message>
-    <message>
-        <source>{} points that are not finite</source>
-        <translation>有限でない点 {} 個</translation>
-    </message>
-    <message>
-        <source>finite coordinates</source>
-        <translation>有限の座標</translation>
-    </message>
-    <message>
         <source>{} points with w outside 0 … 1</source>
         <translation>w が 0 … 1 の外にある点 {} 個</translation>
-    </message>
-    <message>
-        <source>w from 0 to 1</source>
-        <translation>0 から 1 までの w</translation>
     </message>
     <message>
         <source>update the program to open this recording</source>
@@ -3313,6 +3297,518 @@
     <message>
         <source>odometry too far apart around an observation</source>
         <translation>観測の前後のオドメトリが離れすぎています</translation>
+    </message>
+    <message>
+        <source>{}: found the arrays {}, expected to know which hold what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ROLE=ARRAY,… of ranges, points, time, poses, angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found no times, expected an array of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many scans a second there are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scans x ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, one for each range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scans x points x 2 to 4 (x y z w)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N x 3 (x y heading), N x 4 (time first) or N x 8 (time x y z qx qy qz qw)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number in field {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many ranges follow, at most {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} scans and poses at a time that was there are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found no scan, expected some</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses alone are no recording: give the scans, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no poses: the scans are to tell the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found poses from {} to {} s, expected those of the scans, {} to {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} scans before or after the poses are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an array of numpy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>real or whole numbers: f4 f8 i1 to i8 u1 to u8 b1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a .npy of numpy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most {} extents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} values of {} bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a damaged directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a .npz as numpy saves it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file that is cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no directory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an entry without its size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than {} MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a damaged entry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>packing method {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>damaged data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: lengths taken as centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: lengths taken as millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: times taken as {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: headings taken as degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: {} ranges a scan taken as {:.1f}° to {:.1f}°, left is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found {} ranges a scan, expected the directions they look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FIRST:STEP in degrees, 0 ahead, positive to the left, as -90:0.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: ranges from {:.2f} m on taken as nothing that came back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, as the lines before have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows of numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a column of {}: a number from 1 to {}, A-B, or one of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found the columns {}{}, expected to know which hold what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ROLE=COLUMN,… as time=1,ranges=2-362 or time=t,x=px,y=py</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found no column of times, expected one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found x and y without a heading, expected one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading=COLUMN, or qx=…,qy=…,qz=…,qw=…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scans that lie {:.2f} m off each other along the odometry, but {:.2f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found {} with y the other way, expected both to turn alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor is mounted upside down or counts its angles clockwise (y of the points has the wrong sign), or the odometry turns the wrong way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the points with y the other way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found {} with other axes, expected x forward and y left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points look like x right, y forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points look turned around: x backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the points as x right, y forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the points around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found {} with shorter motions, expected metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like millimetres: multiply x and y by 0.001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like centimetres: multiply x and y by 0.01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the odometry as millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the odometry as centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: buildings: found half of them longer than {:.0f} m, expected metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}{}: found a key that nothing knows, expected {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without it the usual value holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: building {}: </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found a way that leads through its buildings on {:.0f} % of {:.0f} m, mirrored it would not, expected y up and headings counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is y of the drawing down, as in pictures, or does the odometry turn the wrong way?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found a robot that drives {:.0f} m/s, expected metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>headings are counted from y: x looks right, y forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the headings from y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x looks left or y backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the headings to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>headings are counted clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the headings clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>headings are those of a compass, clockwise from north</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the headings as a compass&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot drives backwards, or x looks back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the headings around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found a robot that does not drive where it looks, expected headings counter-clockwise from x, x forward and y left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>likely {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found one heading all along a way that turns, expected that of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>likely qx qy qz qw is not told (0 0 0 1), or w comes first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found {} gaps with frames in them, the longest of {:.1f} s from {} s on, expected a pose each {:.2g} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there the robot is taken to go straight at one speed; --odometry scan or visual tells more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: frame {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found half of the points farther away than {:.0f} m, expected metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like centimetres: multiply x, y and z by 0.01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like millimetres: multiply x, y and z by 0.001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the points as centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the points as millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: range_limit_m: found {:.0f} % of the returns beyond {} m, where they are not used, expected the reach of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;range_limit_m&quot;: {} in recording.json takes them in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See {} m far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found the ground at z = {:.1f} m, expected it at 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z looks counted from the sensor: add its height, some {:.1f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raise the points by {:.1f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found w = 0 in all points: none of them counts, expected how surely each is on a building</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where nothing is known of that, w is 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: frame {}: found {} of {} points files missing, the first here, expected all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was the folder copied whole?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: frame {}: time_s: found {:.4g} s from frame to frame, expected seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these look like {}: multiply time_s by {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the times as {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frames look like {}, the odometry like seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the odometry looks like {}, the frames like seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two clocks: the frames begin at {} s, the odometry at {} s; give both the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: found times from {} to {} s, expected those of the frames, {} to {} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seconds; this looks like {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>16 bytes a point (x y z w) or 12 (x y z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>w from 0 to 1: how surely a point is on a building, no intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} bytes from byte {} on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no more bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: {}: found a key that nothing knows, expected {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a quaternion that tips the robot over, as {} of {} do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>qx qy qz qw of x forward, y left, z up: is w the first of yours?</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 // From a world to its corrected map.
 #include <csignal>
+#include <regex>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -135,18 +136,45 @@ TEST_F(Journey, SimulatesAMapOfOnesOwn) {
   EXPECT_FALSE(fs::exists("blocked"));
 }
 
+std::string partOfFrame3() {
+  const std::string table = contentOf("rec/frames.csv");
+  std::smatch found;
+  std::regex_search(table, found, std::regex(R"(\n3,[^\n]*(points/[^\n]*))"));
+  return "rec/" + found[1].str();
+}
+
 TEST_F(Journey, SkipsAFrameThatCannotBeRead) {
-  writeText("rec/points/000003.bin", "7 bytes");
+  const std::string table = contentOf("rec/frames.csv");
+  writeText("rec/frames.csv",
+            std::regex_replace(table, std::regex(R"((\n3,[^\n]*\+)\d+)"), "$017"));
   const Outcome outcome = run(slam({"--to", "6", "--report", "report.json"}));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(complaints(outcome.err),
-            "handmap-cli: frame 3 skipped: rec/points/000003.bin: found 7 bytes, expected 16 "
-            "bytes a point, at least one point\n");
+            "handmap-cli: frame 3 skipped: " + partOfFrame3() +
+                ": found 7 bytes, expected 16 bytes a point (x y z w) or 12 (x y z)\n");
   EXPECT_EQ(outcome.out.find("6 observations used, 1 skipped\n"), 0U) << outcome.out;
   EXPECT_EQ(nlohmann::json::parse(contentOf("report.json"))["skipped"][0]["frame"], 3);
   const Outcome checked = run({"validate", "rec"});
   EXPECT_EQ(checked.status, 2);
   EXPECT_EQ(checked.out, "");
+}
+
+TEST_F(Journey, ALaserWithoutOdometryRuns) {
+  ASSERT_EQ(run({"simulate", "--laser", "--out", "laser"}).status, 0);
+  fs::remove("laser/odometry.tum");
+  const Outcome outcome =
+      run({"run", "--map", "laser/sketch.handmap", "--recording", "laser", "--to", "20", "--json"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find("odometry: none is recorded, the scans tell the motion\n"), 0U);
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(result["observations"], 21);
+  EXPECT_EQ(result["buildings"].size(), 6U);
+}
+
+TEST_F(Journey, QuietItSaysNothing) {
+  const Outcome outcome = run(slam({"--to", "6", "--quiet"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
 }
 
 TEST_F(Journey, FailsWithoutAReadableFrame) {

@@ -35,7 +35,7 @@ TEST_F(Outputs, AreRefusedOverTheFilesOfARecording) {
   for (const auto& [option, file] : {std::pair("--trajectory", "R/odometry.tum"),
                                      {"--out", "R/frames.csv"},
                                      {"--report", "R/recording.json"},
-                                     {"--local-map", "R/points/000002.bin"},
+                                     {"--local-map", "R/points/minute-0000.bin"},
                                      {"--trajectory", "R/truth.tum"},
                                      {"--trajectory", "link/odometry.tum"},
                                      {"--out", "table.csv"},

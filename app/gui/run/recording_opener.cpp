@@ -1,6 +1,7 @@
 #include "app/gui/run/recording_opener.h"
 
 #include "app/gui/run/demonstration.h"
+#include "core/plausibility/plausibility.h"
 
 namespace handmap {
 
@@ -43,7 +44,7 @@ void RecordingOpener::begin(std::function<Answer()> open) {
     self->post([request, answer = answerOf(open)](RecordingOpener& opener) {
       if (request != opener.request_) return;
       if (const auto* opened = std::get_if<Opened>(&answer)) {
-        Q_EMIT opener.opened(opened->recording, opened->acts);
+        Q_EMIT opener.opened(opened->recording, opened->acts, opened->doubts);
       } else if (const auto* poses = std::get_if<Poses>(&answer)) {
         Q_EMIT opener.posesOpened(*poses);
       } else if (const auto* robot = std::get_if<Robot>(&answer)) {
@@ -58,7 +59,19 @@ void RecordingOpener::begin(std::function<Answer()> open) {
 void RecordingOpener::open(const QString& folder) {
   forget();
   begin([stop = stop_.get_token(), path = std::filesystem::path(folder.toStdString())]() -> Answer {
-    return Opened{std::make_shared<const Recording>(openRecording(path, stop)), readActs(path)};
+    auto recording = std::make_shared<const Recording>(openRecording(path, stop));
+    Doubts doubts = doubtsOf(*recording, stop);
+    return Opened{std::move(recording), readActs(path), std::move(doubts)};
+  });
+}
+
+void RecordingOpener::readAgain(const std::shared_ptr<const Recording>& recording,
+                                const Remedy& remedy, const std::vector<Act>& acts) {
+  forget();
+  begin([stop = stop_.get_token(), recording, remedy, acts]() -> Answer {
+    auto read = std::make_shared<const Recording>(remedied(*recording, remedy));
+    Doubts doubts = doubtsOf(*read, stop);
+    return Opened{std::move(read), acts, std::move(doubts)};
   });
 }
 

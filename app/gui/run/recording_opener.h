@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "app/gui/run/robot.h"
+#include "core/plausibility/doubt.h"
 #include "core/recording/recording.h"
 #include "core/session/acts.h"
 #include "widgets/background/background.h"
@@ -25,6 +26,9 @@ class RecordingOpener : public QObject {
 
   /// What was asked for before is forgotten, and ends.
   void open(const QString& folder);
+  /// The same recording, read as it is likely meant.
+  void readAgain(const std::shared_ptr<const Recording>& recording, const Remedy& remedy,
+                 const std::vector<Act>& acts);
   void openPoses(const QString& tum_file);
   /// See simulationOfDrawing().
   void simulate(const Map& drawing, std::uint64_t seed);
@@ -33,9 +37,9 @@ class RecordingOpener : public QObject {
   void forgetSimulation();
 
  Q_SIGNALS:
-  /// With what a person said while it was made.
+  /// With what a person said while it was made, and what in its numbers is likely not meant so.
   void opened(const std::shared_ptr<const handmap::Recording>& recording,
-              const std::vector<handmap::Act>& acts);
+              const std::vector<handmap::Act>& acts, const handmap::Doubts& doubts);
   void posesOpened(const std::vector<handmap::StampedPose>& poses);
   void simulated(const handmap::Robot& robot);
   void failed(const handmap::Failure& failure);
@@ -44,6 +48,7 @@ class RecordingOpener : public QObject {
   struct Opened {
     std::shared_ptr<const Recording> recording;
     std::vector<Act> acts;
+    Doubts doubts;
   };
   using Poses = std::vector<StampedPose>;
   using Answer = std::variant<Opened, Poses, Robot, Failure>;

@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "core/odometry/visual_odometry_source.h"
 #include "core/simulation/simulated_source.h"
+#include "core/trajectory/odometry_choice.h"
 
 namespace handmap {
 
@@ -14,7 +14,7 @@ Robot recordedRobot(std::shared_ptr<const Recording> recording) {
   robot.connect = [recording = std::move(recording)](const ReplayOptions& options,
                                                      const std::stop_token&,
                                                      const std::function<void(double)>&) {
-    return replayWithOdometry(*recording, options);
+    return replayWithOdometry(*recording, options, OdometryKind::Recorded).source;
   };
   return robot;
 }

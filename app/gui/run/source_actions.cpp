@@ -17,6 +17,7 @@ namespace handmap {
 
 namespace {
 
+const QString kDoubtTopic = QStringLiteral("recording-doubt-");
 constexpr auto kRecordingFolderKey = "files/recording_folder";
 
 }  // namespace
@@ -103,7 +104,7 @@ void SourceActions::askForRecording() {
 void SourceActions::openRecording(const QString& folder) { opener_.open(folder); }
 
 void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
-                             const std::vector<Act>& acts) {
+                             const std::vector<Act>& acts, const Doubts& doubts) {
   Robot robot = recordedRobot(recording);
   robot.acts = acts;
   setRobot(std::move(robot));
@@ -115,6 +116,33 @@ void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
                             : tr("Draw the buildings and where the robot starts, or open "
                                  "the drawing; then press Run."));
   tellActs();
+  tellDoubts(recording, acts, doubts);
+}
+
+void SourceActions::withdrawDoubts() {
+  for (const Message* message : shell_.messages.messages()) {
+    const QString topic = message->topic();
+    if (topic.startsWith(kDoubtTopic)) shell_.messages.withdraw(topic);
+  }
+}
+
+/// Each with a button that reads the recording as it is likely meant.
+void SourceActions::tellDoubts(const std::shared_ptr<const Recording>& recording,
+                               const std::vector<Act>& acts, const Doubts& doubts) {
+  withdrawDoubts();
+  for (const Doubt& doubt : doubts) {
+    Message& message = shell_.messages.show(
+        doubt.certain ? MessageBar::Kind::Error : MessageBar::Kind::Warning,
+        QString::fromStdString(doubt.message), QString::fromStdString(doubt.hint),
+        kDoubtTopic + QString::fromStdString(doubt.code));
+    if (!doubt.remedy) continue;
+    message.addAction(QString::fromStdString(doubt.remedy->name),
+                      [this, recording, acts, remedy = *doubt.remedy] {
+                        withdrawDoubts();
+                        opener_.readAgain(recording, remedy, acts);
+                      });
+    break;  // the others are looked for anew then
+  }
 }
 
 void SourceActions::tellActs() {

@@ -53,7 +53,11 @@ class SourceActions : public QObject {
 
  private:
   void addSimulatorMenu();
-  void onOpened(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts);
+  void onOpened(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts,
+                const Doubts& doubts);
+  void withdrawDoubts();
+  void tellDoubts(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts,
+                  const Doubts& doubts);
   bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
   void askForPoses();

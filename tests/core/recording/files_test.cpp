@@ -173,15 +173,42 @@ TEST_F(Files, PointsReadBack) {
   EXPECT_EQ(test::pointBytes(again), test::pointBytes(points));
 }
 
-TEST_F(Files, BadPointsAreRefused) {
+TEST_F(Files, APointThatIsNotFiniteIsLeftOut) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  refusePoints("", {"p.bin", "0 bytes"});
+  const auto points = readPoints(folder_.write(
+      "p.bin", test::pointBytes({{1, 2, 3, 1}, {kNan, 2, 3, 1}, {1, kInfinity, 3, 1}})));
+  EXPECT_EQ(test::pointBytes(points), test::pointBytes({{1, 2, 3, 1}}));
+}
+
+TEST_F(Files, AnEmptyFileIsAScanInWhichNothingCameBack) {
+  EXPECT_TRUE(readPoints(folder_.write("p.bin", "")).empty());
+}
+
+TEST_F(Files, WithoutLikelihoodItIsOne) {
+  const std::vector<float> xyz{1, 2, 3, 4, -5, 6, 7, 8, 9, 10, 11, -12};
+  for (const std::size_t points : {3U, 4U}) {
+    const std::string bytes(reinterpret_cast<const char*>(xyz.data()), 12 * points);
+    const auto read = readPoints(folder_.write("p.bin", bytes));
+    ASSERT_EQ(read.size(), points);
+    EXPECT_EQ(read[1].y, -5.0F);
+    EXPECT_EQ(read[1].w, 1.0F);
+  }
+}
+
+TEST_F(Files, APartOfAPointsFile) {
+  const std::vector<RangePoint> points = {{1, 2, 3, 1}, {4, 5, 6, 1}, {7, 8, 9, 1}};
+  const std::string file = folder_.write("p.bin", test::pointBytes(points)).string();
+  EXPECT_EQ(readPoints(file + "@16+32")[0].x, 4.0F);
+  EXPECT_TRUE(readPoints(file + "@48+0").empty());
+  expectBadInput([&] { readPoints(file + "@32+32"); }, {"p.bin", "48 bytes", "from byte 32"});
+}
+
+TEST_F(Files, BadPointsAreRefused) {
   refusePoints(std::string(17, 'x'), {"17 bytes", "16 bytes a point"});
-  refusePoints(test::pointBytes({{1, 2, 3, 1}, {kNan, 2, 3, 1}, {1, kInfinity, 3, 1}}),
-               {"2 points that are not finite"});
   refusePoints(test::pointBytes({{1, 2, 3, 1.5f}}), {"1 points with w outside"});
-  refusePoints(test::pointBytes({{1, 2, 3, -0.5f}, {1, 2, 3, kNan}}), {"2 points with w"});
+  refusePoints(test::pointBytes({{1, 2, 3, -0.5f}, {1, 2, 3, 2}}), {"2 points with w"});
+  refusePoints(test::pointBytes({{1, 2, 3, 200}, {1, 2, 3, 90}, {1, 2, 3, 4}}), {"no intensity"});
   expectBadInput([&] { readPoints(folder_.path() / "none.bin"); }, {"none.bin", "no such file"});
   const auto huge = folder_.write("huge.bin", "");
   std::filesystem::resize_file(huge, (64u << 20) + 16);

@@ -54,8 +54,8 @@ TEST(Recording, RefusesBadDescriptions) {
   const std::string head = R"("format": "handmap-recording", "version": 1)";
   refuse("", {"recording.json: format: found nothing"});
   refuse(R"("format": "handmap", "version": 1)", {"format: found \"handmap\""});
-  refuse(R"("format": "handmap-recording", "version": 2)",
-         {"recording.json: version: found 2", "up to 1", "update the program"});
+  refuse(R"("format": "handmap-recording", "version": 3)",
+         {"recording.json: version: found 3", "up to 2", "update the program"});
   refuse(R"("format": "handmap-recording", "version": "1")", {"version: found \"1\""});
   refuse(head + R"(, "range_limit_m": 0.5)", {"range_limit_m: found 0.5"});
   refuse(head + R"(, "range_limit_m": 10000)",

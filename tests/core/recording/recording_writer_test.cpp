@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
@@ -136,7 +138,7 @@ TEST(RecordingWriter, AFullDiskLeavesWholeRows) {
   EXPECT_EQ(recording.odometry.poses().size(), static_cast<std::size_t>(written));
 }
 
-TEST(RecordingWriter, AViewThatSawNothingLeavesNoRow) {
+TEST(RecordingWriter, KeepsAScanInWhichNothingCameBack) {
   const test::TemporaryFolder folder;
   RecordingWriter writer(folder.path(), SourceInfo{});
   for (int frame = 0; frame < 3; ++frame) {
@@ -146,8 +148,29 @@ TEST(RecordingWriter, AViewThatSawNothingLeavesNoRow) {
     writer.add(observation);
   }
   const Recording recording = openRecording(folder.path());
-  EXPECT_EQ(test::framesOf(*replay(recording, {})), (std::vector<int>{0, 2}));
+  EXPECT_EQ(test::framesOf(*replay(recording, {})), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(recording.odometry.poses().size(), 3u);
+}
+
+TEST(RecordingWriter, PutsTheScansOfAMinuteIntoOneFile) {
+  const test::TemporaryFolder folder;
+  RecordingWriter writer(folder.path(), SourceInfo{});
+  for (int frame = 0; frame < 1300; ++frame) {  // ten a second
+    Observation observation = movingObservation(frame);
+    observation.views[0].left.release();
+    writer.add(observation);
+  }
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "points")) {
+    files.push_back(entry.path().filename().string());
+  }
+  std::sort(files.begin(), files.end());
+  EXPECT_EQ(files,
+            (std::vector<std::string>{"minute-0000.bin", "minute-0001.bin", "minute-0002.bin"}));
+  const auto source = replay(openRecording(folder.path()), {});
+  for (int frame = 0; frame < 1300; ++frame) {
+    ASSERT_EQ(source->next()->views[0].points->front().x, static_cast<float>(frame));
+  }
 }
 
 TEST(RecordingWriter, RefusesAFolderThatIsNotEmpty) {

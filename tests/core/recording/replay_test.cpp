@@ -134,7 +134,7 @@ TEST(Replay, RowsOfOneStopAreOneObservation) {
   EXPECT_EQ(stop->views[2].points->front().x, 4.0f);
   EXPECT_EQ(framesOf(*source), (Frames{3, 4, 5}));
   EXPECT_EQ(framesOf(*open(example, {.every = 2})), (Frames{0, 4}));
-  example.folder().write("points/4.bin", "");
+  example.folder().write("points/4.bin", "7 bytes");
   EXPECT_EQ(framesOf(*open(example)), (Frames{-0, 3, 4, -5}));
 }
 

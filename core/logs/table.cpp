@@ -1,0 +1,202 @@
+#include "core/logs/table.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include <fmt/ranges.h>
+
+#include "core/base/phrase.h"
+#include "core/base/text.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kMostNumbers = 64u << 20;
+constexpr std::size_t kMostColumns = 20'000;
+
+std::string lowercase(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+char separatorOf(std::string_view line) {
+  for (const char separator : {',', ';', '\t'}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return ' ';
+}
+
+std::vector<std::string_view> fieldsOf(std::string_view line, char separator) {
+  return separator == ' ' ? splitWords(line) : splitFields(line, separator);
+}
+
+std::optional<double> numberIn(std::string_view field) {
+  if (const auto value = parseFinite(field)) return value;
+  const std::string word = lowercase(trimmed(field));
+  const bool none = word.empty() || word == "nan" || word == "-nan" || word.ends_with("inf") ||
+                    word == "infinity" || word == "none" || word == "null";
+  return none ? std::optional(std::numeric_limits<double>::quiet_NaN()) : std::nullopt;
+}
+
+struct RoleNames {
+  const char* role;
+  std::vector<std::string_view> names;
+};
+
+/// Those of common programs; of rostopic echo -p without "field.".
+const std::vector<RoleNames>& roleNames() {
+  static const std::vector<RoleNames> kNames{
+      {"time",
+       {"time", "time_s", "t", "timestamp", "stamp", "%time", "seconds", "secs", "time_ms",
+        "time_us", "time_ns", "timestamp_ms", "timestamp_us", "timestamp_ns"}},
+      {"scan", {"scan", "scan_id", "frame", "seq"}},
+      {"x",
+       {"x", "x_m", "px", "pos_x", "pose_x", "odom_x", "x_mm", "x_cm", "pose.pose.position.x"}},
+      {"y",
+       {"y", "y_m", "py", "pos_y", "pose_y", "odom_y", "y_mm", "y_cm", "pose.pose.position.y"}},
+      {"z", {"z", "z_m", "z_mm", "z_cm"}},
+      {"w", {"w"}},
+      {"heading",
+       {"heading", "theta", "yaw", "th", "phi", "heading_rad", "heading_deg", "theta_rad",
+        "theta_deg", "yaw_rad", "yaw_deg", "odom_theta", "odom_yaw"}},
+      {"qx", {"qx", "q_x", "pose.pose.orientation.x"}},
+      {"qy", {"qy", "q_y", "pose.pose.orientation.y"}},
+      {"qz", {"qz", "q_z", "pose.pose.orientation.z"}},
+      {"qw", {"qw", "q_w", "pose.pose.orientation.w"}},
+      {"angle_min", {"angle_min"}},
+      {"angle_increment", {"angle_increment", "angle_step"}},
+      {"range_max", {"range_max"}}};
+  return kNames;
+}
+
+/// range_0, ranges[12], r7, ranges0, 0 …
+bool isRangeName(const std::string& name) {
+  const std::size_t letters = name.find_first_of("0123456789");
+  if (letters == std::string::npos || letters == 0) return false;
+  const std::string word = name.substr(0, name.find_first_of("_[0123456789"));
+  return word == "range" || word == "ranges" || word == "r" || word == "d" || word == "dist";
+}
+
+std::string plainName(const std::string& name) {
+  std::string plain = lowercase(name);
+  if (plain.starts_with("field.")) plain.erase(0, 6);
+  return plain;
+}
+
+}  // namespace
+
+Table parseTable(std::string_view content, const std::string& file, const std::stop_token& stop) {
+  Table table;
+  table.file = file;
+  ContentLines lines(content);
+  char separator = ',';
+  while (const auto line = lines.next()) {
+    throwIfStopped(stop);
+    const bool first = table.names.empty();
+    if (first) separator = separatorOf(line->text);
+    const auto fields = fieldsOf(line->text, separator);
+    const std::string place = phrase("line {}", line->number);
+    if (first) {
+      if (fields.size() > kMostColumns) {
+        throwBadInput(file, place, phrase("{} columns", fields.size()),
+                      phrase("at most {}", kMostColumns));
+      }
+      table.has_header =
+          std::ranges::any_of(fields, [](std::string_view f) { return !numberIn(f); });
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        table.names.push_back(table.has_header ? std::string(fields[i]) : std::to_string(i + 1));
+      }
+      if (table.has_header) continue;
+    }
+    if (fields.size() != table.width()) {
+      throwBadInput(file, place, phrase("{} fields", fields.size()),
+                    phrase("{}, as the lines before have", table.width()));
+    }
+    if (table.values.size() + fields.size() > kMostNumbers) {
+      throwBadInput(file, place, phrase("more values"), phrase("at most {}", kMostNumbers));
+    }
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const auto value = numberIn(fields[i]);
+      if (!value) {
+        throwBadInput(file, fmt::format("{}: {}", place, table.names[i]),
+                      fmt::format("\"{}\"", fields[i].substr(0, 40)), phrase("a number"));
+      }
+      table.values.push_back(*value);
+    }
+    table.lines.push_back(line->number);
+  }
+  if (table.rows() == 0) throwBadInput(file, "", phrase("no rows"), phrase("rows of numbers"));
+  return table;
+}
+
+Columns::Columns(const Table& table, const LogOptions& options) : table_(table) {
+  for (std::size_t i = 0; i < table.width(); ++i) {
+    const std::string name = plainName(table.names[i]);
+    if (table.has_header && isRangeName(name)) ranges_.push_back(i);
+    for (const auto& [role, names] : roleNames()) {
+      if (std::ranges::find(names, name) != names.end()) columns_.try_emplace(role, i);
+    }
+  }
+  for (const auto& [role, column] : options.columns) {
+    const std::vector<std::size_t> which = told(role, column);
+    if (role == "ranges") {
+      ranges_ = which;
+    } else {
+      columns_[role] = which.front();
+    }
+  }
+}
+
+std::vector<std::size_t> Columns::told(const std::string& role, const std::string& column) const {
+  const auto named = std::ranges::find(table_.names, column);
+  if (named != table_.names.end()) {
+    return {static_cast<std::size_t>(named - table_.names.begin())};
+  }
+  const std::size_t dash = column.find('-');
+  const auto first = parseInteger(column.substr(0, dash));
+  const auto last =
+      dash == std::string::npos ? first : parseInteger(std::string_view(column).substr(dash + 1));
+  const auto width = static_cast<std::int64_t>(table_.width());
+  if (!first || !last || *first < 1 || *last < *first || *last > width) {
+    const std::vector<std::string> some(
+        table_.names.begin(),
+        table_.names.begin() +
+            static_cast<std::ptrdiff_t>(std::min<std::size_t>(12, table_.width())));
+    throwBadInput("--columns", role, fmt::format("\"{}\"", column),
+                  phrase("a column of {}: a number from 1 to {}, A-B, or one of {}", table_.file,
+                         width, fmt::join(some, " ")));
+  }
+  std::vector<std::size_t> which;
+  for (std::int64_t i = *first; i <= *last; ++i) which.push_back(static_cast<std::size_t>(i - 1));
+  return which;
+}
+
+std::optional<std::size_t> Columns::of(const std::string& role) const {
+  const auto found = columns_.find(role);
+  return found == columns_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> Columns::unitOf(const std::string& role) const {
+  const auto column = of(role);
+  if (!column) return std::nullopt;
+  const std::string name = plainName(table_.names[*column]);
+  if (name == "%time") return 1e-9;  // of rostopic echo -p
+  struct Suffix {
+    std::string_view text;
+    double factor;
+  };
+  for (const Suffix& suffix :
+       {Suffix{"_ms", 1e-3}, Suffix{"_us", 1e-6}, Suffix{"_ns", 1e-9}, Suffix{"_s", 1.0},
+        Suffix{"_mm", 1e-3}, Suffix{"_cm", 1e-2}, Suffix{"_m", 1.0}, Suffix{"_rad", 1.0},
+        Suffix{"_deg", toRadians(1.0)}}) {
+    if (name.ends_with(suffix.text)) return suffix.factor;
+  }
+  return std::nullopt;
+}
+
+}  // namespace handmap

@@ -1,0 +1,207 @@
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/phrase.h"
+#include "core/plausibility/checks.h"
+#include "core/recording/view_reader.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr std::size_t kPairs = 12;
+constexpr double kLeastTurn = 0.17;  // radians: less tells no mirror
+constexpr double kMostTurn = 0.9;    // more sees other things
+constexpr double kLeastMove_m = 0.7;
+constexpr double kMostMove_m = 4.0;
+constexpr double kLeastRange_m = 0.5;
+constexpr double kMostRange_m = 30.0;
+constexpr double kAboveGround_m = 0.6;  // the ground lies on itself wherever it is put
+constexpr double kFlat_m = 0.3;
+constexpr std::size_t kFromPoints = 250;
+constexpr std::size_t kToPoints = 700;
+constexpr double kFarOff_m = 1.0;
+constexpr double kBad_m = 0.15;      // mean distance of scans that do not lie on each other
+constexpr double kMuchBetter = 0.6;  // times that
+constexpr std::size_t kLeastPairs = 4;
+
+struct Pair {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  Pose2 motion;  ///< by the odometry
+};
+
+struct Axes {
+  float xx, xy, yx, yy;
+  double odometry_scale;
+};
+
+/// As they are; mirrored; x right and y forward; turned around; odometry in other units.
+constexpr std::array<Axes, 6> kReadings{{{1, 0, 0, 1, 1.0},
+                                         {1, 0, 0, -1, 1.0},
+                                         {0, 1, -1, 0, 1.0},
+                                         {-1, 0, 0, -1, 1.0},
+                                         {1, 0, 0, 1, 0.001},
+                                         {1, 0, 0, 1, 0.01}}};
+
+std::vector<Vec2> planar(const std::vector<RangePoint>& points, std::size_t most) {
+  float low = 0.0F;
+  float high = 0.0F;
+  for (const RangePoint& p : points) {
+    low = &p == points.data() ? p.z : std::min(low, p.z);
+    high = &p == points.data() ? p.z : std::max(high, p.z);
+  }
+  const bool is_cloud = high - low > kFlat_m;
+  std::vector<Vec2> all;
+  for (const RangePoint& p : points) {
+    const double range_m = std::hypot(p.x, p.y);
+    if (range_m < kLeastRange_m || range_m > kMostRange_m) continue;
+    if (is_cloud && p.z < kAboveGround_m) continue;
+    all.emplace_back(p.x, p.y);
+  }
+  std::vector<Vec2> some;
+  const std::size_t step = all.size() / most + 1;
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
+
+/// Pairs of frames that turn, and some that only move, all along the way.
+std::vector<Pair> pairsOf(const Recording& recording, const std::stop_token& stop) {
+  const std::vector<std::size_t> rows = rowsWithPoints(recording);
+  std::vector<Pair> turning;
+  std::vector<Pair> moving;
+  const std::size_t step = rows.size() / 2000 + 1;
+  for (std::size_t i = 0; i < rows.size(); i += step) {
+    throwIfStopped(stop);
+    const auto from = recording.odometry.at(recording.rows[rows[i]].time_s);
+    for (std::size_t j = i + 1; from && j < std::min(rows.size(), i + 100); ++j) {
+      const auto to = recording.odometry.at(recording.rows[rows[j]].time_s);
+      if (!to) break;
+      const Pose2 motion = between(*from, *to);
+      const bool next = j == i + 1;  // however far: the units may be wrong
+      if (motion.position().norm() > kMostMove_m && !next) break;
+      if (std::abs(motion.heading) > kMostTurn) break;
+      if (std::abs(motion.heading) > kLeastTurn) {
+        turning.push_back({rows[i], rows[j], motion});
+        break;
+      }
+      if (motion.position().norm() > kLeastMove_m) {
+        moving.push_back({rows[i], rows[j], motion});
+        if (motion.position().norm() > 2.0 * kLeastMove_m) break;
+      }
+    }
+  }
+  std::vector<Pair> pairs;
+  for (const std::vector<Pair>* some : {&turning, &moving}) {
+    const std::size_t every = some->size() / kPairs + 1;
+    for (std::size_t i = 0; i < some->size(); i += every) pairs.push_back((*some)[i]);
+  }
+  return pairs;
+}
+
+/// Mean distance of the points of the first scan from those of the second.
+double distanceBetween(const std::vector<Vec2>& from, const std::vector<Vec2>& to,
+                       const Pose2& motion, const Axes& axes) {
+  const auto read = [&](const Vec2& p) {
+    return Vec2(axes.xx * p.x() + axes.xy * p.y(), axes.yx * p.x() + axes.yy * p.y());
+  };
+  const Pose2 scaled{axes.odometry_scale * motion.x, axes.odometry_scale * motion.y,
+                     motion.heading};
+  const Pose2 back = inverse(scaled);
+  double sum_m = 0.0;
+  for (const Vec2& p : from) {
+    const Vec2 there = back.toOuter(read(p));
+    double least = kFarOff_m * kFarOff_m;
+    for (const Vec2& q : to) least = std::min(least, (read(q) - there).squaredNorm());
+    sum_m += std::sqrt(least);
+  }
+  return sum_m / static_cast<double>(from.size());
+}
+
+struct Look {
+  std::array<double, kReadings.size()> off_m{};
+  std::size_t pairs = 0;
+};
+
+Look lookAt(const Recording& recording, const std::stop_token& stop) {
+  Look look;
+  const ViewReader reader(recording);
+  for (const Pair& pair : pairsOf(recording, stop)) {
+    throwIfStopped(stop);
+    View from;
+    View to;
+    try {
+      reader.readPoints(recording.rows[pair.from], from);
+      reader.readPoints(recording.rows[pair.to], to);
+    } catch (const Error&) {
+      continue;
+    }
+    const auto few = planar(*from.points, kFromPoints);
+    const auto many = planar(*to.points, kToPoints);
+    if (few.size() < 30 || many.size() < 30) continue;
+    ++look.pairs;
+    for (std::size_t i = 0; i < kReadings.size(); ++i) {
+      look.off_m[i] += distanceBetween(few, many, pair.motion, kReadings[i]);
+    }
+  }
+  for (double& off_m : look.off_m)
+    off_m /= static_cast<double>(std::max<std::size_t>(1, look.pairs));
+  return look;
+}
+
+Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look) {
+  Doubt doubt;
+  const Axes& axes = kReadings[best];
+  const std::string points = recording.folder.string();
+  const std::string found =
+      phrase("scans that lie {:.2f} m off each other along the odometry, but {:.2f} m",
+             look.off_m[0], look.off_m[best]);
+  doubt.code = best == 1 ? "opposite_turns" : best <= 3 ? "points_axes" : "odometry_units";
+  if (best == 1) {
+    doubt.message =
+        phrase("{}: found {} with y the other way, expected both to turn alike", points, found);
+    doubt.hint = phrase(
+        "the sensor is mounted upside down or counts its angles clockwise (y of the "
+        "points has the wrong sign), or the odometry turns the wrong way");
+    doubt.remedy = Remedy{phrase("Read the points with y the other way")};
+  } else if (best <= 3) {
+    doubt.message =
+        phrase("{}: found {} with other axes, expected x forward and y left", points, found);
+    doubt.hint = best == 2 ? phrase("the points look like x right, y forward")
+                           : phrase("the points look turned around: x backwards");
+    doubt.remedy = Remedy{best == 2 ? phrase("Read the points as x right, y forward")
+                                    : phrase("Turn the points around")};
+  } else {
+    const bool millimetres = best == 4;
+    doubt.message = phrase("{}: found {} with shorter motions, expected metres",
+                           odometryName(recording), found);
+    doubt.hint = millimetres ? phrase("these look like millimetres: multiply x and y by 0.001")
+                             : phrase("these look like centimetres: multiply x and y by 0.01");
+    doubt.remedy = Remedy{millimetres ? phrase("Read the odometry as millimetres")
+                                      : phrase("Read the odometry as centimetres")};
+    doubt.remedy->odometry_scale = axes.odometry_scale;
+  }
+  doubt.remedy->points = {axes.xx, axes.xy, axes.yx, axes.yy, 1.0F, 0.0F};
+  return doubt;
+}
+
+}  // namespace
+
+std::optional<double> scaleByScans(const Recording& recording, const std::stop_token& stop) {
+  const Look look = lookAt(recording, stop);
+  if (look.pairs < kLeastPairs) return std::nullopt;
+  return look.off_m[5] < look.off_m[4] ? kReadings[5].odometry_scale : kReadings[4].odometry_scale;
+}
+
+void checkAgreement(const Recording& recording, const std::stop_token& stop, Doubts& doubts) {
+  if (recording.odometry.empty()) return;
+  const Look look = lookAt(recording, stop);
+  if (look.pairs < kLeastPairs || look.off_m[0] < kBad_m) return;
+  const auto best =
+      static_cast<std::size_t>(std::ranges::min_element(look.off_m) - look.off_m.begin());
+  if (best == 0 || look.off_m[best] > kMuchBetter * look.off_m[0]) return;
+  doubts.push_back(doubtAbout(recording, best, look));
+}
+
+}  // namespace handmap

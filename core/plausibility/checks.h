@@ -1,0 +1,33 @@
+// The parts of doubtsOf(). Each adds what it finds.
+#pragma once
+
+#include <algorithm>
+
+#include "core/plausibility/doubt.h"
+#include "core/plausibility/samples.h"
+
+namespace handmap {
+
+void checkTimes(const Recording& recording, Doubts& doubts);
+void checkOdometry(const Recording& recording, const std::stop_token& stop, Doubts& doubts);
+void checkFiles(const Recording& recording, Doubts& doubts);
+void checkPoints(const Recording& recording, const std::vector<PointsSample>& samples,
+                 Doubts& doubts);
+/// Whether scans lie on each other where the odometry puts them; else how they would.
+void checkAgreement(const Recording& recording, const std::stop_token& stop, Doubts& doubts);
+
+/// Metres a unit of the odometry, 0.01 or 0.001, as the scans lie on each other the better; nullopt
+/// where there are too few.
+std::optional<double> scaleByScans(const Recording& recording, const std::stop_token& stop);
+
+/// "odometry.tum" of the folder.
+std::string odometryName(const Recording& recording);
+
+inline double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace handmap

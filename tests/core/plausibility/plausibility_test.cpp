@@ -1,0 +1,200 @@
+// Right recordings are believed, wrong ones are doubted for their cause, and the remedy cures them.
+#include "core/plausibility/plausibility.h"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "core/plausibility/drawing.h"
+#include "tests/core/recording/example_recording.h"
+
+namespace handmap {
+namespace {
+
+/// What may be changed of a drive through a yard of posts, around a bend.
+struct Drive {
+  std::function<RangePoint(const RangePoint&)> point = [](const RangePoint& p) { return p; };
+  std::function<StampedPose(const StampedPose&)> pose = [](const StampedPose& p) { return p; };
+  std::function<double(double)> time = [](double time_s) { return time_s; };
+  std::function<bool(int)> has_pose = [](int) { return true; };
+  std::function<bool(int)> has_points = [](int) { return true; };
+  std::string json = R"("range_limit_m": 40)";
+};
+
+class Plausibility : public testing::Test {
+ protected:
+  Recording recorded(const Drive& drive) const {
+    RandomStream random(7);
+    std::vector<Vec2> posts;
+    for (int i = 0; i < 300; ++i) {
+      posts.emplace_back(random.uniform(-30, 60), random.uniform(-40, 50));
+    }
+    std::string table = "frame,time_s,points\n";
+    std::vector<StampedPose> poses;
+    for (int i = 0; i < 60; ++i) {
+      const double turn = 0.04 * i;
+      const Pose2 pose{12.0 * std::sin(turn), 12.0 * (1.0 - std::cos(turn)), turn};
+      if (drive.has_pose(i)) poses.push_back(drive.pose({drive.time(0.5 * i), pose}));
+      std::vector<RangePoint> points;
+      for (const Vec2& post : posts) {
+        const Vec2 own = pose.toOwn(post);
+        if (own.norm() > 25.0) continue;
+        points.push_back(
+            drive.point({static_cast<float>(own.x()), static_cast<float>(own.y()), 0.0F, 1.0F}));
+      }
+      const std::string name = "points/" + std::to_string(i) + ".bin";
+      if (drive.has_points(i)) folder_.write(name, test::pointBytes(points));
+      table += fmt::format("{},{},{}\n", i, drive.time(0.5 * i), name);
+    }
+    folder_.write("recording.json",
+                  R"({"format": "handmap-recording", "version": 1, )" + drive.json + "}");
+    folder_.write("frames.csv", table);
+    folder_.write("odometry.tum", formatTum(poses));
+    return openRecording(folder_.path());
+  }
+
+  /// The only doubt there is has this code; its remedy, where it has one, leaves none.
+  static void expectDoubt(const Recording& recording, const std::string& code, bool certain,
+                          const std::string& hint) {
+    const Doubts doubts = doubtsOf(recording);
+    ASSERT_EQ(doubts.size(), 1U) << (doubts.empty() ? "none" : doubts[1].message);
+    EXPECT_EQ(doubts[0].code, code);
+    EXPECT_EQ(doubts[0].certain, certain);
+    EXPECT_NE(doubts[0].hint.find(hint), std::string::npos) << doubts[0].hint;
+    if (!doubts[0].remedy) return;
+    const Doubts left = doubtsOf(remedied(recording, *doubts[0].remedy));
+    EXPECT_TRUE(left.empty()) << left[0].message;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+Drive withPoints(float xx, float xy, float yx, float yy, float raise_m = 0.0F) {
+  Drive drive;
+  drive.point = [=](const RangePoint& p) {
+    return RangePoint{xx * p.x + xy * p.y, yx * p.x + yy * p.y, p.z + raise_m, 1.0F};
+  };
+  return drive;
+}
+
+Drive withPoses(double scale, double sign, double turn) {
+  Drive drive;
+  drive.pose = [=](const StampedPose& p) {
+    return StampedPose{p.time_s,
+                       {scale * p.pose.x, scale * p.pose.y, sign * p.pose.heading + turn}};
+  };
+  return drive;
+}
+
+Drive withTimes(double scale) {
+  Drive drive;
+  drive.time = [scale](double time_s) { return scale * time_s; };
+  return drive;
+}
+
+TEST_F(Plausibility, ARightRecordingIsBelieved) { EXPECT_TRUE(doubtsOf(recorded({})).empty()); }
+
+TEST_F(Plausibility, Units) {
+  expectDoubt(recorded(withPoints(1000, 0, 0, 1000)), "points_units", true, "millimetres");
+  expectDoubt(recorded(withPoints(100, 0, 0, 100)), "points_units", true, "centimetres");
+  expectDoubt(recorded(withPoses(1000, 1, 0)), "odometry_units", true, "millimetres");
+  expectDoubt(recorded(withPoses(100, 1, 0)), "odometry_units", false, "centimetres");
+  expectDoubt(recorded(withTimes(1e9)), "time_units", true, "nanoseconds");
+  expectDoubt(recorded(withTimes(1e3)), "time_units", false, "milliseconds");
+}
+
+TEST_F(Plausibility, Axes) {
+  expectDoubt(recorded(withPoints(1, 0, 0, -1)), "opposite_turns", false, "upside down");
+  expectDoubt(recorded(withPoints(0, -1, 1, 0)), "points_axes", false, "x right, y forward");
+  expectDoubt(recorded(withPoints(-1, 0, 0, -1)), "points_axes", false, "x backwards");
+  expectDoubt(recorded(withPoses(1, 1, -kPi / 2)), "odometry_heading", false, "counted from y");
+  expectDoubt(recorded(withPoses(1, -1, 0)), "odometry_heading", false, "clockwise");
+  expectDoubt(recorded(withPoses(1, 0, 0)), "odometry_heading", false, "w comes first");
+}
+
+TEST_F(Plausibility, Clocks) {
+  Drive drive;
+  drive.pose = [](const StampedPose& p) { return StampedPose{p.time_s + 1.7e9, p.pose}; };
+  expectDoubt(recorded(drive), "two_clocks", true, "two clocks");
+  drive.pose = [](const StampedPose& p) { return StampedPose{1e3 * p.time_s, p.pose}; };
+  expectDoubt(recorded(drive), "two_clocks", true, "the odometry looks like milliseconds");
+}
+
+TEST_F(Plausibility, WhatIsMissing) {
+  Drive drive;
+  drive.has_pose = [](int i) { return i < 20 || i > 35; };
+  expectDoubt(recorded(drive), "odometry_gaps", false, "straight at one speed");
+  drive = {};
+  drive.has_points = [](int i) { return i % 2 == 0; };
+  for (int i = 1; i < 60; i += 2) {
+    std::filesystem::remove(folder_.path() / ("points/" + std::to_string(i) + ".bin"));
+  }
+  expectDoubt(recorded(drive), "points_missing", false, "copied whole");
+}
+
+TEST_F(Plausibility, RangeLimitAndKeys) {
+  Drive drive;
+  drive.json = R"("range_limit_m": 12)";
+  expectDoubt(recorded(drive), "range_limit", false, "\"range_limit_m\": 30");
+  drive.json = R"("range_limit": 40)";
+  const Doubts doubts = doubtsOf(recorded(drive));
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].code, "strange_key");
+  EXPECT_NE(doubts[0].message.find("range_limit: found a key that nothing knows, expected "
+                                   "range_limit_m"),
+            std::string::npos);
+}
+
+TEST_F(Plausibility, HeightsThatWereNotRaised) {
+  Drive drive;
+  int number = 0;
+  drive.point = [&number](const RangePoint& p) {
+    return RangePoint{p.x, p.y, ++number % 3 == 0 ? 0.5F : -1.7F, 1.0F};
+  };
+  expectDoubt(recorded(drive), "heights", false, "1.7 m");
+}
+
+TEST_F(Plausibility, NoPointCounts) {
+  Drive drive;
+  drive.point = [](const RangePoint& p) { return RangePoint{p.x, p.y, p.z, 0.0F}; };
+  expectDoubt(recorded(drive), "likelihood_zero", true, "w is 1");
+}
+
+/// One building inside of the bend, one outside.
+Map yard(double scale, double y_sign) {
+  Map map;
+  map.start = Pose2{0, 0, 0};
+  map.buildings.resize(2);
+  map.buildings[0].id = "A";
+  map.buildings[0].shape = Rectangle{{0, y_sign * scale * 36}, scale * 44, scale * 52, 0};
+  map.buildings[1].id = "B";
+  map.buildings[1].shape = Rectangle{{scale * 30, y_sign * scale * -25}, scale * 60, scale * 30, 0};
+  return map;
+}
+
+TEST_F(Plausibility, OfADrawing) {
+  EXPECT_TRUE(doubtsOfDrawing(yard(1, 1), "m").empty());
+  ASSERT_EQ(doubtsOfDrawing(yard(1000, 1), "m").size(), 1U);
+  EXPECT_EQ(doubtsOfDrawing(yard(1000, 1), "m")[0].hint, "these look like millimetres");
+  Map misspelt = yard(1, 1);
+  misspelt.buildings[0].unknown["fixd"] = "true";
+  ASSERT_EQ(doubtsOfDrawing(misspelt, "m").size(), 1U);
+  EXPECT_EQ(doubtsOfDrawing(misspelt, "m")[0].message,
+            "m: building A: fixd: found a key that nothing knows, expected fixed");
+}
+
+TEST_F(Plausibility, AWayThroughBuildingsThatMirroredKeepsClear) {
+  Drive drive;
+  drive.pose = [](const StampedPose& p) {
+    return StampedPose{p.time_s, {3 * p.pose.x, 3 * p.pose.y, p.pose.heading}};
+  };
+  const Recording recording = recorded(drive);
+  EXPECT_TRUE(doubtsOfWay(recording, yard(1, 1), "m").empty());
+  const Doubts doubts = doubtsOfWay(recording, yard(1, -1), "m");
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].code, "way_through_buildings");
+}
+
+}  // namespace
+}  // namespace handmap
