@@ -24,28 +24,6 @@ struct ImportArguments {
   LogOptions options;
 };
 
-void setColumns(const std::string& text, LogOptions& options) {
-  for (const std::string_view field : splitFields(text, ',')) {
-    const std::size_t equals = field.find('=');
-    if (equals == std::string_view::npos || equals == 0) {
-      throw CLI::ValidationError("--columns",
-                                 fmt::format("found {}, expected ROLE=COLUMN,…", field));
-    }
-    options.columns[std::string(field.substr(0, equals))] = std::string(field.substr(equals + 1));
-  }
-}
-
-void setAngles(const std::string& text, LogOptions& options) {
-  const auto fields = splitFields(text, ':');
-  const auto first = parseFinite(fields[0]);
-  const auto step = fields.size() == 2 ? parseFinite(fields[1]) : std::nullopt;
-  if (!first || !step || *step == 0.0) {
-    throw CLI::ValidationError("--angles",
-                               fmt::format("found {}, expected FIRST:STEP in degrees", text));
-  }
-  options.angles = RayAngles{toRadians(*first), toRadians(*step)};
-}
-
 /// What a word of --units means: one of length, of time or of angle.
 void setUnit(std::string_view word, LogOptions& options) {
   if (word == "m") {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -35,6 +36,11 @@ struct LogOptions {
   std::optional<double> rate_hz = {};       ///< where there are no times
   std::optional<double> most_range_m = {};  ///< nothing came back from there on
 };
+
+/// "time=1,ranges=2-362". Throws Usage.
+void setColumns(std::string_view text, LogOptions& options);
+/// "-90:0.5", degrees. Throws Usage.
+void setAngles(std::string_view text, LogOptions& options);
 
 struct LoggedScan {
   double time_s = 0.0;

@@ -39,6 +39,23 @@
     </message>
 </context>
 <context>
+    <name>handmap::ImportDialog</name>
+    <message numerus="yes">
+        <source>%n scan(s)</source>
+        <translation>
+            <numerusform>%n scan</numerusform>
+            <numerusform>%n scans</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pose(s)</source>
+        <translation>
+            <numerusform>%n pose</numerusform>
+            <numerusform>%n poses</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::IssuesPanel</name>
     <message numerus="yes">
         <source>%n issue(s); a click shows where.</source>

@@ -743,6 +743,14 @@
         <source>How everything is done, with pictures.</source>
         <translation>すべてのやり方を画像つきで説明します。</translation>
     </message>
+    <message>
+        <source>&amp;Import Log…</source>
+        <translation>ログの取り込み(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Make a recording of the log of another program.</source>
+        <translation>ほかのプログラムのログから記録を作ります。</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3300,515 +3308,523 @@
     </message>
     <message>
         <source>{}: found the arrays {}, expected to know which hold what</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 配列 {} がありました。どれが何を持つかが必要です</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>ROLE=ARRAY,… of ranges, points, time, poses, angles</source>
-        <translation type="unfinished"></translation>
+        <translation>役割=配列,… 役割は ranges、points、time、poses、angles</translation>
     </message>
     <message>
         <source>{} times</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 個の時刻</translation>
     </message>
     <message>
         <source>{}: found no times, expected an array of them</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 時刻がありません。時刻の配列が必要です</translation>
     </message>
     <message>
         <source>how many scans a second there are</source>
-        <translation type="unfinished"></translation>
+        <translation>一秒あたりのスキャンの数</translation>
     </message>
     <message>
         <source>scans x ranges</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャン x 距離</translation>
     </message>
     <message>
         <source>{}, one for each range</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 個、距離ごとに一つ</translation>
     </message>
     <message>
         <source>scans x points x 2 to 4 (x y z w)</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャン x 点 x 2 から 4（x y z w）</translation>
     </message>
     <message>
         <source>N x 3 (x y heading), N x 4 (time first) or N x 8 (time x y z qx qy qz qw)</source>
-        <translation type="unfinished"></translation>
+        <translation>N x 3（x y 方位）、N x 4（時刻が先頭）、または N x 8（time x y z qx qy qz qw）</translation>
     </message>
     <message>
         <source>a number in field {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>欄 {} に数（{}）</translation>
     </message>
     <message>
         <source>how many ranges follow, at most {}</source>
-        <translation type="unfinished"></translation>
+        <translation>続く距離の数、最大 {}</translation>
     </message>
     <message>
         <source>{} scans and poses at a time that was there are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>すでにある時刻のスキャンと姿勢 {} 個を除きました</translation>
     </message>
     <message>
         <source>{}: found no scan, expected some</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: スキャンがありません。必要です</translation>
     </message>
     <message>
         <source>poses alone are no recording: give the scans, too</source>
-        <translation type="unfinished"></translation>
+        <translation>姿勢だけでは記録になりません。スキャンも与えてください</translation>
     </message>
     <message>
         <source>no poses: the scans are to tell the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>姿勢なし: 動きはスキャンから求めます</translation>
     </message>
     <message>
         <source>{}: found poses from {} to {} s, expected those of the scans, {} to {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 姿勢は {} から {} 秒です。スキャンの {} から {} 秒のものが必要です</translation>
     </message>
     <message>
         <source>{} scans before or after the poses are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>姿勢の前後のスキャン {} 個を除きました</translation>
     </message>
     <message>
         <source>header</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘッダー</translation>
     </message>
     <message>
         <source>an array of numpy</source>
-        <translation type="unfinished"></translation>
+        <translation>numpy の配列</translation>
     </message>
     <message>
         <source>real or whole numbers: f4 f8 i1 to i8 u1 to u8 b1</source>
-        <translation type="unfinished"></translation>
+        <translation>実数または整数: f4 f8 i1 から i8 u1 から u8 b1</translation>
     </message>
     <message>
         <source>no array</source>
-        <translation type="unfinished"></translation>
+        <translation>配列なし</translation>
     </message>
     <message>
         <source>a .npy of numpy</source>
-        <translation type="unfinished"></translation>
+        <translation>numpy の .npy</translation>
     </message>
     <message>
         <source>a whole header</source>
-        <translation type="unfinished"></translation>
+        <translation>完全なヘッダー</translation>
     </message>
     <message>
         <source>at most {} extents</source>
-        <translation type="unfinished"></translation>
+        <translation>最大 {} 次元</translation>
     </message>
     <message>
         <source>more values</source>
-        <translation type="unfinished"></translation>
+        <translation>それ以上の値</translation>
     </message>
     <message>
         <source>{} values of {} bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 個の値、それぞれ {} バイト</translation>
     </message>
     <message>
         <source>{} entries</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 個の項目</translation>
     </message>
     <message>
         <source>a damaged directory</source>
-        <translation type="unfinished"></translation>
+        <translation>壊れた目録</translation>
     </message>
     <message>
         <source>a .npz as numpy saves it</source>
-        <translation type="unfinished"></translation>
+        <translation>numpy が保存した .npz</translation>
     </message>
     <message>
         <source>a file that is cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>途中で切れたファイル</translation>
     </message>
     <message>
         <source>no directory</source>
-        <translation type="unfinished"></translation>
+        <translation>目録なし</translation>
     </message>
     <message>
         <source>an entry without its size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさのない項目</translation>
     </message>
     <message>
         <source>more than {} MB</source>
-        <translation type="unfinished"></translation>
+        <translation>{} MB を超える量</translation>
     </message>
     <message>
         <source>a damaged entry</source>
-        <translation type="unfinished"></translation>
+        <translation>壊れた項目</translation>
     </message>
     <message>
         <source>packing method {}</source>
-        <translation type="unfinished"></translation>
+        <translation>圧縮方式 {}</translation>
     </message>
     <message>
         <source>no memory</source>
-        <translation type="unfinished"></translation>
+        <translation>メモリー不足</translation>
     </message>
     <message>
         <source>damaged data</source>
-        <translation type="unfinished"></translation>
+        <translation>壊れたデータ</translation>
     </message>
     <message>
         <source>{}: lengths taken as centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 長さをセンチメートルとみなしました</translation>
     </message>
     <message>
         <source>{}: lengths taken as millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 長さをミリメートルとみなしました</translation>
     </message>
     <message>
         <source>milliseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>ミリ秒</translation>
     </message>
     <message>
         <source>microseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>マイクロ秒</translation>
     </message>
     <message>
         <source>nanoseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>ナノ秒</translation>
     </message>
     <message>
         <source>{}: times taken as {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 時刻を{}とみなしました</translation>
     </message>
     <message>
         <source>{}: headings taken as degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 方位を度とみなしました</translation>
     </message>
     <message>
         <source>{}: {} ranges a scan taken as {:.1f}° to {:.1f}°, left is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 一スキャン {} 個の距離を {:.1f}° から {:.1f}°（左が正）とみなしました</translation>
     </message>
     <message>
         <source>{}: found {} ranges a scan, expected the directions they look</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 一スキャンに {} 個の距離があります。それぞれの向きが必要です</translation>
     </message>
     <message>
         <source>FIRST:STEP in degrees, 0 ahead, positive to the left, as -90:0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>最初:刻み（度、前が 0、左が正）、例 -90:0.5</translation>
     </message>
     <message>
         <source>{}: ranges from {:.2f} m on taken as nothing that came back</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {:.2f} m 以上の距離を「返りなし」とみなしました</translation>
     </message>
     <message>
         <source>{} columns</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 列</translation>
     </message>
     <message>
         <source>{}, as the lines before have</source>
-        <translation type="unfinished"></translation>
+        <translation>前の行と同じ {}</translation>
     </message>
     <message>
         <source>rows of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>数の行</translation>
     </message>
     <message>
         <source>a column of {}: a number from 1 to {}, A-B, or one of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} の列: 1 から {} の番号、A-B、または次のどれか: {}</translation>
     </message>
     <message>
         <source>{}: found the columns {}{}, expected to know which hold what</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 列 {}{} がありました。どれが何を持つかが必要です</translation>
     </message>
     <message>
         <source>ROLE=COLUMN,… as time=1,ranges=2-362 or time=t,x=px,y=py</source>
-        <translation type="unfinished"></translation>
+        <translation>役割=列,… 例 time=1,ranges=2-362 または time=t,x=px,y=py</translation>
     </message>
     <message>
         <source>{}: found no column of times, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 時刻の列がありません。必要です</translation>
     </message>
     <message>
         <source>{}: found x and y without a heading, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: x と y に方位がありません。必要です</translation>
     </message>
     <message>
         <source>heading=COLUMN, or qx=…,qy=…,qz=…,qw=…</source>
-        <translation type="unfinished"></translation>
+        <translation>heading=列、または qx=…,qy=…,qz=…,qw=…</translation>
     </message>
     <message>
         <source>scans that lie {:.2f} m off each other along the odometry, but {:.2f} m</source>
-        <translation type="unfinished"></translation>
+        <translation>オドメトリに沿って互いに {:.2f} m ずれ、次の読み方なら {:.2f} m になるスキャン</translation>
     </message>
     <message>
         <source>{}: found {} with y the other way, expected both to turn alike</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {}（y を逆にした場合）がありました。両者は同じ向きに回るはずです</translation>
     </message>
     <message>
         <source>the sensor is mounted upside down or counts its angles clockwise (y of the points has the wrong sign), or the odometry turns the wrong way</source>
-        <translation type="unfinished"></translation>
+        <translation>センサーが逆さに付いているか、角度を時計回りに数えています（点の y の符号が逆）。またはオドメトリの回る向きが逆です</translation>
     </message>
     <message>
         <source>Read the points with y the other way</source>
-        <translation type="unfinished"></translation>
+        <translation>点の y を逆に読む</translation>
     </message>
     <message>
         <source>{}: found {} with other axes, expected x forward and y left</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {}（別の軸の場合）がありました。x は前、y は左のはずです</translation>
     </message>
     <message>
         <source>the points look like x right, y forward</source>
-        <translation type="unfinished"></translation>
+        <translation>点は x が右、y が前のようです</translation>
     </message>
     <message>
         <source>the points look turned around: x backwards</source>
-        <translation type="unfinished"></translation>
+        <translation>点は後ろ向きのようです: x が後ろ</translation>
     </message>
     <message>
         <source>Read the points as x right, y forward</source>
-        <translation type="unfinished"></translation>
+        <translation>点を x が右、y が前として読む</translation>
     </message>
     <message>
         <source>Turn the points around</source>
-        <translation type="unfinished"></translation>
+        <translation>点の向きを前後逆にする</translation>
     </message>
     <message>
         <source>{}: found {} with shorter motions, expected metres</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {}（動きが短い場合）がありました。メートルのはずです</translation>
     </message>
     <message>
         <source>these look like millimetres: multiply x and y by 0.001</source>
-        <translation type="unfinished"></translation>
+        <translation>ミリメートルのようです: x と y に 0.001 を掛けてください</translation>
     </message>
     <message>
         <source>these look like centimetres: multiply x and y by 0.01</source>
-        <translation type="unfinished"></translation>
+        <translation>センチメートルのようです: x と y に 0.01 を掛けてください</translation>
     </message>
     <message>
         <source>Read the odometry as millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>オドメトリをミリメートルとして読む</translation>
     </message>
     <message>
         <source>Read the odometry as centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>オドメトリをセンチメートルとして読む</translation>
     </message>
     <message>
         <source>{}: buildings: found half of them longer than {:.0f} m, expected metres</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 建物の半分が {:.0f} m より長くなっています。メートルのはずです</translation>
     </message>
     <message>
         <source>these look like centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>センチメートルのようです</translation>
     </message>
     <message>
         <source>these look like millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>ミリメートルのようです</translation>
     </message>
     <message>
         <source>{}{}: found a key that nothing knows, expected {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}{}: 知られていないキーがあります。期待したもの: {}</translation>
     </message>
     <message>
         <source>without it the usual value holds</source>
-        <translation type="unfinished"></translation>
+        <translation>それがなければ既定の値になります</translation>
     </message>
     <message>
         <source>{}: building {}: </source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 建物 {}: </translation>
     </message>
     <message>
         <source>{}: found a way that leads through its buildings on {:.0f} % of {:.0f} m, mirrored it would not, expected y up and headings counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 道のりの {:.0f} %（{:.0f} m のうち）が建物の中を通り、鏡像なら通りません。y は上向き、方位は反時計回りのはずです</translation>
     </message>
     <message>
         <source>is y of the drawing down, as in pictures, or does the odometry turn the wrong way?</source>
-        <translation type="unfinished"></translation>
+        <translation>図面の y は画像のように下向きですか。またはオドメトリの回る向きが逆ですか。</translation>
     </message>
     <message>
         <source>{}: found a robot that drives {:.0f} m/s, expected metres</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: ロボットが {:.0f} m/s で走っています。メートルのはずです</translation>
     </message>
     <message>
         <source>headings are counted from y: x looks right, y forward</source>
-        <translation type="unfinished"></translation>
+        <translation>方位が y から数えられています: x が右、y が前</translation>
     </message>
     <message>
         <source>Read the headings from y</source>
-        <translation type="unfinished"></translation>
+        <translation>方位を y から読む</translation>
     </message>
     <message>
         <source>x looks left or y backwards</source>
-        <translation type="unfinished"></translation>
+        <translation>x が左、または y が後ろを向いています</translation>
     </message>
     <message>
         <source>Turn the headings to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>方位を右に 90° 回す</translation>
     </message>
     <message>
         <source>headings are counted clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>方位が時計回りに数えられています</translation>
     </message>
     <message>
         <source>Read the headings clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>方位を時計回りに読む</translation>
     </message>
     <message>
         <source>headings are those of a compass, clockwise from north</source>
-        <translation type="unfinished"></translation>
+        <translation>方位が羅針盤のものです（北から時計回り）</translation>
     </message>
     <message>
         <source>Read the headings as a compass&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>方位を羅針盤のものとして読む</translation>
     </message>
     <message>
         <source>the robot drives backwards, or x looks back</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットが後ろ向きに走っているか、x が後ろを向いています</translation>
     </message>
     <message>
         <source>Turn the headings around</source>
-        <translation type="unfinished"></translation>
+        <translation>方位を前後逆にする</translation>
     </message>
     <message>
         <source>{}: found a robot that does not drive where it looks, expected headings counter-clockwise from x, x forward and y left</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: ロボットが向いている方へ走っていません。方位は x から反時計回り、x は前、y は左のはずです</translation>
     </message>
     <message>
         <source>likely {}</source>
-        <translation type="unfinished"></translation>
+        <translation>おそらく: {}</translation>
     </message>
     <message>
         <source>{}: found one heading all along a way that turns, expected that of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 曲がる道のりでずっと同じ方位です。ロボットの方位のはずです</translation>
     </message>
     <message>
         <source>likely qx qy qz qw is not told (0 0 0 1), or w comes first</source>
-        <translation type="unfinished"></translation>
+        <translation>おそらく qx qy qz qw が与えられていない（0 0 0 1）か、w が先頭です</translation>
     </message>
     <message>
         <source>{}: found {} gaps with frames in them, the longest of {:.1f} s from {} s on, expected a pose each {:.2g} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: フレームのある間に途切れが {} か所あります。最長は {:.1f} 秒（{} 秒から）。{:.2g} 秒ごとの姿勢のはずです</translation>
     </message>
     <message>
         <source>there the robot is taken to go straight at one speed; --odometry scan or visual tells more</source>
-        <translation type="unfinished"></translation>
+        <translation>そこではロボットが一定の速さで直進するとみなします。--odometry scan または visual がより詳しく教えます</translation>
     </message>
     <message>
         <source>{}: frame {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: フレーム {}</translation>
     </message>
     <message>
         <source>{}: found half of the points farther away than {:.0f} m, expected metres</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 点の半分が {:.0f} m より遠くにあります。メートルのはずです</translation>
     </message>
     <message>
         <source>these look like centimetres: multiply x, y and z by 0.01</source>
-        <translation type="unfinished"></translation>
+        <translation>センチメートルのようです: x、y、z に 0.01 を掛けてください</translation>
     </message>
     <message>
         <source>these look like millimetres: multiply x, y and z by 0.001</source>
-        <translation type="unfinished"></translation>
+        <translation>ミリメートルのようです: x、y、z に 0.001 を掛けてください</translation>
     </message>
     <message>
         <source>Read the points as centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>点をセンチメートルとして読む</translation>
     </message>
     <message>
         <source>Read the points as millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>点をミリメートルとして読む</translation>
     </message>
     <message>
         <source>{}: range_limit_m: found {:.0f} % of the returns beyond {} m, where they are not used, expected the reach of the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: range_limit_m: 返りの {:.0f} % が {} m より遠く、使われません。センサーの届く距離のはずです</translation>
     </message>
     <message>
         <source>&quot;range_limit_m&quot;: {} in recording.json takes them in</source>
-        <translation type="unfinished"></translation>
+        <translation>recording.json の &quot;range_limit_m&quot;: {} で使われます</translation>
     </message>
     <message>
         <source>See {} m far</source>
-        <translation type="unfinished"></translation>
+        <translation>{} m まで見る</translation>
     </message>
     <message>
         <source>{}: found the ground at z = {:.1f} m, expected it at 0</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 地面が z = {:.1f} m にあります。0 のはずです</translation>
     </message>
     <message>
         <source>z looks counted from the sensor: add its height, some {:.1f} m</source>
-        <translation type="unfinished"></translation>
+        <translation>z はセンサーから数えられているようです: その高さ約 {:.1f} m を足してください</translation>
     </message>
     <message>
         <source>Raise the points by {:.1f} m</source>
-        <translation type="unfinished"></translation>
+        <translation>点を {:.1f} m 上げる</translation>
     </message>
     <message>
         <source>{}: found w = 0 in all points: none of them counts, expected how surely each is on a building</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: すべての点で w = 0 なので、どれも数えられません。建物にある確かさのはずです</translation>
     </message>
     <message>
         <source>where nothing is known of that, w is 1</source>
-        <translation type="unfinished"></translation>
+        <translation>分からないときは w は 1 です</translation>
     </message>
     <message>
         <source>{}: frame {}: found {} of {} points files missing, the first here, expected all</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: フレーム {}: 点ファイルが {} 個（{} 個のうち）ありません。最初はここです。すべて必要です</translation>
     </message>
     <message>
         <source>was the folder copied whole?</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダーは完全に複写されましたか。</translation>
     </message>
     <message>
         <source>{}: frame {}: time_s: found {:.4g} s from frame to frame, expected seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: フレーム {}: time_s: フレームの間が {:.4g} 秒です。秒のはずです</translation>
     </message>
     <message>
         <source>these look like {}: multiply time_s by {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}のようです: time_s に {} を掛けてください</translation>
     </message>
     <message>
         <source>Read the times as {}</source>
-        <translation type="unfinished"></translation>
+        <translation>時刻を{}として読む</translation>
     </message>
     <message>
         <source>the frames look like {}, the odometry like seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームは{}、オドメトリは秒のようです</translation>
     </message>
     <message>
         <source>the odometry looks like {}, the frames like seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>オドメトリは{}、フレームは秒のようです</translation>
     </message>
     <message>
         <source>two clocks: the frames begin at {} s, the odometry at {} s; give both the same</source>
-        <translation type="unfinished"></translation>
+        <translation>二つの時計: フレームは {} 秒、オドメトリは {} 秒に始まります。同じ時計にしてください</translation>
     </message>
     <message>
         <source>{}: found times from {} to {} s, expected those of the frames, {} to {} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: 時刻は {} から {} 秒です。フレームの {} から {} 秒のはずです</translation>
     </message>
     <message>
         <source>seconds; this looks like {}</source>
-        <translation type="unfinished"></translation>
+        <translation>秒。これは{}のようです</translation>
     </message>
     <message>
         <source>16 bytes a point (x y z w) or 12 (x y z)</source>
-        <translation type="unfinished"></translation>
+        <translation>一点 16 バイト（x y z w）または 12 バイト（x y z）</translation>
     </message>
     <message>
         <source>w from 0 to 1: how surely a point is on a building, no intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>0 から 1 の w: 点が建物にある確かさ（反射強度ではありません）</translation>
     </message>
     <message>
         <source>{} bytes from byte {} on</source>
-        <translation type="unfinished"></translation>
+        <translation>{} バイト（バイト {} から）</translation>
     </message>
     <message>
         <source>no more bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>それ以上のバイトなし</translation>
     </message>
     <message>
         <source>{}: {}: found a key that nothing knows, expected {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: {}: 知られていないキーがあります。期待したもの: {}</translation>
     </message>
     <message>
         <source>a quaternion that tips the robot over, as {} of {} do</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットを倒す四元数（{} 個、全 {} 個のうち）</translation>
     </message>
     <message>
         <source>qx qy qz qw of x forward, y left, z up: is w the first of yours?</source>
-        <translation type="unfinished"></translation>
+        <translation>x が前、y が左、z が上の qx qy qz qw。w が先頭ではありませんか。</translation>
+    </message>
+    <message>
+        <source>--columns: found &quot;{}&quot;, expected ROLE=COLUMN,…</source>
+        <translation>--columns: 「{}」がありました。役割=列,… が必要です</translation>
+    </message>
+    <message>
+        <source>--angles: found &quot;{}&quot;, expected FIRST:STEP in degrees</source>
+        <translation>--angles: 「{}」がありました。最初:刻み（度）が必要です</translation>
     </message>
 </context>
 <context>
@@ -4848,6 +4864,121 @@ Observations: %4</source>
         <source>en</source>
         <extracomment>The folder of the guide in this language, under resources/guide.</extracomment>
         <translation>ja</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ImportDialog</name>
+    <message>
+        <source>Import a log</source>
+        <translation>ログの取り込み</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>取り込む…</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>Headings</source>
+        <translation>方位</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Scans a second</source>
+        <translation>一秒あたりのスキャン</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>As they look</source>
+        <translation>数から判断</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>メートル</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>ミリ秒</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>マイクロ秒</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>ナノ秒</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>ラジアン</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>first:step, e.g. -90:0.5</source>
+        <translation>最初:刻み、例 -90:0.5</translation>
+    </message>
+    <message>
+        <source>Of the ranges of a scan: degrees, 0 ahead, positive to the left.</source>
+        <translation>スキャンの距離の向き: 度、前が 0、左が正。</translation>
+    </message>
+    <message>
+        <source>where there are no times</source>
+        <translation>時刻がないとき</translation>
+    </message>
+    <message>
+        <source>e.g. time=1,ranges=2-362</source>
+        <translation>例 time=1,ranges=2-362</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>読んでいます…</translation>
+    </message>
+    <message>
+        <source>There is no scan in it.</source>
+        <translation>スキャンがありません。</translation>
+    </message>
+    <message>
+        <source>Poses alone are no recording.</source>
+        <translation>姿勢だけでは記録になりません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scan(s)</source>
+        <translation>
+            <numerusform>スキャン %n 個</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pose(s)</source>
+        <translation>
+            <numerusform>姿勢 %n 個</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7201,6 +7332,18 @@ Corrected by a run.</source>
     <message>
         <source>Place the start</source>
         <translation>出発点を置く</translation>
+    </message>
+    <message>
+        <source>Import a log</source>
+        <translation>ログの取り込み</translation>
+    </message>
+    <message>
+        <source>Logs (*.log *.clf *.csv *.txt *.npy *.npz);;All files (*)</source>
+        <translation>ログ (*.log *.clf *.csv *.txt *.npy *.npz);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>A new folder for the recording</source>
+        <translation>記録のための新しいフォルダー</translation>
     </message>
 </context>
 <context>

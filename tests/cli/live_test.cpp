@@ -50,6 +50,16 @@ TEST_F(Live, WhatWasRecordedReplaysToTheSameBytes) {
   EXPECT_EQ(lived.out, again.out);
 }
 
+TEST_F(Live, AfterKill9TheRecordingIsWholeUpToTheLastFrame) {
+  const pid_t program = start(live({"--record", "rec"}));
+  EXPECT_TRUE(waitForRows("rec/frames.csv", 4));
+  EXPECT_EQ(kill(program, SIGKILL), 0);
+  EXPECT_EQ(finish(program).status, -1);
+  const Outcome checked = run({"validate", "rec"});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator("rec/points"), {}), 1);
+}
+
 TEST_F(Live, CtrlCEndsTheDriveAndWritesWhatWasFound) {
   const pid_t program = start(live({"--record", "rec", "--out", "live.handmap"}));
   EXPECT_TRUE(waitForRows("rec/frames.csv", 4));

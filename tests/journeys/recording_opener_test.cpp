@@ -45,6 +45,33 @@ TEST_F(RecordingOpenerTest, OpensARecording) {
   EXPECT_EQ(heard(), QStringList{"one"});
 }
 
+TEST_F(RecordingOpenerTest, DoubtsPointsInMillimetresAndReadsThemAgain) {
+  auto source = simulate(twoRowWorld(2), {}, 2);
+  RecordingWriter writer(path("far").toStdString(), source->info());
+  while (auto observation = source->next()) {
+    for (View& view : observation->views) {
+      for (RangePoint& p : *view.points) p = {1000 * p.x, 1000 * p.y, 1000 * p.z, p.w};
+    }
+    writer.add(*observation);
+  }
+  std::vector<Doubts> doubts;
+  std::shared_ptr<const Recording> recording;
+  QObject::connect(&opener_, &RecordingOpener::opened, &opener_,
+                   [&](const auto& opened, const auto&, const Doubts& told) {
+                     recording = opened;
+                     doubts.push_back(told);
+                   });
+  opener_.open(path("far"));
+  EXPECT_EQ(heard().size(), 1);
+  ASSERT_EQ(doubts.size(), 1U);
+  ASSERT_EQ(doubts[0].size(), 1U);
+  EXPECT_EQ(doubts[0][0].remedy->name, "Read the points as millimetres");
+  opener_.readAgain(recording, *doubts[0][0].remedy, {});
+  heard();
+  ASSERT_EQ(doubts.size(), 2U);
+  EXPECT_TRUE(doubts[1].empty());
+}
+
 TEST_F(RecordingOpenerTest, TellsWhatIsWrongWithAFolder) {
   opener_.open(path("nowhere"));
   ASSERT_EQ(heard().size(), 1);

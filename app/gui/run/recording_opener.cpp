@@ -65,6 +65,18 @@ void RecordingOpener::open(const QString& folder) {
   });
 }
 
+void RecordingOpener::import(const std::shared_ptr<const Log>& log, const QString& folder) {
+  forget();
+  begin([stop = stop_.get_token(), log,
+         path = std::filesystem::path(folder.toStdString())]() -> Answer {
+    std::vector<std::string> notes;
+    writeLog(*log, path, path.filename().string(), notes);
+    auto recording = std::make_shared<const Recording>(openRecording(path, stop));
+    Doubts doubts = doubtsOf(*recording, stop);
+    return Opened{std::move(recording), {}, std::move(doubts)};
+  });
+}
+
 void RecordingOpener::readAgain(const std::shared_ptr<const Recording>& recording,
                                 const Remedy& remedy, const std::vector<Act>& acts) {
   forget();

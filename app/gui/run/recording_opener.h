@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "app/gui/run/robot.h"
+#include "core/logs/log.h"
 #include "core/plausibility/doubt.h"
 #include "core/recording/recording.h"
 #include "core/session/acts.h"
@@ -29,6 +30,8 @@ class RecordingOpener : public QObject {
   /// The same recording, read as it is likely meant.
   void readAgain(const std::shared_ptr<const Recording>& recording, const Remedy& remedy,
                  const std::vector<Act>& acts);
+  /// Makes a recording of a log in that new folder and opens it.
+  void import(const std::shared_ptr<const Log>& log, const QString& folder);
   void openPoses(const QString& tum_file);
   /// See simulationOfDrawing().
   void simulate(const Map& drawing, std::uint64_t seed);

@@ -1,5 +1,6 @@
 #include "app/gui/run/source_actions.h"
 
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
@@ -10,6 +11,7 @@
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
+#include "widgets/importing/import_dialog.h"
 #include "widgets/messages/dialogs.h"
 #include "widgets/messages/message_bar.h"
 
@@ -32,6 +34,7 @@ SourceActions::SourceActions(const Shell& shell, MapDocument& document, FileActi
       setup_(setup),
       opener_(this) {
   shell_.actions.on("run.open_recording", this, [this] { askForRecording(); });
+  shell_.actions.on("file.import_log", this, [this] { askForLog(); });
   shell_.actions.on("run.load_poses", this, [this] { askForPoses(); });
   addSimulatorMenu();
   connect(&files_, &FileActions::drawingReplaced, this, &SourceActions::onDrawingReplaced);
@@ -99,6 +102,29 @@ void SourceActions::askForRecording() {
   if (folder.isEmpty()) return;
   shell_.settings.setValue(kRecordingFolderKey, folder);
   openRecording(folder);
+}
+
+void SourceActions::askForLog() {
+  const QString file =
+      shell_.dialogs.fileToOpen({tr("Import a log"),
+                                 shell_.settings.value(kRecordingFolderKey).toString(),
+                                 tr("Logs (*.log *.clf *.csv *.txt *.npy *.npz);;All files (*)"),
+                                 {},
+                                 {}});
+  if (!file.isEmpty()) importLog(file);
+}
+
+void SourceActions::importLog(const QString& file) {
+  auto* dialog = new ImportDialog({file}, &shell_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
+    const auto log = dialog->log();
+    const QFileInfo info(file);
+    const QString folder = shell_.dialogs.fileToSave(
+        {tr("A new folder for the recording"), info.path(), {}, info.baseName(), {}});
+    if (log && !folder.isEmpty()) opener_.import(log, folder);
+  });
+  dialog->open();
 }
 
 void SourceActions::openRecording(const QString& folder) { opener_.open(folder); }

@@ -30,6 +30,8 @@ class SourceActions : public QObject {
   /// A live robot that is simulated, among two rows of buildings; it starts when the run does.
   bool openVirtualRig(VirtualRigKind kind = VirtualRigKind::Laser);
   void askForRecording();
+  /// Shows what the log of another program holds; once it is right, makes a recording of it.
+  void importLog(const QString& file);
   void setRobot(Robot robot);
 
   /// nullopt: none is chosen yet.
@@ -60,6 +62,7 @@ class SourceActions : public QObject {
                   const Doubts& doubts);
   bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
+  void askForLog();
   void askForPoses();
   void usePoses(const std::vector<StampedPose>& poses);
   void tellActs();
