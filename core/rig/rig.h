@@ -24,7 +24,8 @@
 //    "stops":    {"pans_deg": [-150, -90, …], "standing_s": 1, "every_m": 1, "automatic": true,
 //                 "topic": "/look_around"},          an Empty there asks; of odometry "ros"
 //    "ros":      1,                                  where it is not 2
-//    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS
+//    "publish":  {"ros": "ws://host:9090",           tells pose and map to ROS,
+//                 "tf": true,                        and where its odometry lies on the map
 //                 "foxglove": 8765,                  a port where Foxglove may look on,
 //                 "beyond_this_machine": false,      also from other machines
 //                 "origins": ["https://…"]},         and from these web pages
@@ -123,6 +124,7 @@ struct PublishRig {
   int foxglove = 0;  ///< port; 0: nothing listens
   bool beyond_this_machine = false;
   std::vector<std::string> origins = {};  ///< of web pages that may look on, beside Foxglove's own
+  bool tf = true;  ///< to ROS also map → odom; false: somebody else tells it
   bool operator==(const PublishRig&) const = default;
 };
 

@@ -81,6 +81,26 @@ RigPreview RigMonitor::preview() const {
   return preview_;
 }
 
+std::optional<StampedPose> RigMonitor::odometry() const {
+  const std::scoped_lock lock(mutex_);
+  return odometry_;
+}
+
+std::optional<OdometryFrames> RigMonitor::frames() const {
+  const std::scoped_lock lock(mutex_);
+  return frames_;
+}
+
+void RigMonitor::moved(double time_s, const Pose2& odometry) {
+  const std::scoped_lock lock(mutex_);
+  odometry_ = {time_s, odometry};
+}
+
+void RigMonitor::framed(const OdometryFrames& frames) {
+  const std::scoped_lock lock(mutex_);
+  frames_ = frames;
+}
+
 void RigMonitor::lookAround() {
   const std::scoped_lock lock(mutex_);
   look_around_ = true;

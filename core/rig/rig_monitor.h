@@ -15,6 +15,7 @@
 
 #include "core/recording/observation.h"
 #include "core/rig/device_state.h"
+#include "core/rig/odometry_frames.h"
 #include "core/rig/rig_clock.h"
 
 namespace handmap {
@@ -71,6 +72,11 @@ class RigMonitor {
   /// which stamp by it, of whatever the robot sees with before its odometry; else this machine's.
   double robotTime(double time_s) const;
 
+  /// The newest of a device that measures it, in the rig's odometry frame.
+  std::optional<StampedPose> odometry() const;
+  /// nullopt where no device has named them.
+  std::optional<OdometryFrames> frames() const;
+
   // To be asked of the rig.
   void end() { end_.request_stop(); }  ///< the person ends the drive: the source is at its end
   std::stop_token endToken() const { return end_.get_token(); }
@@ -81,6 +87,8 @@ class RigMonitor {
   void add(DeviceRole role);
   void setState(DeviceRole role, DeviceState state, const std::string& detail);
   void datum(DeviceRole role, double time_s);
+  void moved(double time_s, const Pose2& odometry);
+  void framed(const OdometryFrames& frames);
   void stamped(DeviceRole role, double time_s, double stamp_s);
   void refused(const std::string& reason, const std::string& detail = {});
   void observed(double time_s);
@@ -108,6 +116,8 @@ class RigMonitor {
   RigStatus status_;
   RigPreview preview_;
   std::optional<double> newest_observation_s_;
+  std::optional<StampedPose> odometry_;
+  std::optional<OdometryFrames> frames_;
   bool look_around_ = false;
 };
 

@@ -163,9 +163,10 @@ StopRig readStops(const JsonValue& json) {
 }
 
 PublishRig readPublish(const JsonValue& json) {
-  onlyKnown(json, {"ros", "foxglove", "beyond_this_machine", "origins"});
+  onlyKnown(json, {"ros", "tf", "foxglove", "beyond_this_machine", "origins"});
   PublishRig publish;
   if (json.find("ros")) publish.ros = neededText(json, "ros");
+  if (const auto tf = json.find("tf")) publish.tf = tf->flag();
   if (const auto port = json.find("foxglove")) {
     publish.foxglove = static_cast<int>(port->integer(1, kMaxPort));
   }

@@ -93,6 +93,7 @@ Json stopsJson(const StopRig& stops) {
 Json publishJson(const PublishRig& publish) {
   Json json = Json::object();
   if (!publish.ros.empty()) json["ros"] = publish.ros;
+  if (!publish.tf) json["tf"] = false;
   if (publish.foxglove > 0) json["foxglove"] = publish.foxglove;
   if (publish.beyond_this_machine) json["beyond_this_machine"] = true;
   if (!publish.origins.empty()) json["origins"] = publish.origins;

@@ -69,6 +69,13 @@ void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
   }
 }
 
+PoseState poseState(const FrameReport& report) {
+  constexpr double kSure = 0.9;    // within 2 m: half a lane, or the width of a door and its frame
+  constexpr double kUnsure = 0.5;  // within 5 m: the right side of the right building
+  if (!(report.within[2] >= kUnsure)) return PoseState::Lost;
+  return report.within[1] >= kSure ? PoseState::Sure : PoseState::Unsure;
+}
+
 std::vector<BuildingTrust> trustOf(const Map& refined) {
   std::vector<BuildingTrust> trusts;
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {

@@ -20,6 +20,10 @@ Eigen::Matrix2d positionCovariance(const FrameReport& report);
 /// Writes pose_sigma and within.
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report);
 
+/// Sure enough to drive by; only roughly known; not to be driven by.
+enum class PoseState { Sure, Unsure, Lost };
+PoseState poseState(const FrameReport& report);
+
 /// How sure a building is whose walls were seen.
 struct BuildingTrust {
   std::size_t building;           ///< of the drawing

@@ -201,6 +201,7 @@ void RunSession::State::fillSeen(Snapshot& snapshot, const Tape::Taken& seen,
   snapshot.count = source().observations;
   snapshot.report.frame = observation.frame;
   snapshot.report.time_s = observation.time_s;
+  snapshot.driven = observation.odometry;
   snapshot.truth = poseAt(source().truth, observation.time_s);
   snapshot.local_map = local_map;
   snapshot.image = seen.pictures.image;

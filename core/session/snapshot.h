@@ -77,6 +77,7 @@ struct Snapshot {
   Lazy<Map> map;
   SharedList<StampedPose> trajectory;  ///< best so far, map frame
   SharedList<StampedPose> odometry;    ///< alone, from the same start
+  Pose2 driven;                        ///< odometry of the observation, in its own frame
   std::optional<Pose2> truth;          ///< for drawing; never read by the estimator
   LazyLocalMap local_map;              ///< around report.pose
   cv::Mat image;                       ///< left image, not to be written to; empty without a camera

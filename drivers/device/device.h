@@ -11,6 +11,7 @@
 #include "core/geometry/pose2.h"
 #include "core/recording/observation.h"
 #include "core/rig/device_state.h"
+#include "core/rig/odometry_frames.h"
 
 namespace handmap {
 
@@ -41,6 +42,8 @@ class OdometrySensor : public Device {
  Q_SIGNALS:
   /// In the odometry frame.
   void moved(double time_s, const handmap::Pose2& pose);
+  /// Whenever it changes, before what is moved() in it.
+  void framed(const handmap::OdometryFrames& frames);
   /// The robot stands, and asks its head to look around.
   void lookAsked();
 };

@@ -23,6 +23,8 @@ class OdometryGate {
   /// between nothing is known, it is taken as none.
   std::optional<Pose2> pass(double time_s, const Pose2& pose);
 
+  /// Of the base's frame in the one without leaps.
+  const Pose2& correction() const { return correction_; }
   int heldBack() const { return held_back_; }  ///< confirmed ones not counted
   int restarts() const { return restarts_; }
 

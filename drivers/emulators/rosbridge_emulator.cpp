@@ -110,6 +110,7 @@ void RosbridgeEmulator::obey(QWebSocket* socket, const QCborMap& message) {
     clients_[socket].topics.erase(topic);
   } else if (op == "advertise") {
     types_[topic] = text("type");
+    if (message[QLatin1String("latch")].toBool()) kept_.insert(topic);
   } else if (op == "publish") {
     const QCborMap inner = message[QLatin1String("msg")].toMap();
     publish(topic, inner);

@@ -4,6 +4,7 @@
 #include <QCborMap>
 #include <QHash>
 #include <QObject>
+#include <QSet>
 #include <QUrl>
 #include <QWebSocket>
 #include <QWebSocketServer>
@@ -31,6 +32,8 @@ class RosbridgeEmulator : public QObject {
   void setFragmentSize(int bytes) { fragment_bytes_ = bytes; }
 
   bool hasSubscriber(const QString& topic) const;
+  /// It was advertised so that who comes later gets the last one.
+  bool isKept(const QString& topic) const { return kept_.contains(topic); }
   QString typeOf(const QString& topic) const { return types_.value(topic); }
 
  Q_SIGNALS:
@@ -49,6 +52,7 @@ class RosbridgeEmulator : public QObject {
   quint16 port_ = 0;
   std::map<QWebSocket*, Client> clients_;
   QHash<QString, QString> types_;
+  QSet<QString> kept_;
   int fragment_bytes_ = 0;
   int fragmented_ = 0;
 };

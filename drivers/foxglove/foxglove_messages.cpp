@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 namespace handmap {
 
@@ -14,6 +15,9 @@ using nlohmann::json;
 constexpr double kLine_m = 0.3;
 constexpr int kLineStrip = 0;
 constexpr int kDeleteAll = 1;
+constexpr int kUint8 = 1;  // of Foxglove's numeric types
+constexpr int kFloat32 = 7;
+constexpr int kJpegQuality = 80;  // percent: to look at
 
 QByteArray textOf(const json& value) {
   return QByteArray::fromStdString(value.dump(-1, ' ', false, json::error_handler_t::replace));
@@ -54,49 +58,145 @@ json poseSchema() {
 
 json listOf(const json& items) { return {{"type", "array"}, {"items", items}}; }
 
+json number() { return {{"type", "number"}}; }
+json integer() { return {{"type", "integer"}}; }
+json text() { return {{"type", "string"}}; }
+json bytes() { return {{"type", "string"}, {"contentEncoding", "base64"}}; }
+json object(const json& properties) { return {{"type", "object"}, {"properties", properties}}; }
+
 json lineSchema() {
-  return {{"type", "object"},
-          {"properties",
-           {{"type", {{"type", "integer"}}},
-            {"pose", poseSchema()},
-            {"thickness", {{"type", "number"}}},
-            {"scale_invariant", {{"type", "boolean"}}},
-            {"points", listOf(numbers({"x", "y", "z"}))},
-            {"color", numbers({"r", "g", "b", "a"})}}}};
+  return object({{"type", integer()},
+                 {"pose", poseSchema()},
+                 {"thickness", number()},
+                 {"scale_invariant", {{"type", "boolean"}}},
+                 {"points", listOf(numbers({"x", "y", "z"}))},
+                 {"color", numbers({"r", "g", "b", "a"})}});
+}
+
+json sceneProperties() {
+  const json entity = object({{"timestamp", timeSchema()},
+                              {"frame_id", text()},
+                              {"id", text()},
+                              {"lines", listOf(lineSchema())}});
+  const json deletion = object({{"timestamp", timeSchema()}, {"type", integer()}, {"id", text()}});
+  return {{"deletions", listOf(deletion)}, {"entities", listOf(entity)}};
+}
+
+/// With what all others have.
+json stamped(json properties) {
+  properties["timestamp"] = timeSchema();
+  properties["frame_id"] = text();
+  return properties;
+}
+
+json fieldsSchema() {
+  return listOf(object({{"name", text()}, {"offset", integer()}, {"type", integer()}}));
+}
+
+FoxgloveChannel channelOf(FoxgloveTopic topic, const char* name, const char* schema_name,
+                          const json& properties) {
+  json schema = object(properties);
+  schema["title"] = schema_name;
+  return {static_cast<std::uint32_t>(topic) + 1, QString::fromLatin1(name),
+          QString::fromLatin1(schema_name), QString::fromUtf8(textOf(schema))};
+}
+
+json field(const char* name, int offset, int type) {
+  return {{"name", name}, {"offset", offset}, {"type", type}};
+}
+
+template <typename Item>
+std::string base64(const std::vector<Item>& items) {
+  return QByteArray::fromRawData(reinterpret_cast<const char*>(items.data()),
+                                 static_cast<qsizetype>(items.size() * sizeof(Item)))
+      .toBase64()
+      .toStdString();
 }
 
 }  // namespace
 
-FoxgloveChannel poseChannel(std::uint32_t id, const QString& topic) {
-  const json schema = {
-      {"title", "foxglove.PoseInFrame"},
-      {"type", "object"},
-      {"properties",
-       {{"timestamp", timeSchema()}, {"frame_id", {{"type", "string"}}}, {"pose", poseSchema()}}}};
-  return {id, topic, QStringLiteral("foxglove.PoseInFrame"), QString::fromUtf8(textOf(schema))};
-}
-
-FoxgloveChannel sceneChannel(std::uint32_t id, const QString& topic) {
-  const json entity = {{"type", "object"},
-                       {"properties",
-                        {{"timestamp", timeSchema()},
-                         {"frame_id", {{"type", "string"}}},
-                         {"id", {{"type", "string"}}},
-                         {"lines", listOf(lineSchema())}}}};
-  const json deletion = {{"type", "object"},
-                         {"properties",
-                          {{"timestamp", timeSchema()},
-                           {"type", {{"type", "integer"}}},
-                           {"id", {{"type", "string"}}}}}};
-  const json schema = {
-      {"title", "foxglove.SceneUpdate"},
-      {"type", "object"},
-      {"properties", {{"deletions", listOf(deletion)}, {"entities", listOf(entity)}}}};
-  return {id, topic, QStringLiteral("foxglove.SceneUpdate"), QString::fromUtf8(textOf(schema))};
+std::vector<FoxgloveChannel> foxgloveChannels() {
+  using Topic = FoxgloveTopic;
+  const json transform = {{"timestamp", timeSchema()},
+                          {"parent_frame_id", text()},
+                          {"child_frame_id", text()},
+                          {"translation", numbers({"x", "y", "z"})},
+                          {"rotation", numbers({"x", "y", "z", "w"})}};
+  const json points = stamped({{"pose", poseSchema()},
+                               {"point_stride", integer()},
+                               {"fields", fieldsSchema()},
+                               {"data", bytes()}});
+  const json grid = stamped({{"pose", poseSchema()},
+                             {"column_count", integer()},
+                             {"cell_size", numbers({"x", "y"})},
+                             {"row_stride", integer()},
+                             {"cell_stride", integer()},
+                             {"fields", fieldsSchema()},
+                             {"data", bytes()}});
+  return {
+      channelOf(Topic::Pose, "/handmap/pose", "foxglove.PoseInFrame",
+                stamped({{"pose", poseSchema()}})),
+      channelOf(Topic::Buildings, "/handmap/map", "foxglove.SceneUpdate", sceneProperties()),
+      channelOf(Topic::Transforms, "/tf", "foxglove.FrameTransform", transform),
+      channelOf(Topic::Points, "/handmap/points", "foxglove.PointCloud", points),
+      channelOf(Topic::Particles, "/handmap/particles", "foxglove.PosesInFrame",
+                stamped({{"poses", listOf(poseSchema())}})),
+      channelOf(Topic::Grid, "/handmap/grid", "foxglove.Grid", grid),
+      channelOf(Topic::Image, "/handmap/image", "foxglove.CompressedImage",
+                stamped({{"data", bytes()}, {"format", text()}})),
+  };
 }
 
 QByteArray poseInFrame(double time_s, const Pose2& pose) {
   return textOf({{"timestamp", timeOf(time_s)}, {"frame_id", "map"}, {"pose", poseOf(pose)}});
+}
+
+QByteArray frameTransform(double time_s, const std::string& parent, const std::string& child,
+                          const Pose2& pose) {
+  const json placed = poseOf(pose);
+  return textOf({{"timestamp", timeOf(time_s)},
+                 {"parent_frame_id", parent},
+                 {"child_frame_id", child},
+                 {"translation", placed["position"]},
+                 {"rotation", placed["orientation"]}});
+}
+
+QByteArray pointCloud(double time_s, const Pose2& pose, const std::vector<RangePoint>& points) {
+  static_assert(sizeof(RangePoint) == 16);
+  return textOf({{"timestamp", timeOf(time_s)},
+                 {"frame_id", "map"},
+                 {"pose", poseOf(pose)},
+                 {"point_stride", sizeof(RangePoint)},
+                 {"fields", json::array({field("x", 0, kFloat32), field("y", 4, kFloat32),
+                                         field("z", 8, kFloat32), field("wall", 12, kFloat32)})},
+                 {"data", base64(points)}});
+}
+
+QByteArray posesInFrame(double time_s, const std::vector<Pose2>& poses) {
+  json all = json::array();
+  for (const Pose2& pose : poses) all.push_back(poseOf(pose));
+  return textOf({{"timestamp", timeOf(time_s)}, {"frame_id", "map"}, {"poses", all}});
+}
+
+QByteArray gridOf(double time_s, const OccupancyGrid& grid) {
+  return textOf({{"timestamp", timeOf(time_s)},
+                 {"frame_id", "map"},
+                 {"pose", poseOf({grid.origin.x(), grid.origin.y(), 0.0})},
+                 {"column_count", grid.columns},
+                 {"cell_size", {{"x", grid.cell_m}, {"y", grid.cell_m}}},
+                 {"row_stride", grid.columns},
+                 {"cell_stride", 1},
+                 {"fields", json::array({field("building", 0, kUint8)})},
+                 {"data", base64(grid.cells)}});
+}
+
+QByteArray compressedImage(double time_s, const cv::Mat& image) {
+  std::vector<unsigned char> file;
+  cv::imencode(".jpg", image, file, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+  return textOf({{"timestamp", timeOf(time_s)},
+                 {"frame_id", "camera"},
+                 {"data", base64(file)},
+                 {"format", "jpeg"}});
 }
 
 QByteArray sceneUpdate(double time_s, const Map& map) {

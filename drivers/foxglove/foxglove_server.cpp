@@ -41,6 +41,8 @@ std::uint64_t now_ns() {
 
 qint64 now_ms() { return QDeadlineTimer::current(Qt::PreciseTimer).deadline(); }
 
+std::uint32_t idOf(FoxgloveTopic topic) { return static_cast<std::uint32_t>(topic) + 1; }
+
 /// Pages of this machine, and Foxglove's own. Its program for the desktop is a file, or none.
 bool isFamiliar(const QString& origin) {
   const QUrl url(origin);
@@ -71,8 +73,7 @@ FoxgloveServer::FoxgloveServer(FoxgloveOptions options, QObject* parent)
     : QObject(parent),
       options_(std::move(options)),
       server_(QStringLiteral("Handmap"), QWebSocketServer::NonSecureMode),
-      pose_(poseChannel(1, QStringLiteral("/handmap/pose"))),
-      scene_(sceneChannel(2, QStringLiteral("/handmap/map"))) {
+      channels_(foxgloveChannels()) {
   server_.setSupportedSubprotocols(
       {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
   connect(&server_, &QWebSocketServer::newConnection, this, &FoxgloveServer::welcome);
@@ -137,8 +138,9 @@ void FoxgloveServer::welcome() {
                      {"supportedEncodings", json::array()},
                      {"metadata", json::object()},
                      {"sessionId", fmt::format("{}", now_ns())}});
-  sendJson(*socket,
-           {{"op", "advertise"}, {"channels", json::array({described(pose_), described(scene_)})}});
+  json channels = json::array();
+  for (const FoxgloveChannel& channel : channels_) channels.push_back(described(channel));
+  sendJson(*socket, {{"op", "advertise"}, {"channels", channels}});
 }
 
 bool FoxgloveServer::makePlace() {
@@ -210,7 +212,7 @@ void FoxgloveServer::obey(QWebSocket& socket, const QString& text) {
 
 void FoxgloveServer::subscribe(QWebSocket& socket, std::uint32_t subscription,
                                std::uint32_t channel) {
-  if (channel != pose_.id && channel != scene_.id) {
+  if (channel == 0 || channel > channels_.size()) {
     throwBadInput("request", "channelId", fmt::format("{}", channel),
                   phrase("one that was advertised"));
   }
@@ -220,8 +222,8 @@ void FoxgloveServer::subscribe(QWebSocket& socket, std::uint32_t subscription,
                   phrase("at most {}", kMostSubscriptions));
   }
   channels[subscription] = channel;
-  if (channel != scene_.id || !map_) return;
-  send(socket, subscription, sceneUpdate(map_time_s_, *map_));
+  const auto kept = kept_.find(channel);
+  if (kept != kept_.end()) send(socket, subscription, kept->second());
 }
 
 // 1, the subscription, nanoseconds since 1970 when it is sent, little-endian; then the message.
@@ -235,22 +237,28 @@ void FoxgloveServer::send(QWebSocket& socket, std::uint32_t subscription,
   socket.sendBinaryMessage(frame + payload);
 }
 
-void FoxgloveServer::publish(std::uint32_t channel, const QByteArray& payload) {
+bool FoxgloveServer::isWatched(FoxgloveTopic topic) const {
+  return std::any_of(clients_.begin(), clients_.end(), [topic](const auto& client) {
+    const auto& watched = client.second.channels;
+    return std::any_of(watched.begin(), watched.end(), [topic](const auto& subscription) {
+      return subscription.second == idOf(topic);
+    });
+  });
+}
+
+void FoxgloveServer::publish(FoxgloveTopic topic, const Make& message) {
+  if (!isWatched(topic)) return;
+  const QByteArray payload = message();
   for (const auto& [socket, client] : clients_) {
     for (const auto& [subscription, subscribed] : client.channels) {
-      if (subscribed == channel) send(*socket, subscription, payload);
+      if (subscribed == idOf(topic)) send(*socket, subscription, payload);
     }
   }
 }
 
-void FoxgloveServer::publishPose(double time_s, const Pose2& pose) {
-  publish(pose_.id, poseInFrame(time_s, pose));
-}
-
-void FoxgloveServer::publishMap(double time_s, std::shared_ptr<const Map> map) {
-  map_ = std::move(map);
-  map_time_s_ = time_s;
-  if (map_) publish(scene_.id, sceneUpdate(time_s, *map_));
+void FoxgloveServer::publishAndKeep(FoxgloveTopic topic, Make message) {
+  publish(topic, message);
+  kept_[idOf(topic)] = std::move(message);
 }
 
 }  // namespace handmap

@@ -1,6 +1,5 @@
-// A server of the Foxglove WebSocket protocol: where the robot is and what the drawing became, for
-// whoever looks on. Nothing listens before listen(), and then on the loopback unless told
-// otherwise.
+// A server of the Foxglove WebSocket protocol: what a run tells, for whoever looks on. Nothing
+// listens before listen(), and then on the loopback unless told otherwise.
 #pragma once
 
 #include <QHostAddress>
@@ -10,12 +9,11 @@
 #include <QWebSocketCorsAuthenticator>
 #include <QWebSocketServer>
 #include <cstdint>
+#include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/map/map.h"
 #include "drivers/foxglove/foxglove_messages.h"
 
 namespace handmap {
@@ -44,10 +42,12 @@ class FoxgloveServer : public QObject {
   quint16 port() const { return server_.serverPort(); }
   int clients() const { return static_cast<int>(clients_.size()); }
 
-  /// Times are seconds since 1970 of the robot's clock, to which what is told belongs.
-  void publishPose(double time_s, const Pose2& pose);
+  bool isWatched(FoxgloveTopic topic) const;
+  /// To whoever watches the topic; `message` is made only if there is one.
+  using Make = std::function<QByteArray()>;
+  void publish(FoxgloveTopic topic, const Make& message);
   /// Whoever comes later gets the last one.
-  void publishMap(double time_s, std::shared_ptr<const Map> map);
+  void publishAndKeep(FoxgloveTopic topic, Make message);
 
  Q_SIGNALS:
   void clientsChanged();
@@ -68,17 +68,14 @@ class FoxgloveServer : public QObject {
   void obey(QWebSocket& socket, const QString& text);
   void subscribe(QWebSocket& socket, std::uint32_t subscription, std::uint32_t channel);
   void send(QWebSocket& socket, std::uint32_t subscription, const QByteArray& payload);
-  void publish(std::uint32_t channel, const QByteArray& payload);
 
   FoxgloveOptions options_;
   QWebSocketServer server_;
   QTimer watch_;
   qint64 pinged_ms_ = 0;
   std::map<QWebSocket*, Client> clients_;
-  FoxgloveChannel pose_;
-  FoxgloveChannel scene_;
-  std::shared_ptr<const Map> map_;
-  double map_time_s_ = 0.0;
+  std::vector<FoxgloveChannel> channels_;
+  std::map<std::uint32_t, Make> kept_;  ///< channel → its last message
 };
 
 }  // namespace handmap

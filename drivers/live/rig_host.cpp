@@ -93,9 +93,12 @@ class RigHost::Hosting {
       watch(*devices_.odometry, DeviceRole::Odometry);
       QObject::connect(devices_.odometry.get(), &OdometrySensor::lookAsked, &context_,
                        [this] { guarded([this] { assembler_.lookAround(); }); });
+      QObject::connect(devices_.odometry.get(), &OdometrySensor::framed, &context_,
+                       [this](const OdometryFrames& frames) { monitor_.framed(frames); });
       QObject::connect(devices_.odometry.get(), &OdometrySensor::moved, &context_,
                        [this](double time_s, const Pose2& pose) {
                          monitor_.datum(DeviceRole::Odometry, time_s);
+                         monitor_.moved(time_s, pose);
                          guarded([&] { assembler_.moved(time_s, pose, monitor_.now()); });
                        });
     }

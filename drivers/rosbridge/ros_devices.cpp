@@ -30,12 +30,23 @@ RosOdometry::RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString&
                const RosOdometryMessage read = readOdometry(message);
                const auto told = stream_.take(read.stamp_s, read.pose, arrival_s);
                if (told) {
+                 nameFrames(read);
                  Q_EMIT stamped(told->time_s, read.stamp_s);
                  Q_EMIT moved(told->time_s, told->pose);
                }
                return stream_.detail();
              }) {
   connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
+}
+
+void RosOdometry::nameFrames(const RosOdometryMessage& read) {
+  OdometryFrames frames;
+  if (!read.frame.empty()) frames.odometry = read.frame;
+  if (!read.base.empty()) frames.base = read.base;
+  frames.origin = stream_.origin();
+  if (frames_ == frames) return;
+  frames_ = frames;
+  Q_EMIT framed(frames);
 }
 
 RosOdometry::~RosOdometry() {

@@ -24,9 +24,12 @@ class RosOdometry : public OdometrySensor {
   void close() override;
 
  private:
+  void nameFrames(const RosOdometryMessage& read);
+
   std::shared_ptr<RosbridgeClient> client_;
   QString look_;
   OdometryStream stream_;
+  std::optional<OdometryFrames> frames_;  ///< told last
   RosTopic topic_;
 };
 

@@ -20,6 +20,7 @@ constexpr std::size_t kMostRays = 100'000;
 constexpr std::int64_t kMostPoints = 2'000'000;
 constexpr std::int64_t kMostPointBytes = 1024;
 constexpr std::size_t kMostBytes = 32 << 20;
+constexpr std::size_t kMostName = 300;  // bytes
 constexpr std::int64_t kFloat32 = 7;
 constexpr std::int64_t kFloat64 = 8;
 
@@ -41,6 +42,25 @@ double yawOf(const RosValue& orientation) {
     orientation.fail(phrase("no rotation"), phrase("a quaternion of length 1"));
   }
   return std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
+}
+
+/// Of nav_msgs/Odometry and geometry_msgs/PoseWithCovarianceStamped.
+Pose2 planarPose(const RosValue& message) {
+  const RosValue pose = message.at("pose").at("pose");
+  const RosValue position = pose.at("position");
+  return {position.at("x").number(-kFarthest_m, kFarthest_m),
+          position.at("y").number(-kFarthest_m, kFarthest_m), yawOf(pose.at("orientation"))};
+}
+
+/// ROS 1 may write them with a slash that tf2 does not know.
+std::string frameName(std::string name) {
+  if (name.starts_with('/')) name.erase(0, 1);
+  return name;
+}
+
+std::string frameOf(const RosValue& message) {
+  const auto frame = message.at("header").find("frame_id");
+  return frame ? frameName(frame->text(kMostName)) : std::string();
 }
 
 /// Where a coordinate lies in the bytes of a point.
@@ -72,12 +92,12 @@ Field fieldOf(const RosValue& message, const std::string& name, std::int64_t poi
 }  // namespace
 
 RosOdometryMessage readOdometry(const RosValue& message) {
-  const RosValue pose = message.at("pose").at("pose");
-  const RosValue position = pose.at("position");
-  return {stampOf(message),
-          {position.at("x").number(-kFarthest_m, kFarthest_m),
-           position.at("y").number(-kFarthest_m, kFarthest_m), yawOf(pose.at("orientation"))}};
+  const auto base = message.find("child_frame_id");
+  return {stampOf(message), planarPose(message), frameOf(message),
+          base ? frameName(base->text(kMostName)) : std::string()};
 }
+
+RosPoseMessage readPose(const RosValue& message) { return {planarPose(message), frameOf(message)}; }
 
 RosPointsMessage readLaserScan(const RosValue& message) {
   const double first = message.at("angle_min").number(-100.0, 100.0);

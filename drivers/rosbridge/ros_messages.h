@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -13,12 +14,22 @@
 
 namespace handmap {
 
-/// nav_msgs/Odometry: the pose in the odometry frame.
+/// nav_msgs/Odometry: the pose in the odometry frame, and what the two frames are called; empty
+/// where it is not said.
 struct RosOdometryMessage {
   double stamp_s = 0.0;
   Pose2 pose;
+  std::string frame;
+  std::string base;
 };
 RosOdometryMessage readOdometry(const RosValue& message);
+
+/// geometry_msgs/PoseWithCovarianceStamped, as RViz's 2D Pose Estimate sends it.
+struct RosPoseMessage {
+  Pose2 pose;
+  std::string frame;
+};
+RosPoseMessage readPose(const RosValue& message);
 
 /// In the sensor's frame, w = 1.
 struct RosPointsMessage {

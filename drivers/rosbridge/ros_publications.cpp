@@ -9,8 +9,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kMargin_m = 5.0;
-constexpr double kMostCells = 1e6;
 constexpr double kLine_m = 0.3;
 constexpr int kLineStrip = 4;
 constexpr int kDeleteAll = 3;
@@ -42,28 +40,6 @@ QCborMap poseOf(const Pose2& pose) {
                map({{"x", 0.0}, {"y", 0.0}, {"z", std::sin(half)}, {"w", std::cos(half)}})}});
 }
 
-/// Cells along a row whose centre is inside: between the 1st and 2nd, 3rd and 4th … crossing.
-void fillRow(const Polygon& polygon, double y, const Vec2& origin, double cell_m,
-             std::vector<bool>& cells, std::size_t row_begin, std::size_t columns) {
-  std::vector<double> crossings;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2& a = polygon[i];
-    const Vec2& b = polygon[(i + 1) % polygon.size()];
-    if ((a.y() <= y) == (b.y() <= y)) continue;
-    crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-  }
-  std::sort(crossings.begin(), crossings.end());
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    const auto column = [&](double x) {
-      const double cell = std::ceil((x - origin.x()) / cell_m - 0.5);
-      return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(columns)));
-    };
-    for (std::size_t c = column(crossings[i]); c < column(crossings[i + 1]); ++c) {
-      cells[row_begin + c] = true;
-    }
-  }
-}
-
 }  // namespace
 
 RosTime rosTimeOf(double since_1970_s) {
@@ -73,49 +49,53 @@ RosTime rosTimeOf(double since_1970_s) {
 }
 
 QCborMap poseMessage(const RosHeader& header, const Pose2& pose,
-                     const std::array<double, 3>& sigma) {
-  std::array<double, 36> covariance{};
-  covariance[0] = sigma[0] * sigma[0];
-  covariance[7] = sigma[1] * sigma[1];
-  covariance[35] = sigma[2] * sigma[2];
-  QCborArray numbers;
-  for (const double value : covariance) numbers.append(value);
+                     const Eigen::Matrix3d& covariance) {
+  constexpr int kPlanar[] = {0, 1, 5};  // of x, y, z and the turns about them
+  double numbers[6][6] = {};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) numbers[kPlanar[i]][kPlanar[j]] = covariance(i, j);
+  }
+  QCborArray row_by_row;
+  for (const auto& row : numbers) {
+    for (const double number : row) row_by_row.append(number);
+  }
   return map({{"header", headerOf(header)},
-              {"pose", map({{"pose", poseOf(pose)}, {"covariance", numbers}})}});
+              {"pose", map({{"pose", poseOf(pose)}, {"covariance", row_by_row}})}});
 }
 
-QCborMap gridMessage(const RosHeader& header, const Map& drawing, double cell_m) {
-  std::vector<Polygon> footprints;
-  Vec2 low = drawing.start ? drawing.start->position() : Vec2::Zero();
-  Vec2 high = low;
-  for (const Building& building : drawing.buildings) {
-    footprints.push_back(building.footprint());
-    const Bounds bounds = boundsOf(footprints.back());
-    low = low.cwiseMin(bounds.low);
-    high = high.cwiseMax(bounds.high);
+QCborMap transformsMessage(const std::vector<RosTransform>& transforms, RosVersion version) {
+  QCborArray all;
+  for (const RosTransform& transform : transforms) {
+    const QCborMap pose = poseOf(transform.pose);
+    all.append(map({{"header", headerOf({transform.stamp, transform.parent, version})},
+                    {"child_frame_id", transform.child},
+                    {"transform", map({{"translation", pose[QLatin1String("position")]},
+                                       {"rotation", pose[QLatin1String("orientation")]}})}}));
   }
-  const Vec2 size = high - low + Vec2::Constant(2.0 * kMargin_m);
-  const Vec2 origin = low - Vec2::Constant(kMargin_m);
-  const double cell = std::max(cell_m, std::sqrt(size.prod() / kMostCells));
-  const auto columns = static_cast<std::size_t>(std::ceil(size.x() / cell));
-  const auto rows = static_cast<std::size_t>(std::ceil(size.y() / cell));
-  std::vector<bool> cells(columns * rows);
-  for (const Polygon& polygon : footprints) {
-    const Bounds bounds = boundsOf(polygon);
-    const double first = std::floor((bounds.low.y() - origin.y()) / cell);
-    for (auto r = static_cast<std::size_t>(std::max(first, 0.0)); r < rows; ++r) {
-      const double y = origin.y() + (static_cast<double>(r) + 0.5) * cell;
-      if (y > bounds.high.y()) break;
-      fillRow(polygon, y, origin, cell, cells, r * columns, columns);
-    }
+  return map({{"transforms", all}});
+}
+
+QCborMap diagnosticMessage(const RosHeader& header, const RosDiagnostic& diagnostic) {
+  QCborArray values;
+  for (const auto& [key, value] : diagnostic.values) {
+    values.append(map({{"key", key}, {"value", value}}));
   }
+  const QCborMap status = map({{"level", static_cast<int>(diagnostic.level)},
+                               {"name", diagnostic.name},
+                               {"message", diagnostic.message},
+                               {"hardware_id", QString()},
+                               {"values", values}});
+  return map({{"header", headerOf(header)}, {"status", QCborArray{status}}});
+}
+
+QCborMap gridMessage(const RosHeader& header, const OccupancyGrid& grid) {
   QCborArray data;
-  for (const bool inside : cells) data.append(inside ? 100 : 0);
+  for (const std::uint8_t inside : grid.cells) data.append(inside != 0 ? 100 : 0);
   const QCborMap info = map({{"map_load_time", stampOf(header.stamp, header.version)},
-                             {"resolution", cell},
-                             {"width", static_cast<qint64>(columns)},
-                             {"height", static_cast<qint64>(rows)},
-                             {"origin", poseOf({origin.x(), origin.y(), 0.0})}});
+                             {"resolution", grid.cell_m},
+                             {"width", static_cast<qint64>(grid.columns)},
+                             {"height", static_cast<qint64>(grid.rows)},
+                             {"origin", poseOf({grid.origin.x(), grid.origin.y(), 0.0})}});
   return map({{"header", headerOf(header)}, {"info", info}, {"data", data}});
 }
 

@@ -3,9 +3,13 @@
 
 #include <QCborMap>
 #include <QString>
-#include <array>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "core/map/map.h"
+#include "core/map/occupancy_grid.h"
 #include "drivers/rosbridge/rosbridge_client.h"
 
 namespace handmap {
@@ -23,13 +27,31 @@ struct RosHeader {
   RosVersion version = RosVersion::Ros2;
 };
 
-/// geometry_msgs/PoseWithCovarianceStamped; σ: x, y in metres, heading in radians.
-QCborMap poseMessage(const RosHeader& header, const Pose2& pose,
-                     const std::array<double, 3>& sigma);
+/// geometry_msgs/PoseWithCovarianceStamped; of x, y in metres and the heading in radians.
+QCborMap poseMessage(const RosHeader& header, const Pose2& pose, const Eigen::Matrix3d& covariance);
 
-/// nav_msgs/OccupancyGrid: 100 in a building, 0 elsewhere, a margin around. Cells are larger than
-/// asked where there would be more than a million.
-QCborMap gridMessage(const RosHeader& header, const Map& map, double cell_m = 0.25);
+/// Where a frame lies in another one at a time.
+struct RosTransform {
+  RosTime stamp;
+  QString parent;
+  QString child;
+  Pose2 pose;
+};
+/// tf2_msgs/TFMessage
+QCborMap transformsMessage(const std::vector<RosTransform>& transforms, RosVersion version);
+
+/// diagnostic_msgs/DiagnosticArray of one status.
+struct RosDiagnostic {
+  enum class Level { Ok, Warn, Error };
+  Level level = Level::Ok;
+  QString name;
+  QString message;
+  std::vector<std::pair<QString, QString>> values;
+};
+QCborMap diagnosticMessage(const RosHeader& header, const RosDiagnostic& diagnostic);
+
+/// nav_msgs/OccupancyGrid: 100 in a building, 0 elsewhere.
+QCborMap gridMessage(const RosHeader& header, const OccupancyGrid& grid);
 
 /// visualization_msgs/MarkerArray: an outline for each building, in place of all markers before.
 QCborMap markersMessage(const RosHeader& header, const Map& map);

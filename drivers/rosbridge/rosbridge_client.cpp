@@ -15,7 +15,10 @@ namespace handmap {
 namespace {
 
 constexpr qint64 kMostWaiting = 8 << 20;  // bytes not yet sent
-constexpr int kConnectionWatch_ms = 1000;
+/// The largest message may yet be on its way; what comes on top is pongs that nobody takes.
+constexpr qint64 kDeafServer = 4 * kMostWaiting;
+constexpr int kConnectionWatch_ms = 100;  // a flood of pings fills some megabytes in between
+constexpr qint64 kPing_ms = 1000;
 constexpr qint64 kPatience_ms = 5000;
 
 qint64 now_ms() { return QDeadlineTimer::current(Qt::PreciseTimer).deadline(); }
@@ -66,7 +69,7 @@ void RosbridgeClient::attempt() {
   connect(socket_, &QWebSocket::textMessageReceived, this, &RosbridgeClient::takeText);
   connect(socket_, &QWebSocket::binaryMessageReceived, this, &RosbridgeClient::takeBinary);
   connect(socket_, &QWebSocket::pong, this, [this] { heard_ms_ = now_ms(); });
-  opened_ms_ = heard_ms_ = now_ms();
+  heard_ms_ = now_ms();
   watch_.start(kConnectionWatch_ms);
   socket_->open(options_.url);
 }
@@ -75,7 +78,7 @@ void RosbridgeClient::greet() {
   heard_ms_ = now_ms();
   fragments_ = Fragments();
   for (const auto& [topic, subscription] : subscriptions_) sendSubscribe(topic, subscription);
-  for (const auto& [topic, type] : std::map(advertised_)) advertise(topic, type);
+  for (const auto& [topic, what] : std::map(advertised_)) advertise(topic, what.type, what.keep);
   Q_EMIT connected();
 }
 
@@ -85,7 +88,13 @@ void RosbridgeClient::watch() {
   if (now_ms() - heard_ms_ > kPatience_ms) {
     return giveUp(qPhrase("nobody answers at {}", options_.url.toString().toStdString()));
   }
-  if (isConnected()) socket_->ping();
+  if (socket_->bytesToWrite() > kDeafServer) {
+    return giveUp(
+        qPhrase("{} does not take what it is sent", options_.url.toString().toStdString()));
+  }
+  if (!isConnected() || now_ms() - pinged_ms_ < kPing_ms) return;
+  pinged_ms_ = now_ms();
+  socket_->ping();
 }
 
 void RosbridgeClient::giveUp(const QString& why) {
@@ -100,7 +109,9 @@ void RosbridgeClient::letGo() {
   if (!socket_) return;
   QWebSocket* socket = std::exchange(socket_, nullptr);
   socket->disconnect(this);
-  if (socket->state() == QAbstractSocket::ConnectedState) {
+  // One that does not take what waits would hold it until it does.
+  const bool takes = socket->bytesToWrite() <= kMostWaiting;
+  if (takes && socket->state() == QAbstractSocket::ConnectedState) {
     socket->close();
   } else {
     socket->abort();
@@ -130,12 +141,13 @@ void RosbridgeClient::unsubscribe(const QString& topic) {
         {QLatin1String("topic"), topic}});
 }
 
-void RosbridgeClient::advertise(const QString& topic, const RosType& type) {
-  advertised_[topic] = type;
+void RosbridgeClient::advertise(const QString& topic, const RosType& type, Keep keep) {
+  advertised_[topic] = {type, keep};
   if (!isConnected()) return;
   send({{QLatin1String("op"), QLatin1String("advertise")},
         {QLatin1String("topic"), topic},
-        {QLatin1String("type"), type.of(options_.ros)}});
+        {QLatin1String("type"), type.of(options_.ros)},
+        {QLatin1String("latch"), keep == Keep::Last}});
 }
 
 void RosbridgeClient::publish(const QString& topic, const QCborMap& message) {

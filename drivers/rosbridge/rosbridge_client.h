@@ -54,7 +54,9 @@ class RosbridgeClient : public QObject {
   /// Of one topic one subscriber.
   void subscribe(const QString& topic, const RosType& type, Take take);
   void unsubscribe(const QString& topic);
-  void advertise(const QString& topic, const RosType& type);
+  /// Keep::Last: who subscribes later gets the last one ("latched", "transient local").
+  enum class Keep { Nothing, Last };
+  void advertise(const QString& topic, const RosType& type, Keep keep = Keep::Nothing);
   /// Dropped while there is no connection, or when it does not take what is sent.
   void publish(const QString& topic, const QCborMap& message);
 
@@ -90,11 +92,15 @@ class RosbridgeClient : public QObject {
   QWebSocket* socket_ = nullptr;
   QTimer retry_;
   QTimer watch_;
-  qint64 opened_ms_ = 0;
   qint64 heard_ms_ = 0;
+  qint64 pinged_ms_ = 0;
   Fragments fragments_;
   std::map<QString, Subscription> subscriptions_;
-  std::map<QString, RosType> advertised_;
+  struct Advertised {
+    RosType type;
+    Keep keep;
+  };
+  std::map<QString, Advertised> advertised_;
 };
 
 }  // namespace handmap

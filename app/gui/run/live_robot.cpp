@@ -45,10 +45,23 @@ void LiveLink::exchangeOnlookers(const std::shared_ptr<RigMonitor>& monitor) {
     before = std::move(onlookers_);
   }
   before.reset();
-  auto onlookers = Onlookers::of(rig_, monitor);
+  auto onlookers =
+      Onlookers::of(rig_, monitor, [weak = weak_from_this()](double time_s, const Pose2& pose) {
+        if (const auto self = weak.lock()) self->takePose(time_s, pose);
+      });
   const std::scoped_lock lock(mutex_);
   onlookers_ = std::move(onlookers);
   if (onlookers_ && newest_) onlookers_->tell(newest_);
+}
+
+void LiveLink::whenPoseGiven(Onlookers::PoseGiven given) {
+  const std::scoped_lock lock(mutex_);
+  given_ = std::move(given);
+}
+
+void LiveLink::takePose(double time_s, const Pose2& pose) const {
+  const std::scoped_lock lock(mutex_);
+  if (given_) given_(time_s, pose);
 }
 
 void LiveLink::tell(const std::shared_ptr<const Snapshot>& snapshot) {

@@ -25,16 +25,20 @@ class LiveLink : public std::enable_shared_from_this<LiveLink> {
   /// nullptr before the first drive. From any thread.
   std::shared_ptr<RigMonitor> monitor() const;
   void tell(const std::shared_ptr<const Snapshot>& snapshot);
+  /// What to do, in whatever thread, where somebody who looks on says where the robot is.
+  void whenPoseGiven(Onlookers::PoseGiven given);
 
  private:
   void exchangeOnlookers(const std::shared_ptr<RigMonitor>& monitor);
+  void takePose(double time_s, const Pose2& pose) const;
 
   const Rig rig_;
   mutable std::mutex mutex_;
   std::shared_ptr<RigMonitor> monitor_;   // under mutex_, as all below
   std::unique_ptr<Onlookers> onlookers_;  ///< until the next drive: what was found stays to be seen
   std::shared_ptr<const Snapshot> newest_;  ///< of this drive
-  std::mutex exchanging_;                   // one at a time; taken before mutex_
+  Onlookers::PoseGiven given_;
+  std::mutex exchanging_;  // one at a time; taken before mutex_
 };
 
 Robot liveRobot(const Rig& rig, MakeDevices make);

@@ -65,7 +65,10 @@ RevisionActions::RevisionActions(const Shell& shell, MapDocument& document, RunC
     keep({shownTime(), Act::Kind::ForgetPoses, {}, {}, {}});
     revise({}, Then::Take, tr("Recomputing without the poses that were given"));
   });
-  connect(&tools_, &Toolbox::robotPoseGiven, this, &RevisionActions::give);
+  connect(&tools_, &Toolbox::robotPoseGiven, this, [this](const Pose2& pose) {
+    if (run_.history() && !run_.history()->empty()) give(shownTime(), pose);
+  });
+  connect(&run_, &RunController::poseGiven, this, &RevisionActions::give);
   connect(&recorder_, &ActRecorder::failed, this, [this](const QString& message) {
     shell_.messages.show(MessageBar::Kind::Warning,
                          tr("What you said is not kept beside the recording."), message);
@@ -121,13 +124,10 @@ void RevisionActions::revise(const std::vector<StampedPose>& given, Then then,
   run_.revise(document_.map(), given);
 }
 
-void RevisionActions::give(const Pose2& pose) {
-  const auto snapshot = run_.history() ? run_.history()->at(past_.playback().index()) : nullptr;
-  if (!snapshot) return;
-  const double now_s = snapshot->report.time_s;
+void RevisionActions::give(double time_s, const Pose2& pose) {
   std::vector<StampedPose> given = run_.settings().given_poses;
-  handmap::give(given, {now_s, pose});
-  keep({now_s, Act::Kind::RobotIsHere, pose, {}, {}});
+  handmap::give(given, {time_s, pose});
+  keep({time_s, Act::Kind::RobotIsHere, pose, {}, {}});
   revise(given, Then::Take, tr("Recomputing with the pose that you gave"));
 }
 

@@ -46,7 +46,7 @@ class RevisionActions : public QObject {
 
   /// With the drawing as it is now.
   void revise(const std::vector<StampedPose>& given, Then then, const QString& text);
-  void give(const Pose2& pose);
+  void give(double time_s, const Pose2& pose);
   /// Beside the recording of a live drive, where there is one.
   void keep(const Act& act);
   double shownTime() const;

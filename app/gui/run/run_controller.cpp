@@ -12,6 +12,8 @@ namespace {
 constexpr double kAtOnce = 0.0;
 }
 
+RunController::~RunController() { self_->cut(); }
+
 std::shared_ptr<const RunResult> RunController::result() const {
   return worker_ ? worker_->result() : last_result_;
 }
@@ -26,7 +28,14 @@ void RunController::start(const Map& drawing, const Robot& robot, const RunSetup
   last_result_ = nullptr;
   at_end_ = false;
   live_ = robot.live;
-  if (live_) live_->begin();
+  if (live_) {
+    live_->whenPoseGiven([self = self_, link = live_.get()](double time_s, const Pose2& pose) {
+      self->post([=](RunController& run) {
+        if (run.isActive() && run.live_.get() == link) Q_EMIT run.poseGiven(time_s, pose);
+      });
+    });
+    live_->begin();
+  }
   ++number_;
   pace_ = std::make_shared<Pace>(begin == Begin::Running ? speed_ : kAtOnce);
   endFeed();

@@ -7,6 +7,7 @@
 
 #include "app/gui/run/robot.h"
 #include "drivers/pace/pace.h"
+#include "widgets/background/background.h"
 #include "widgets/run/panels/run_setup_panel.h"
 #include "widgets/run/worker/run_worker.h"
 
@@ -18,6 +19,7 @@ class RunController : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
+  ~RunController() override;
 
   /// How what newsArrived() brings is made ready for being shown; see RunMailbox.
   void setPrepare(RunMailbox::Prepare prepare) { prepare_ = std::move(prepare); }
@@ -78,6 +80,8 @@ class RunController : public QObject {
   void stateChanged(handmap::RunState state);
   void sourceOpened(const std::shared_ptr<const handmap::SourceInfo>& source);
   void newsArrived(const handmap::RunNews& news);
+  /// Somebody who looks on says where the robot of this drive was.
+  void poseGiven(double time_s, const handmap::Pose2& pose);
   void progressed(double share_of_step);
   void frameSkipped(int frame, const QString& reason);
   void finished(bool cancelled);
@@ -118,6 +122,8 @@ class RunController : public QObject {
   std::shared_ptr<Pace> pace_;
   std::unique_ptr<RunWorker> worker_;
   std::shared_ptr<LiveLink> live_;
+  std::shared_ptr<Lifeline<RunController>> self_ =
+      std::make_shared<Lifeline<RunController>>(*this);  ///< shared with who looks on
   std::shared_ptr<const RunResult> last_result_;
   std::shared_ptr<RunFeed> feed_;  ///< of the latest run, also when that has ended
   RunFeed::Closed closing_;        ///< of the feed that was ended last

@@ -24,6 +24,14 @@ std::shared_ptr<const Map> oneBuilding() {
   return map;
 }
 
+void tellMap(FoxgloveServer& server) {
+  server.publishAndKeep(FoxgloveTopic::Buildings, [] { return sceneUpdate(5.0, *oneBuilding()); });
+}
+
+void tellPose(FoxgloveServer& server, double time_s, const Pose2& pose) {
+  server.publish(FoxgloveTopic::Pose, [&] { return poseInFrame(time_s, pose); });
+}
+
 TEST(FoxgloveServer, NothingListensUnlessAskedAndThenOnTheLoopback) {
   FoxgloveServer server;
   EXPECT_EQ(server.port(), 0);
@@ -41,19 +49,19 @@ class FoxgloveServerOf : public testing::TestWithParam<const char*> {};
 TEST_P(FoxgloveServerOf, TellsWhatThereIsAndSendsWhatIsAskedFor) {
   FoxgloveServer server;
   server.listen(0);
-  server.publishMap(5.0, oneBuilding());
+  tellMap(server);
   Viewer viewer(server.port(), QString::fromLatin1(GetParam()));
   ASSERT_TRUE(viewer.hears(2));
   EXPECT_EQ(viewer.socket.subprotocol().toStdString(), GetParam());
   EXPECT_EQ(viewer.texts[0]["op"], "serverInfo");
-  ASSERT_EQ(viewer.texts[1]["channels"].size(), 2U);
-  server.publishPose(5.0, {0.0, 0.0, 0.0});  // nobody asked for it
+  ASSERT_EQ(viewer.texts[1]["channels"].size(), 7U);
+  tellPose(server, 5.0, {0.0, 0.0, 0.0});  // nobody asked for it
   viewer.send({{"op", "subscribe"},
                {"subscriptions",
                 json::array({{{"id", 7}, {"channelId", 1}}, {{"id", 8}, {"channelId", 2}}})}});
   ASSERT_TRUE(waitUntil([&] { return viewer.frames.size() == 1; }));
   EXPECT_EQ(qFromLittleEndian<quint32>(viewer.frames[0].constData() + 1), 8U);
-  server.publishPose(1234.5, {1.5, 2.0, 0.0});
+  tellPose(server, 1234.5, {1.5, 2.0, 0.0});
   ASSERT_TRUE(waitUntil([&] { return viewer.frames.size() == 2; }));
   EXPECT_EQ(viewer.frames[1][0], 1);
   EXPECT_EQ(qFromLittleEndian<quint32>(viewer.frames[1].constData() + 1), 7U);
@@ -63,8 +71,8 @@ TEST_P(FoxgloveServerOf, TellsWhatThereIsAndSendsWhatIsAskedFor) {
   EXPECT_EQ(pose["timestamp"], json({{"sec", 1234}, {"nsec", 500'000'000}}));
   viewer.send({{"op", "unsubscribe"}, {"subscriptionIds", {7}}});
   test::pass(100);
-  server.publishPose(5.0, {3.0, 2.0, 0.0});
-  server.publishMap(5.0, oneBuilding());
+  tellPose(server, 5.0, {3.0, 2.0, 0.0});
+  tellMap(server);
   ASSERT_TRUE(waitUntil([&] { return viewer.frames.size() == 3; }));
   EXPECT_EQ(qFromLittleEndian<quint32>(viewer.frames[2].constData() + 1), 8U);
 }
@@ -138,7 +146,7 @@ TEST(FoxgloveServer, WhoLooksAtNothingMakesWay) {
     viewer.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 8}, {"channelId", 2}}}}});
     return waitUntil([&] { return !viewer.frames.empty(); });
   };
-  server.publishMap(5.0, oneBuilding());
+  tellMap(server);
   std::vector<std::unique_ptr<Viewer>> idle;
   for (int i = 0; i < 8; ++i) idle.push_back(std::make_unique<Viewer>(server.port()));
   ASSERT_TRUE(waitUntil([&] { return server.clients() == 8; }));
@@ -183,7 +191,7 @@ TEST(FoxglovePeer, FoxglovesOwnClientUnderstandsPoseAndMap) {
   for (const char* protocol : {"foxglove.websocket.v1", "foxglove.sdk.v1"}) {
     FoxgloveServer server;
     server.listen(0);
-    server.publishMap(5.0, oneBuilding());
+    tellMap(server);
     Peer peer(
         QStringLiteral("foxglove_peer.mjs"),
         {QStringLiteral("ws://127.0.0.1:%1").arg(server.port()), QString::fromLatin1(protocol)});
@@ -191,7 +199,7 @@ TEST(FoxglovePeer, FoxglovesOwnClientUnderstandsPoseAndMap) {
     EXPECT_TRUE(peer.says("CHANNEL foxglove.PoseInFrame foxglove.PoseInFrame json")) << peer.said;
     EXPECT_TRUE(peer.says("CHANNEL foxglove.SceneUpdate foxglove.SceneUpdate json")) << peer.said;
     EXPECT_TRUE(peer.says("MAP 1 5")) << peer.said;
-    server.publishPose(5.0, {-3.25, 0.0, 0.0});
+    tellPose(server, 5.0, {-3.25, 0.0, 0.0});
     EXPECT_TRUE(peer.says("POSE -3.25 true")) << peer.said;
   }
 }

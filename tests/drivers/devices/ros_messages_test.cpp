@@ -146,7 +146,7 @@ Map twoBuildings() {
 }
 
 TEST(RosPublications, TheGridHasTheBuildingsAreas) {
-  const QCborMap grid = gridMessage({}, twoBuildings(), 0.25);
+  const QCborMap grid = gridMessage({}, occupancyOf(twoBuildings()));
   const QCborMap info = grid[QLatin1String("info")].toMap();
   const QCborArray data = grid[QLatin1String("data")].toArray();
   const qint64 width = info[QLatin1String("width")].toInteger();
@@ -166,10 +166,22 @@ TEST(RosPublications, TheGridHasTheBuildingsAreas) {
   EXPECT_EQ(cell(0.0, 0.0), 0);
 }
 
+TEST(RosPublications, TheGridKeepsItsPlaceWhileBuildingsMoveALittle) {
+  Map map = twoBuildings();
+  const OccupancyGrid before = occupancyOf(map);
+  map.buildings[0].shape = Rectangle{{10.02, 5.0}, 8.0, 4.0, 0.0};
+  EXPECT_EQ(occupancyOf(map), before) << "not by half a cell";
+  map.buildings[0].shape = Rectangle{{10.6, 5.3}, 8.0, 4.0, 0.0};
+  const OccupancyGrid after = occupancyOf(map);
+  EXPECT_NE(after, before);
+  EXPECT_EQ(after.origin, before.origin);
+  EXPECT_EQ(after.cells.size(), before.cells.size());
+}
+
 TEST(RosPublications, ALargeMapGetsLargerCells) {
   Map map = twoBuildings();
   map.buildings[1].shape = Rectangle{{100'000.0, 100'000.0}, 50.0, 50.0, 0.3};
-  const QCborMap grid = gridMessage({}, map, 0.25);
+  const QCborMap grid = gridMessage({}, occupancyOf(map));
   EXPECT_LT(grid[QLatin1String("data")].toArray().size(), 1'010'000);
   EXPECT_GT(grid[QLatin1String("info")].toMap()[QLatin1String("resolution")].toDouble(), 50.0);
 }
@@ -177,7 +189,9 @@ TEST(RosPublications, ALargeMapGetsLargerCells) {
 TEST(RosPublications, StampsHaveTheFormOfTheirRos) {
   for (const auto version : {RosVersion::Ros1, RosVersion::Ros2}) {
     const RosHeader header{{12, 34}, QStringLiteral("map"), version};
-    const QCborMap message = poseMessage(header, {1.0, 2.0, 0.5}, {0.1, 0.2, 0.3});
+    const QCborMap message =
+        poseMessage(header, {1.0, 2.0, 0.5},
+                    Eigen::Matrix3d{{0.01, 0.02, 0.0}, {0.02, 0.04, 0.0}, {0.0, 0.0, 0.09}});
     const QCborMap stamp = message[QLatin1String("header")].toMap()[QLatin1String("stamp")].toMap();
     EXPECT_EQ(stamp[QLatin1String(version == RosVersion::Ros1 ? "nsecs" : "nanosec")].toInteger(),
               34);
@@ -186,6 +200,9 @@ TEST(RosPublications, StampsHaveTheFormOfTheirRos) {
         message[QLatin1String("pose")].toMap()[QLatin1String("covariance")].toArray();
     EXPECT_EQ(covariance.size(), 36);
     EXPECT_NEAR(covariance[35].toDouble(), 0.09, 1e-12);
+    EXPECT_EQ(covariance[1].toDouble(), 0.02);
+    EXPECT_EQ(covariance[6].toDouble(), 0.02);
+    EXPECT_EQ(covariance[7].toDouble(), 0.04);
   }
 }
 

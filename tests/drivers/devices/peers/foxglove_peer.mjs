@@ -23,5 +23,5 @@ client.on("message", ({ subscriptionId, timestamp, data }) => {
   const message = JSON.parse(new TextDecoder().decode(data));
   const recent = Math.abs(Number(timestamp / 1000000n) - Date.now()) < 3600000;
   if (channel.topic === "/handmap/pose") console.log("POSE", message.pose.position.x, recent);
-  else console.log("MAP", message.entities.length, message.entities[0].lines[0].points.length);
+  else if (channel.topic === "/handmap/map") console.log("MAP", message.entities.length, message.entities[0].lines[0].points.length);
 });
