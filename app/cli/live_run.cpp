@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>
@@ -137,12 +138,20 @@ LiveDrive::LiveDrive(const LiveArguments& arguments, const Map& drawing, std::ui
 
 LiveDrive::~LiveDrive() = default;
 
+std::optional<StampedPose> LiveDrive::takeGivenPose() {
+  const std::scoped_lock lock(given_mutex_);
+  return std::exchange(given_, std::nullopt);
+}
+
 void LiveDrive::tell(const std::shared_ptr<const Snapshot>& snapshot) const {
   if (onlookers_) onlookers_->tell(snapshot);
 }
 
 std::unique_ptr<ObservationSource> LiveDrive::open(const Interrupt& interrupt, Progress& progress) {
-  onlookers_ = Onlookers::of(job_.rig, job_.monitor);
+  onlookers_ = Onlookers::of(job_.rig, job_.monitor, [this](double time_s, const Pose2& pose) {
+    const std::scoped_lock lock(given_mutex_);
+    given_ = StampedPose{time_s, pose};
+  });
   watcher_ = std::jthread([this, &progress, end = interrupt.token()](const std::stop_token& stop) {
     const std::stop_callback on_interrupt(end, [this] { job_.monitor->end(); });
     watch(stop, progress);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -48,6 +49,11 @@ class LiveDrive {
   /// What was found last, for whoever looks on.
   void tell(const std::shared_ptr<const Snapshot>& snapshot) const;
 
+  /// Whether somebody may look on who can say where the robot is.
+  bool mayBeGivenPoses() const { return !job_.rig.publish.ros.empty(); }
+  /// Where somebody who looks on said since that the robot is.
+  std::optional<StampedPose> takeGivenPose();
+
   /// What was passed over and refused, and where it was recorded: a few lines for stderr.
   std::string summary() const;
 
@@ -57,6 +63,8 @@ class LiveDrive {
   LiveJob job_;
   std::optional<double> for_s_;
   std::unique_ptr<QCoreApplication> application_;  ///< threads with an event loop need one
+  std::mutex given_mutex_;
+  std::optional<StampedPose> given_;  ///< under it
   std::unique_ptr<Onlookers> onlookers_;
   std::jthread watcher_;
 };

@@ -22,6 +22,7 @@
 #include "core/plausibility/drawing.h"
 #include "core/plausibility/plausibility.h"
 #include "core/recording/image_file.h"
+#include "core/session/redone_acts.h"
 #include "core/session/run_session.h"
 #include "drivers/pace/punctual_source.h"
 
@@ -90,21 +91,24 @@ cv::Mat picture(const LocalMap& map) {
   return shades;
 }
 
-/// What it found last; nullptr when it was stopped.
+int doneOf(const RunSession& session) {
+  return static_cast<int>(session.frames().size() + session.skipped().size());
+}
+
+/// What it found last; nullptr when it was stopped. `follow` is told each step, and may put another
+/// session over the same observations in place of this one.
 std::shared_ptr<const Snapshot> runToEnd(
-    RunSession& session, const std::stop_token& stop, Progress& progress,
-    const std::function<void(const std::shared_ptr<const Snapshot>&)>& tell = {}) {
+    std::unique_ptr<RunSession>& running, const std::stop_token& stop, Progress& progress,
+    const std::function<void(std::shared_ptr<const Snapshot>&)>& follow = {}) {
   std::shared_ptr<const Snapshot> last;
   std::size_t skipped = 0;
-  const auto done = [&] {
-    return static_cast<int>(session.frames().size() + session.skipped().size());
-  };
+  const auto done = [&] { return doneOf(*running); };
   for (bool more = true; more;) {
+    RunSession& session = *running;
     const int before = done();
     auto snapshot = session.step(stop, [&](double share) { progress.update(before, share); });
     more = snapshot != nullptr;
     if (more) last = std::move(snapshot);
-    if (more && tell) tell(last);
     if (more && session.frames().back().odometry_guessed && done() > before) {
       progress.repeatable(fmt::format("frame {}: motion guessed", session.frames().back().frame));
     }
@@ -112,10 +116,11 @@ std::shared_ptr<const Snapshot> runToEnd(
       const SkippedFrame& frame = session.skipped()[skipped];
       progress.repeatable(fmt::format("frame {} skipped: {}", frame.frame, frame.reason));
     }
+    if (more && follow) follow(last);
   }
   progress.finish(done());
   if (!stop.stop_requested()) {
-    for (const RunWarning& warning : session.warnings()) {
+    for (const RunWarning& warning : running->warnings()) {
       progress.message(fmt::format("warning: {} {}", warning.message, warning.hint));
     }
     return last;
@@ -198,10 +203,46 @@ int runRecording(RunArguments arguments, Map drawing) {
     source =
         std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
   }
-  RunSession session(std::move(drawing), std::move(source), arguments.settings);
-  Progress progress(session.source().observations, arguments.verbosity());
-  return finish(arguments, session, runToEnd(session, interrupt.token(), progress));
+  auto session =
+      std::make_unique<RunSession>(std::move(drawing), std::move(source), arguments.settings);
+  Progress progress(session->source().observations, arguments.verbosity());
+  const auto last = runToEnd(session, interrupt.token(), progress);
+  return finish(arguments, *session, last);
 }
+
+/// As "Robot is here" does it in the window: the run is done again through the pose, as far as it
+/// has come. What was perceived is kept for that where somebody may give one.
+class GivenOnTheWay {
+ public:
+  GivenOnTheWay(const Map& drawing, std::shared_ptr<Tape> tape, const RunSettings& settings)
+      : drawing_(drawing), tape_(std::move(tape)), settings_(settings) {}
+
+  std::shared_ptr<const Snapshot> operator()(const StampedPose& pose,
+                                             std::unique_ptr<RunSession>& running,
+                                             Progress& progress) {
+    if (tape_->begin() > 0) {
+      progress.message("a pose was given: the beginning of the run is no longer in memory");
+      return nullptr;
+    }
+    give(settings_.given_poses, pose);
+    auto again = std::make_unique<RunSession>(drawing_, tape_, settings_);
+    std::shared_ptr<const Snapshot> last;
+    for (const int done = doneOf(*running); doneOf(*again) < done;) {
+      auto next = again->step();
+      if (!next) return nullptr;
+      last = std::move(next);
+    }
+    running = std::move(again);
+    progress.message(fmt::format("a pose was given: done again through {:.1f}, {:.1f}", pose.pose.x,
+                                 pose.pose.y));
+    return last;
+  }
+
+ private:
+  Map drawing_;
+  std::shared_ptr<Tape> tape_;
+  RunSettings settings_;
+};
 
 /// Ctrl-C ends the drive, not the run: what was found is smoothed and written. A second one ends
 /// the program.
@@ -214,12 +255,19 @@ int runLive(const RunArguments& arguments, Map drawing) {
     progress.message("the drive was ended before the first observation, nothing written");
     return interrupt.requested() ? Interrupt::kExitStatus : static_cast<int>(ErrorCode::RunFailed);
   }
-  RunSession session(std::move(drawing), std::move(source), arguments.settings);
-  const auto last =
-      runToEnd(session, {}, progress,
-               [&drive](const std::shared_ptr<const Snapshot>& snapshot) { drive.tell(snapshot); });
+  constexpr std::size_t kMostBytes = 192U << 20U;  // as in the window
+  const auto tape = std::make_shared<Tape>(std::move(source), arguments.settings.perception,
+                                           drive.mayBeGivenPoses() ? kMostBytes : 0);
+  GivenOnTheWay through(drawing, tape, arguments.settings);
+  auto session = std::make_unique<RunSession>(drawing, tape, arguments.settings);
+  const auto last = runToEnd(session, {}, progress, [&](std::shared_ptr<const Snapshot>& snapshot) {
+    if (const auto given = drive.takeGivenPose()) {
+      if (auto redone = through(*given, session, progress)) snapshot = std::move(redone);
+    }
+    drive.tell(snapshot);
+  });
   if (!arguments.quiet) fmt::print(stderr, "{}", drive.summary());
-  return finish(arguments, session, last);
+  return finish(arguments, *session, last);
 }
 
 int run(const CLI::App& command, RunArguments arguments) {

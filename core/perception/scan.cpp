@@ -13,7 +13,6 @@ constexpr std::size_t kDirections = 720;  // half a degree, as most scanners
 
 constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
 constexpr float kScanSigma_m = 0.05F;  // noise and the spread of a wall within a direction
-constexpr float kLeastRange_m = 0.3F;  // nearer is the robot itself
 constexpr float kGround_m = 0.3F;      // lower returns of a tilted sensor are from the ground
 
 std::size_t directionOf(double bearing) {
@@ -38,17 +37,22 @@ ScanBuilder::ScanBuilder(double range_limit_m)
 Scan ScanBuilder::operator()(const std::vector<RangePoint>& points,
                              const std::vector<WallPoint>& walls) {
   nearest_.assign(kDirections, Ray{});
-  std::vector<RangePoint> finite;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(finite), [&](const RangePoint& p) {
-    const float range = std::hypot(p.x, p.y);
-    return std::isfinite(p.z) && range >= kLeastRange_m && range <= range_limit_m_;
-  });
+  not_measured_.assign(kDirections, false);
+  std::vector<RangePoint> returns;
+  for (const RangePoint& p : points) {
+    if (!isMeasured(p)) {
+      not_measured_[directionOf(std::atan2(p.y, p.x))] = true;
+    } else if (std::isfinite(p.z) && std::hypot(p.x, p.y) <= range_limit_m_) {
+      returns.push_back(p);
+    }
+  }
   Scan scan;
-  scan.ray_by_ray = givesOneReturnADirection(finite);
+  if (returns.empty()) return scan;  // the sensor was silent, or covered
+  scan.ray_by_ray = givesOneReturnADirection(returns);
   if (scan.ray_by_ray) {
-    addRays(finite, scan);
+    addRays(returns, scan);
   } else {
-    addStanding(finite, walls);
+    addStanding(returns, walls);
   }
   for (std::size_t i = 0; i < kDirections; ++i) {
     if (nearest_[i].range > 0.0F) scan.rays.push_back(nearest_[i]);
@@ -75,7 +79,8 @@ void ScanBuilder::addRays(const std::vector<RangePoint>& points, Scan& scan) {
   }
   const auto limit = static_cast<float>(range_limit_m_);
   for (std::size_t i = 0; i < kDirections; ++i) {
-    if (!looked_at_[i] || nearest_[i].range > 0.0F) continue;
+    if (not_measured_[i]) looked_at_[i] = true;  // but it had not looked there all the while
+    if (!looked_at_[i] || not_measured_[i] || nearest_[i].range > 0.0F) continue;
     nearest_[i] = {bearingOf(i), limit, 0.0F, 0.0F, false};
   }
 }

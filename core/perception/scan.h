@@ -39,7 +39,8 @@ class ScanBuilder {
 
   /// Points of one observation, and what RangeWalls says of them. One with one return a direction
   /// is taken ray by ray. A scan with vertical structure gives the nearest wall along each
-  /// direction, and free space up to the farthest point of anything where there is no wall.
+  /// direction, and free space up to the farthest point of anything where there is no wall. Points
+  /// without a return tell nothing: no direction of theirs counts as free.
   Scan operator()(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
  private:
@@ -47,8 +48,9 @@ class ScanBuilder {
   void addStanding(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
   double range_limit_m_;
-  std::vector<bool> looked_at_;  ///< by direction
-  std::vector<Ray> nearest_;     ///< by direction; range 0: none
+  std::vector<bool> looked_at_;     ///< by direction
+  std::vector<bool> not_measured_;  ///< by direction, of this observation
+  std::vector<Ray> nearest_;        ///< by direction; range 0: none
 };
 
 }  // namespace handmap

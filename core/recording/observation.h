@@ -21,6 +21,13 @@ struct RangePoint {
   float w;  ///< 0 … 1: how surely the point is on a building
 };
 
+/// Nearer than that is the robot itself: it tells no more than that along its direction nothing was
+/// measured.
+inline constexpr float kOwnBody_m = 0.3F;
+/// A ray that was not measured; not one along which nothing came back, which has no point.
+RangePoint notMeasured(double bearing_rad, float z);
+bool isMeasured(const RangePoint& point);
+
 /// What one look in one direction gave.
 struct View {
   double pan = 0.0;  ///< radians, of the camera, positive to the left
@@ -38,7 +45,11 @@ struct Observation {
   std::vector<View> views;
   double read_ms = 0.0;           ///< time it took to get
   bool odometry_guessed = false;  ///< nothing measured the last motion; the one before went on
+  double blind_s = 0.0;           ///< so long nothing at all told where it drove
 };
+
+/// False: the sensors were silent, and only the odometry went on.
+bool seesAnything(const Observation& observation);
 
 /// One observation could not be had; the source has moved on and can be asked for the next.
 class FrameError : public std::runtime_error {

@@ -17,6 +17,11 @@ constexpr double kMostSigmas = 6.0;
 constexpr int kSteps = 60;     // of the integral: exact to 1e-3
 constexpr int kHalvings = 12;  // of an interval as long as its end
 constexpr double kInsideOneSigma = 0.6827;
+constexpr double kHowOften = 0.9;
+constexpr double kHeadingSigmas = 1.645;  // nine of ten, both sides
+constexpr double kSureWithin_m = 1.5;
+constexpr double kRoughWithin_m = 5.0;
+constexpr double kSureHeading = toRadians(15.0);
 
 double cumulative(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
@@ -60,6 +65,23 @@ Eigen::Matrix2d positionCovariance(const FrameReport& report) {
   return covariance;
 }
 
+Eigen::Matrix3d poseCovariance(const FrameReport& report) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  covariance.topLeftCorner<2, 2>() = positionCovariance(report);
+  covariance(2, 2) = report.pose_sigma[2] * report.pose_sigma[2];
+  return covariance;
+}
+
+void stateBlind(double blind_s, FrameReport& report) {
+  constexpr double kWalk_m_s = 1.0;    // of one axis: robots among people
+  constexpr double kTurn_rad_s = 0.5;  // as they turn at corners
+  if (blind_s <= 0.0) return;
+  const Eigen::Array3d off = blind_s * Eigen::Array3d(kWalk_m_s, kWalk_m_s, kTurn_rad_s);
+  Eigen::Matrix3d covariance = poseCovariance(report);
+  covariance.diagonal().array() += off.square();
+  stateTrust(covariance, report);
+}
+
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
   const Eigen::Array3d sigma = covariance.diagonal().array().max(0.0).sqrt();
   report.pose_sigma = {sigma[0], sigma[1], sigma[2]};
@@ -69,11 +91,15 @@ void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
   }
 }
 
-PoseState poseState(const FrameReport& report) {
-  constexpr double kSure = 0.9;    // within 2 m: half a lane, or the width of a door and its frame
-  constexpr double kUnsure = 0.5;  // within 5 m: the right side of the right building
-  if (!(report.within[2] >= kUnsure)) return PoseState::Lost;
-  return report.within[1] >= kSure ? PoseState::Sure : PoseState::Unsure;
+PoseCertainty certaintyOf(const FrameReport& report) {
+  PoseCertainty certainty{Certainty::Lost, radiusHolding(positionCovariance(report), kHowOften),
+                          kHeadingSigmas * report.pose_sigma[2]};
+  if (certainty.heading_rad > kPi / 2.0) return certainty;
+  if (certainty.within_m <= kRoughWithin_m) certainty.kind = Certainty::Rough;
+  if (certainty.within_m <= kSureWithin_m && certainty.heading_rad <= kSureHeading) {
+    certainty.kind = Certainty::Sure;
+  }
+  return certainty;
 }
 
 std::vector<BuildingTrust> trustOf(const Map& refined) {

@@ -17,12 +17,25 @@ double radiusHolding(const Eigen::Matrix2d& covariance, double probability);
 /// Of the stated position, square metres.
 Eigen::Matrix2d positionCovariance(const FrameReport& report);
 
+/// (x, y, heading) of the stated pose, as far as a report has it.
+Eigen::Matrix3d poseCovariance(const FrameReport& report);
+
+/// Of a robot that nothing has told anything of for so long: it may have walked off.
+void stateBlind(double blind_s, FrameReport& report);
+
 /// Writes pose_sigma and within.
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report);
 
-/// Sure enough to drive by; only roughly known; not to be driven by.
-enum class PoseState { Sure, Unsure, Lost };
-PoseState poseState(const FrameReport& report);
+/// How surely the robot is where it is shown.
+enum class Certainty { Sure, Rough, Lost };
+
+/// Nine times of ten the pose is off by no more than `within_m` and `heading_rad`.
+struct PoseCertainty {
+  Certainty kind;
+  double within_m;
+  double heading_rad;
+};
+PoseCertainty certaintyOf(const FrameReport& report);
 
 /// How sure a building is whose walls were seen.
 struct BuildingTrust {

@@ -11,8 +11,8 @@
 namespace handmap {
 
 struct HistoryLimits {
-  std::size_t snapshots = 16384;
-  std::size_t picture_bytes = 384U << 20U;
+  std::size_t snapshots = 4096;  ///< one a second of an hour, some 30 kB each
+  std::size_t picture_bytes = 128U << 20U;
 };
 
 /// Bounded: where there are too many, every other one of the past goes, and where the pictures need

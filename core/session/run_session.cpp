@@ -90,6 +90,10 @@ struct RunSession::State {
   std::shared_ptr<const Snapshot> lastSnapshot(const std::stop_token& stop,
                                                const std::function<void(double)>& progress);
   void fill(Snapshot& snapshot) const;
+  void describe(FrameReport& report) const {
+    method->describe(report);
+    stateBlind(blind_s, report);
+  }
   std::function<Map()> refinedMap() const;
 
   Map drawing;
@@ -104,6 +108,7 @@ struct RunSession::State {
   std::vector<SkippedFrame> skipped;
   RunCounts counts;
   std::shared_ptr<const Snapshot> newest;
+  double blind_s = 0.0;  ///< of the newest observation
   bool finished = false;
   bool tracing = false;
   Clock::time_point begin = Clock::now();
@@ -188,7 +193,8 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   report.frame = observation.frame;
   report.time_s = observation.time_s;
   report.odometry_guessed = observation.odometry_guessed;
-  state.method->describe(report);
+  state.blind_s = observation.blind_s;
+  state.describe(report);
   state.frames.push_back(report);
   state.counts.add(*percept, report);
   return state.snapshot(*taken, local_map, phases ? &*phases : nullptr);
@@ -257,7 +263,7 @@ std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(
   bool changed = false;
   arena.execute([&] { changed = method->finish(stop, progress); });
   if (!changed) return nullptr;
-  method->describe(frames.back());
+  describe(frames.back());
   auto snapshot = std::make_shared<Snapshot>(*newest);
   snapshot->phases = nullptr;
   fill(*snapshot);

@@ -21,9 +21,12 @@ Panning panningOf(const std::vector<View>& views) {
 std::size_t bytesOf(const Tape::Entry& entry) {
   if (!entry.perceived) return sizeof(Tape::Entry);
   const Percept& percept = entry.perceived->percept;
-  // Wall points of the local map are shared between the entries: each has its own once.
-  return sizeof(Perceived) + percept.points.size() * (sizeof(RangePoint) + sizeof(WallPoint)) +
-         percept.scan.rays.size() * (sizeof(Ray) + sizeof(WallPoint));
+  // Wall points of the local map are shared between the entries: each has its own once. How many of
+  // them a map has is not known here.
+  constexpr std::size_t kLocalMap = 8U << 10U;
+  return sizeof(Perceived) + kLocalMap +
+         percept.points.capacity() * (sizeof(RangePoint) + sizeof(WallPoint)) +
+         percept.scan.rays.capacity() * sizeof(Ray);
 }
 
 }  // namespace
@@ -81,6 +84,8 @@ std::optional<Tape::Taken> Tape::perceive(const std::stop_token& stop) {
     percept->image = cv::Mat();
     percept->disparity = cv::Mat1f();
     percept->buildings = cv::Mat1f();
+    percept->points.shrink_to_fit();
+    percept->scan.rays.shrink_to_fit();
     observation->views.clear();
     taken.entry.perceived =
         std::make_shared<const Perceived>(Perceived{std::move(*observation), std::move(*percept)});

@@ -34,8 +34,12 @@ class ScanOdometrySource : public ObservationSource {
     if (alone_) guessed_ = guessed_ * motionIn(elapsed_s);
     const bool matched = odometry_.add(alone_ ? guessed_ : observation->odometry,
                                        features(usableReturns(points, info_.range_limit_m)));
+    // Where it was silent the robot may be anywhere near, until the next scan is recognised.
+    is_blind_ = !seesAnything(*observation) || (is_blind_ && !matched);
+    if (!is_blind_) seen_s_ = observation->time_s;
+    observation->blind_s = is_blind_ ? observation->time_s - seen_s_ : 0.0;
+    observation->odometry_guessed = is_blind_ || (alone_ && any_ && !matched);
     observation->odometry = odometry_.pose();
-    if (alone_) observation->odometry_guessed = any_ && !matched;
     motion_ = between(before, odometry_.pose());
     motion_s_ = any_ ? elapsed_s : 0.0;
     time_s_ = observation->time_s;
@@ -63,6 +67,8 @@ class ScanOdometrySource : public ObservationSource {
   Pose2 motion_;
   double motion_s_ = 0.0;  ///< that it took
   double time_s_ = 0.0;
+  bool is_blind_ = false;
+  double seen_s_ = 0.0;  ///< the newest that was recognised
 };
 
 }  // namespace

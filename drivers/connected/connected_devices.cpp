@@ -55,8 +55,9 @@ class Maker {
     const ScannerRig& scanner = *rig_.scanner;
     switch (scanner.kind) {
       case ScannerKind::Hokuyo:
-        return std::make_unique<HokuyoScanner>(parsePortAddress(scanner.port, HokuyoScanner::kBaud),
-                                               monitor_.clock(), kScannerSeed);
+        return std::make_unique<HokuyoScanner>(
+            parsePortAddress(scanner.port, HokuyoScanner::kBaud, HokuyoScanner::kTcpPort),
+            monitor_.clock(), kScannerSeed);
       case ScannerKind::Rplidar:
         return std::make_unique<RplidarScanner>(
             parsePortAddress(scanner.port, RplidarScanner::kBaud), monitor_.clock(), kScannerSeed);

@@ -15,6 +15,9 @@ constexpr double kLatest_s = 2.0;
 constexpr double kFuture_s = 0.1;
 /// Beyond the time between two odometries; nobody wants to wait longer.
 constexpr double kOdometryPatience_s = 0.5;
+/// So long what the robot sees with may be silent, and so often it is told then where it drove.
+constexpr double kBlind_s = 1.0;
+constexpr double kBlindEvery_s = 0.25;
 constexpr std::size_t kMostWaiting = 100;  // of 40 a second, while odometry comes once a second
 constexpr std::size_t kMostWaitingBytes = 256U << 20U;
 constexpr std::size_t kMostPoints = 500'000;
@@ -25,22 +28,6 @@ constexpr double kMoved_rad = toRadians(1.0);
 
 bool isFinite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
-
-std::vector<RangePoint> inRobotFrame(const std::vector<RangePoint>& points,
-                                     const ScannerMount& mount) {
-  const Pose2 pose{mount.x, mount.y, mount.yaw};
-  std::vector<RangePoint> moved;
-  moved.reserve(points.size());
-  for (const RangePoint& p : points) {
-    const bool usable = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) &&
-                        p.w >= 0.0F && p.w <= 1.0F;
-    if (!usable) continue;
-    const Vec2 at = pose.toOuter({p.x, p.y});
-    moved.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()),
-                     p.z + static_cast<float>(mount.z), p.w});
-  }
-  return moved;
 }
 
 std::size_t bytesOf(const View& view) {
@@ -54,6 +41,27 @@ bool isSame(const RangePoint& a, const RangePoint& b) {
 }
 
 }  // namespace
+
+std::vector<RangePoint> inRobotFrame(const std::vector<RangePoint>& points,
+                                     const ScannerMount& mount) {
+  const Pose2 pose{mount.x, mount.y, mount.yaw};
+  std::vector<RangePoint> moved;
+  moved.reserve(points.size());
+  for (const RangePoint& p : points) {
+    const bool usable = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) &&
+                        p.w >= 0.0F && p.w <= 1.0F;
+    if (!usable) continue;
+    if (!isMeasured(p)) {  // a direction, seen from the robot as from the scanner
+      const double bearing = mount.yaw + std::atan2(p.y, p.x);
+      moved.push_back(notMeasured(bearing, p.z + static_cast<float>(mount.z)));
+      continue;
+    }
+    const Vec2 at = pose.toOuter({p.x, p.y});
+    moved.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()),
+                     p.z + static_cast<float>(mount.z), p.w});
+  }
+  return moved;
+}
 
 Assembler::Assembler(const Rig& rig, Sinks sinks) : rig_(rig), sinks_(std::move(sinks)) {
   if (rig.head) stops_.emplace(rig.stops.value_or(sixPans()));
@@ -90,7 +98,9 @@ void Assembler::scanned(double time_s, const std::vector<RangePoint>& points, do
   if (!isTimely(time_s, newest_view_s_, now_s, [] { return phrase("scan"); })) return;
   View view;
   view.points = inRobotFrame(points, rig_.scanner->mount);
-  if (view.points->empty()) return sinks_.refused(phrase("scan without a single return"));
+  if (std::none_of(view.points->begin(), view.points->end(), isMeasured)) {
+    return sinks_.refused(phrase("scan without a single return"));
+  }
   addMoving(time_s, std::move(view));
   settle(now_s);
 }
@@ -123,6 +133,7 @@ void Assembler::lookAround() {
 
 void Assembler::tick(double now_s) {
   settle(now_s);
+  goOnBlind(now_s);
   if (stops_) act(stops_->tick(now_s));
 }
 
@@ -167,6 +178,24 @@ void Assembler::settle(double now_s) {
   }
 }
 
+/// What the robot sees with is silent, but it drives on: it is where its odometry says, ever less
+/// surely. Between two stops that is as it should be.
+void Assembler::goOnBlind(double now_s) {
+  if (stops_ || delivered_s_ < 0.0 || now_s < blind_at_s_) return;
+  const auto& newest = odometry_.newest();
+  const bool measured = rig_.odometry.isMeasured();
+  if (measured && (!newest || newest->time_s <= delivered_s_)) return;
+  if (!measured && !rig_.scanner) return;
+  std::vector<View> views;
+  if (rig_.scanner) {
+    const auto height = static_cast<float>(rig_.scanner->mount.z);
+    views.push_back({0.0, {}, {}, std::vector{notMeasured(0.0, height)}});
+  }
+  deliver(measured ? newest->time_s : now_s, measured ? newest->pose : Pose2{}, false,
+          std::move(views));
+  blind_at_s_ = now_s + kBlindEvery_s;
+}
+
 bool Assembler::isFrozen(const View& view, const Pose2& pose) {
   if (!view.points || view.points->size() < kTelling) return false;
   if (!std::ranges::equal(*view.points, newest_points_, isSame)) {
@@ -182,6 +211,7 @@ bool Assembler::isFrozen(const View& view, const Pose2& pose) {
 void Assembler::deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views) {
   if (time_s <= delivered_s_) return sinks_.refused(phrase("observation out of order"));
   delivered_s_ = time_s;
+  blind_at_s_ = time_s + kBlind_s;
   Observation observation;
   observation.frame = frame_++;
   observation.time_s = time_s;

@@ -14,6 +14,10 @@
 
 namespace handmap {
 
+/// Of what a scanner gives, what can be used.
+std::vector<RangePoint> inRobotFrame(const std::vector<RangePoint>& points,
+                                     const ScannerMount& mount);
+
 class Assembler {
  public:
   struct Sinks {
@@ -46,6 +50,7 @@ class Assembler {
   Waiting takeWaiting();
   bool isFrozen(const View& view, const Pose2& pose);
   void settle(double now_s);
+  void goOnBlind(double now_s);
   void deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views);
   void act(std::optional<StopScan::Action> action);
 
@@ -62,6 +67,7 @@ class Assembler {
   std::vector<View> stop_views_;
   double stop_time_s_ = 0.0;  ///< of the first of them
   double delivered_s_ = -1.0;
+  double blind_at_s_ = 0.0;  ///< unless something is seen before
   int frame_ = 0;
 };
 

@@ -26,6 +26,7 @@ bool OdometryTrack::add(double time_s, const Pose2& pose) {
   if (!poses_.empty() && time_s <= poses_.back().time_s) return false;
   const bool gap = poses_.empty() || time_s - poses_.back().time_s > kLongestGap_s;
   poses_.push_back({time_s, pose});
+  newest_ = poses_.back();
   if (gap || !stood_at_ || !still(stood_at_->pose, pose)) stood_at_ = poses_.back();
   while (poses_.size() > kMostPoses || poses_.front().time_s < time_s - kKept_s) {
     poses_.pop_front();

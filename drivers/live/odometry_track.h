@@ -13,6 +13,7 @@ class OdometryTrack {
   /// False: not later than the newest, and left out.
   bool add(double time_s, const Pose2& pose);
 
+  const std::optional<StampedPose>& newest() const { return newest_; }
   /// Interpolated between two poses not more than 1.5 s apart. nullopt where there are none around
   /// that time: not yet, or never.
   std::optional<Pose2> at(double time_s) const;
@@ -25,6 +26,7 @@ class OdometryTrack {
 
  private:
   std::deque<StampedPose> poses_;
+  std::optional<StampedPose> newest_;
   std::optional<StampedPose> stood_at_;  ///< since then no motion
 };
 

@@ -26,6 +26,7 @@ class RigHost::Hosting {
       : monitor_(monitor),
         inbox_(inbox),
         reach_m_(reach_m),
+        mount_(rig.scanner ? rig.scanner->mount : ScannerMount{}),
         assembler_(rig,
                    {[this](Observation observation) { whole_.push_back(std::move(observation)); },
                     [this](double pan) { look(pan); },
@@ -109,6 +110,7 @@ class RigHost::Hosting {
       QObject::connect(devices_.scanner.get(), &RangeSensor::scanned, &context_,
                        [this](double time_s, const std::vector<RangePoint>& points) {
                          monitor_.datum(DeviceRole::Scanner, time_s);
+                         monitor_.show(inRobotFrame(points, mount_));
                          guarded([&] { assembler_.scanned(time_s, points, monitor_.now()); });
                        });
     }
@@ -142,14 +144,14 @@ class RigHost::Hosting {
   void give() {
     if (whole_.empty()) return;
     const Observation& newest = whole_.back();
-    monitor_.observed(newest.time_s);
-    if (newest.views.front().points) monitor_.show(*newest.views.front().points);
+    if (seesAnything(newest)) monitor_.observed(newest.time_s);
     monitor_.passedOver(static_cast<long>(inbox_.put(std::exchange(whole_, {}))));
   }
 
   RigMonitor& monitor_;
   Inbox& inbox_;
   std::atomic<double>& reach_m_;
+  const ScannerMount mount_;
   QObject context_;
   QTimer ticking_;
   std::vector<Observation> whole_;

@@ -11,6 +11,7 @@ namespace {
 // A PTU-D46 turns by 180° in 3 s; slower ones exist.
 constexpr double kTurnPatience_s = 15.0;
 constexpr double kPairPatience_s = 3.0;
+constexpr double kWheelPatience_s = 1.0;  // of odometry that comes several times a second
 /// The head still trembles when it says that it stands, and the exposure takes its time.
 constexpr double kSettle_s = 0.15;
 constexpr double kPanTolerance = 0.02;  // radians: more than a step of any head
@@ -39,6 +40,7 @@ StopScan::Action StopScan::drop(const std::string& reason) {
 std::optional<StopScan::Action> StopScan::moved(double time_s, const Pose2& pose,
                                                 double standing_for_s) {
   now_s_ = time_s;
+  has_moved_ = true;
   if (state_ != State::Waiting) {
     const bool left = (pose.position() - pose_.position()).norm() > kLeft_m ||
                       std::abs(normalizedAngle(pose.heading - pose_.heading)) > kLeft_rad;
@@ -50,8 +52,20 @@ std::optional<StopScan::Action> StopScan::moved(double time_s, const Pose2& pose
       !looked_at_ || (pose.position() - looked_at_->position()).norm() >= options_.every_m;
   if (!wanted_ && !(options_.automatic && elsewhere)) return std::nullopt;
   pose_ = pose;
+  return begin(time_s);
+}
+
+StopScan::Action StopScan::begin(double now_s) {
   next_ = 0;
-  return look(time_s);
+  missed_.clear();
+  by_person_ = wanted_;
+  return look(now_s);
+}
+
+void StopScan::trigger() {
+  wanted_ = true;
+  has_moved_ = false;
+  wanted_since_s_.reset();
 }
 
 std::optional<StopScan::Action> StopScan::arrived(double time_s, double at_pan) {
@@ -74,12 +88,13 @@ std::optional<StopScan::Action> StopScan::headLost() {
 
 std::optional<StopScan::Action> StopScan::tick(double now_s) {
   now_s_ = now_s;
-  if (state_ == State::Waiting) return std::nullopt;
+  if (state_ == State::Waiting) return lookWithoutWheels(now_s);
   if (state_ == State::Taken) {
     if (++next_ < options_.pans.size()) return look(now_s);
+    wanted_ = false;
+    if (!missed_.empty()) return drop(missed_);
     state_ = State::Waiting;
     next_ = 0;
-    wanted_ = false;
     looked_at_ = pose_;
     return Action{Action::Kind::Deliver, 0.0, pose_};
   }
@@ -87,9 +102,21 @@ std::optional<StopScan::Action> StopScan::tick(double now_s) {
     return drop(phrase("the head did not arrive"));
   }
   if (state_ == State::Taking && now_s - since_s_ > kPairPatience_s) {
-    return drop(phrase("no pair of images came while the head stood"));
+    missed_ = phrase("no pair of images came while the head stood");
+    if (!by_person_) return drop(missed_);
+    state_ = State::Taken;  // who asked for it sees the head go around all the same
   }
   return std::nullopt;
+}
+
+/// Who asks for it while nothing tells a motion says that the robot stands.
+std::optional<StopScan::Action> StopScan::lookWithoutWheels(double now_s) {
+  if (!wanted_ || has_moved_) return std::nullopt;
+  if (!wanted_since_s_) wanted_since_s_ = now_s;
+  if (now_s - *wanted_since_s_ < kWheelPatience_s) return std::nullopt;
+  const Action first = begin(now_s);
+  missed_ = phrase("no odometry came: it is not known where");
+  return first;
 }
 
 std::string StopScan::describe() const {

@@ -37,7 +37,7 @@ class StopScan {
   /// Now and then, for what did not come.
   std::optional<Action> tick(double now_s);
   /// A person asks for a look around; it begins as soon as the robot stands.
-  void trigger() { wanted_ = true; }
+  void trigger();
 
   bool isLooking() const { return state_ != State::Waiting; }
   /// In words, for a person.
@@ -45,6 +45,8 @@ class StopScan {
 
  private:
   enum class State { Waiting, Turning, Taking, Taken };
+  Action begin(double now_s);
+  std::optional<Action> lookWithoutWheels(double now_s);
   Action look(double now_s);
   Action drop(const std::string& reason);
   double pan() const { return options_.pans[next_]; }
@@ -57,6 +59,10 @@ class StopScan {
   Pose2 pose_;                      ///< where it stands
   std::optional<Pose2> looked_at_;  ///< where it looked around last
   bool wanted_ = false;
+  bool by_person_ = false;                ///< this look around was asked for
+  std::string missed_;                    ///< why it is of no use; empty: it is
+  std::optional<double> wanted_since_s_;  ///< as far as tick() has seen
+  bool has_moved_ = false;                ///< odometry was told since it was asked for
 };
 
 }  // namespace handmap

@@ -142,7 +142,7 @@ class Onlookers::Telling : public QObject {
     const FrameReport& report = told_->report;
     const double time_s = monitor_->robotTime(report.time_s);
     tellState();
-    if (state_ != PoseState::Lost) {
+    if (state_ != Certainty::Lost) {
       tellFramesOf(time_s, told_->driven);
       tellFrames();
       if (ros_) ros_->publishPose(time_s, report.pose, poseCovariance(report));
@@ -156,7 +156,7 @@ class Onlookers::Telling : public QObject {
 
   /// Where the odometry lies on the map holds until something else is known.
   void tellFrames() {
-    if (!told_ || stateNow(told_.get(), rig_, *monitor_) == PoseState::Lost) return;
+    if (!told_ || stateNow(told_.get(), rig_, *monitor_) == Certainty::Lost) return;
     const double now_s = monitor_->now();
     const auto odometry = monitor_->odometry();
     tellFramesOf(monitor_->robotTime(now_s), odometry ? odometry->pose : told_->driven);
@@ -181,13 +181,13 @@ class Onlookers::Telling : public QObject {
   }
 
   void tellState() {
-    const PoseState state = state_ = stateNow(told_.get(), rig_, *monitor_);
+    const Certainty state = state_ = stateNow(told_.get(), rig_, *monitor_);
     if (!ros_) return;
     using Level = RosDiagnostic::Level;
     RosDiagnostic diagnostic;
-    diagnostic.level = state == PoseState::Sure     ? Level::Ok
-                       : state == PoseState::Unsure ? Level::Warn
-                                                    : Level::Error;
+    diagnostic.level = state == Certainty::Sure    ? Level::Ok
+                       : state == Certainty::Rough ? Level::Warn
+                                                   : Level::Error;
     diagnostic.name = QStringLiteral("handmap: localization");
     const std::string why = whyNow(state, told_.get(), *monitor_);
     diagnostic.message =
@@ -243,7 +243,7 @@ class Onlookers::Telling : public QObject {
   std::mutex mutex_;
   std::shared_ptr<const Snapshot> newest_;  // under mutex_; not nullptr: tellPose() will come
   std::shared_ptr<const Snapshot> told_;
-  PoseState state_ = PoseState::Lost;
+  Certainty state_ = Certainty::Lost;
   bool has_map_ = false;
   std::vector<Polygon> outlines_;  ///< of the map that was told
   QTimer map_due_{this};

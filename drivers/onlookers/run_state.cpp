@@ -19,34 +19,35 @@ double knownUntil(const Snapshot& newest, const Rig& rig, const RigMonitor& moni
 
 }  // namespace
 
-PoseState stateNow(const Snapshot* newest, const Rig& rig, const RigMonitor& monitor) {
+Certainty stateNow(const Snapshot* newest, const Rig& rig, const RigMonitor& monitor) {
   const bool is_over = monitor.endToken().stop_requested();
-  if (newest == nullptr || is_over) return PoseState::Lost;
-  if (monitor.now() - knownUntil(*newest, rig, monitor) > kStale_s) return PoseState::Lost;
-  return poseState(newest->report);
+  if (newest == nullptr || is_over) return Certainty::Lost;
+  if (monitor.now() - knownUntil(*newest, rig, monitor) > kStale_s) return Certainty::Lost;
+  return certaintyOf(newest->report).kind;
 }
 
-const char* nameOf(PoseState state) {
+const char* nameOf(Certainty state) {
   switch (state) {
-    case PoseState::Sure:
+    case Certainty::Sure:
       return "sure";
-    case PoseState::Unsure:
+    case Certainty::Rough:
       return "unsure";
-    case PoseState::Lost:
+    case Certainty::Lost:
       break;
   }
   return "lost";
 }
 
-std::string whyNow(PoseState state, const Snapshot* newest, const RigMonitor& monitor) {
+std::string whyNow(Certainty state, const Snapshot* newest, const RigMonitor& monitor) {
   if (newest == nullptr) return phrase("nothing was observed yet");
   if (monitor.endToken().stop_requested()) return phrase("the drive has ended");
   const double silent_s = monitor.now() - newest->report.time_s;
-  if (state == PoseState::Lost && silent_s > kStale_s) {
+  if (state == Certainty::Lost && silent_s > kStale_s) {
     return phrase("nothing was observed for {:.0f} s", silent_s);
   }
-  return phrase("within {:.0f} m with {:.0f} %, within {:.0f} m with {:.0f} %", kWithin_m[1],
-                100.0 * newest->report.within[1], kWithin_m[2], 100.0 * newest->report.within[2]);
+  const PoseCertainty certainty = certaintyOf(newest->report);
+  return phrase("nine times of ten within {:.1f} m and {:.0f}°", certainty.within_m,
+                toDegrees(certainty.heading_rad));
 }
 
 std::vector<FrameLink> linksOf(const Snapshot& newest, const RigMonitor& monitor,
@@ -57,13 +58,6 @@ std::vector<FrameLink> linksOf(const Snapshot& newest, const RigMonitor& monitor
       {"map", frames.odometry, newest.report.pose * inverse(newest.driven) * frames.origin}};
   if (!named && driven != nullptr) links.push_back({frames.odometry, frames.base, *driven});
   return links;
-}
-
-Eigen::Matrix3d poseCovariance(const FrameReport& report) {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  covariance.topLeftCorner<2, 2>() = positionCovariance(report);
-  covariance(2, 2) = report.pose_sigma[2] * report.pose_sigma[2];
-  return covariance;
 }
 
 }  // namespace handmap

@@ -11,11 +11,11 @@
 namespace handmap {
 
 /// Lost also where nothing was heard of the robot for two seconds, and when the drive has ended.
-PoseState stateNow(const Snapshot* newest, const Rig& rig, const RigMonitor& monitor);
+Certainty stateNow(const Snapshot* newest, const Rig& rig, const RigMonitor& monitor);
 
-const char* nameOf(PoseState state);
+const char* nameOf(Certainty state);
 /// In plain words, of what stateNow() says.
-std::string whyNow(PoseState state, const Snapshot* newest, const RigMonitor& monitor);
+std::string whyNow(Certainty state, const Snapshot* newest, const RigMonitor& monitor);
 
 /// Where a frame lies in another one.
 struct FrameLink {
@@ -28,8 +28,5 @@ struct FrameLink {
 /// where the robot does not tell that itself.
 std::vector<FrameLink> linksOf(const Snapshot& newest, const RigMonitor& monitor,
                                const Pose2* driven);
-
-/// (x, y, heading), as far as a report has it.
-Eigen::Matrix3d poseCovariance(const FrameReport& report);
 
 }  // namespace handmap

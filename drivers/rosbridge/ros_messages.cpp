@@ -106,8 +106,8 @@ RosPointsMessage readLaserScan(const RosValue& message) {
   const double nearest = message.at("range_min").number(0.0, kFarthestPoint_m);
   const double farthest = message.at("range_max").number(0.0, 1e9);
   const std::vector<double> ranges = message.at("ranges").numbers(kMostRays);
-  // In the precision of the ranges: the end of the range itself is what many drivers give where
-  // nothing came back. As an infinite range (REP 117) it is told by no point.
+  // In the precision of the ranges: the end of the range itself, or 0, is what many drivers give
+  // where nothing came back. As an infinite range (REP 117) it is told by no point.
   const auto end = static_cast<float>(std::min(farthest, kFarthestPoint_m));
   RosPointsMessage scan;
   scan.reach_m = end;
@@ -116,8 +116,13 @@ RosPointsMessage readLaserScan(const RosValue& message) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const double range = ranges[i];
     const auto rounded = static_cast<float>(range);
-    if (!(rounded > 0.0F && rounded >= static_cast<float>(nearest) && rounded < end)) continue;
-    const Vec2 point = range * unitVector(first + step * static_cast<double>(i));
+    if (rounded == 0.0F || rounded >= end) continue;  // nothing came back
+    const double bearing = first + step * static_cast<double>(i);
+    if (!(rounded >= static_cast<float>(nearest))) {
+      scan.points.push_back(notMeasured(bearing, 0.0F));
+      continue;
+    }
+    const Vec2 point = range * unitVector(bearing);
     scan.points.push_back(
         {static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F, 1.0F});
   }

@@ -38,7 +38,8 @@ struct RosPointsMessage {
   /// Of a LaserScan: where nothing came back there is no point, and nothing is known from there on.
   std::optional<double> reach_m = {};
 };
-/// sensor_msgs/LaserScan; z = 0.
+/// sensor_msgs/LaserScan; z = 0. What is no number, or nearer than its least range, was not
+/// measured.
 RosPointsMessage readLaserScan(const RosValue& message);
 /// sensor_msgs/PointCloud2 with x, y, z as float32 or float64; at most 2 million points.
 RosPointsMessage readPointCloud(const RosValue& message);

@@ -60,11 +60,12 @@ void RosbridgeClient::attempt() {
   socket_->setMaxAllowedIncomingFrameSize(static_cast<quint64>(MessageLimits{}.bytes));
   connect(socket_, &QWebSocket::connected, this, &RosbridgeClient::greet);
   connect(socket_, &QWebSocket::disconnected, this, [this, socket = socket_] {
-    giveUp(QStringLiteral("%1: %2").arg(options_.url.toString(), socket->errorString()));
+    giveUp(QStringLiteral("%1: %2").arg(options_.url.toString(), qReason(socket->errorString())));
   });
   connect(socket_, qOverload<QAbstractSocket::SocketError>(&QWebSocket::error), this,
           [this, socket = socket_] {
-            giveUp(QStringLiteral("%1: %2").arg(options_.url.toString(), socket->errorString()));
+            giveUp(QStringLiteral("%1: %2").arg(options_.url.toString(),
+                                                qReason(socket->errorString())));
           });
   connect(socket_, &QWebSocket::textMessageReceived, this, &RosbridgeClient::takeText);
   connect(socket_, &QWebSocket::binaryMessageReceived, this, &RosbridgeClient::takeBinary);

@@ -14,7 +14,8 @@ class HokuyoScanner : public PortDevice<RangeSensor> {
   Q_OBJECT
   Q_DISABLE_COPY_MOVE(HokuyoScanner)
  public:
-  static constexpr std::int32_t kBaud = 115200;  ///< USB has none, older serial ones this
+  static constexpr std::uint16_t kTcpPort = 10940;  ///< of those with Ethernet, as they come
+  static constexpr std::int32_t kBaud = 115200;     ///< USB has none, older serial ones this
 
   HokuyoScanner(PortAddress address, RigClock clock, std::uint64_t seed = 1,
                 QObject* parent = nullptr);

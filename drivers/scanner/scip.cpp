@@ -147,8 +147,12 @@ std::vector<RangePoint> scipPoints(const ScipScan& scan, const ScipParameters& p
   const double step_rad = 2.0 * kPi / parameters.steps_a_turn;
   for (std::size_t i = 0; i < scan.ranges_mm.size(); ++i) {
     const int range_mm = scan.ranges_mm[i];
-    if (range_mm < parameters.least_mm || range_mm > parameters.most_mm) continue;
+    if (range_mm == 0 || range_mm > parameters.most_mm) continue;  // nothing came back
     const int step = parameters.first_step + static_cast<int>(i) - parameters.front_step;
+    if (range_mm < parameters.least_mm) {  // the code of an error
+      points.push_back(notMeasured(step * step_rad, 0.0F));
+      continue;
+    }
     const Vec2 point = range_mm * 1e-3 * unitVector(step * step_rad);
     points.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F, 1.0F});
   }

@@ -34,7 +34,7 @@ QString whyNotOpened(const QSerialPort& serial) {
           "{} may not be opened: another program has it, or you are not in the group dialout",
           serial.portName().toStdString());
     default:
-      return QStringLiteral("%1: %2").arg(serial.portName(), serial.errorString());
+      return QStringLiteral("%1: %2").arg(serial.portName(), qReason(serial.errorString()));
   }
 }
 
@@ -81,7 +81,7 @@ void BytePort::openSerial(const SerialAddress& address) {
           [this, serial](QSerialPort::SerialPortError error) {
             if (isFatal(error)) {
               giveUp(qPhrase("{} is gone: {}", serial->portName().toStdString(),
-                             serial->errorString().toStdString()));
+                             qReason(serial->errorString()).toStdString()));
             }
           });
   becomeOpen();
@@ -94,7 +94,7 @@ void BytePort::openTcp(const TcpAddress& address) {
   connect(socket, &QTcpSocket::connected, this, &BytePort::becomeOpen);
   connect(socket, &QTcpSocket::errorOccurred, this, [this, socket] {
     giveUp(QStringLiteral("%1: %2").arg(QString::fromStdString(formatPortAddress(address_)),
-                                        socket->errorString()));
+                                        qReason(socket->errorString())));
   });
   patience_.start(kPatience_ms);
   socket->connectToHost(QString::fromStdString(address.host), address.port);

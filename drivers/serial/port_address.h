@@ -22,9 +22,11 @@ struct TcpAddress {
 
 using PortAddress = std::variant<SerialAddress, TcpAddress>;
 
-/// "/dev/ttyUSB0", "/dev/ttyUSB0@9600" (8N1), "tcp://host:port" or "tcp://[::1]:port". Throws
-/// BadInput.
-PortAddress parsePortAddress(std::string_view text, std::int32_t default_baud);
+/// "/dev/ttyUSB0", "/dev/ttyUSB0@9600" (8N1), "tcp://host:port" or "tcp://[::1]:port"; what looks
+/// like an address of the network, as 192.168.0.10, is one also without "tcp://". `default_port`:
+/// where none is said; 0: one has to be. Throws BadInput.
+PortAddress parsePortAddress(std::string_view text, std::int32_t default_baud,
+                             std::uint16_t default_port = 0);
 
 /// As parsePortAddress() reads it.
 std::string formatPortAddress(const PortAddress& address);

@@ -66,6 +66,16 @@
     </message>
 </context>
 <context>
+    <name>handmap::LiveWatch</name>
+    <message numerus="yes">
+        <source>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</source>
+        <translation>
+            <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its only observation.</numerusform>
+            <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::PhaseWords</name>
     <message numerus="yes">
         <source>Samples of %n building(s) in sight, before they move; score %1.</source>

@@ -175,6 +175,63 @@ TEST(Assembler, NamesAScanThatComesAgainThoughTheRobotHasMoved) {
   EXPECT_EQ(heard.observations.size(), 5U);
 }
 
+TEST(Assembler, RaysThatWereNotMeasuredKeepTheirDirections) {
+  Rig rig = laserCart();
+  rig.scanner->mount = {0.5, 0.25, 0.75, kPi / 2.0};
+  Assembled heard(rig);
+  heard.assembler.moved(1.0, {}, 1.0);
+  heard.assembler.scanned(1.0, {notMeasured(0.0, 0.0F), {2.0F, 0.0F, 0.0F, 1.0F}}, 1.0);
+  ASSERT_EQ(heard.observations.size(), 1U);
+  const std::vector<RangePoint>& points = *heard.observations[0].views[0].points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_FALSE(isMeasured(points[0]));
+  EXPECT_NEAR(std::atan2(points[0].y, points[0].x), kPi / 2.0, 1e-6);
+  heard.assembler.moved(1.1, {}, 1.1);
+  heard.assembler.scanned(1.1, {notMeasured(0.0, 0.0F)}, 1.1);
+  EXPECT_EQ(heard.refused["scan without a single return"], 1);
+}
+
+TEST(Assembler, WhereTheScannerFallsSilentItGoesOnByOdometryAlone) {
+  Assembled heard(laserCart());
+  heard.assembler.tick(5.0);
+  EXPECT_TRUE(heard.observations.empty()) << "the drive has not begun";
+  heard.assembler.moved(5.0, {}, 5.0);
+  heard.assembler.scanned(5.0, onePoint(), 5.0);
+  for (int i = 1; i <= 40; ++i) {
+    const double now_s = 5.0 + 0.05 * i;
+    heard.assembler.moved(now_s, {0.07 * i, 0.0, 0.0}, now_s);
+    heard.assembler.tick(now_s);
+    if (now_s < 5.99) {
+      EXPECT_EQ(heard.observations.size(), 1U);
+    }
+  }
+  ASSERT_GE(heard.observations.size(), 5U) << "four times a second";
+  ASSERT_LE(heard.observations.size(), 6U);
+  EXPECT_TRUE(seesAnything(heard.observations[0]));
+  EXPECT_FALSE(seesAnything(heard.observations.back()));
+  EXPECT_FALSE(heard.observations.back().views.at(0).points->empty()) << "so that it is recorded";
+  EXPECT_NEAR(heard.observations.back().odometry.x, 2.8, 0.3);
+  heard.assembler.moved(7.1, {3.0, 0.0, 0.0}, 7.1);
+  heard.assembler.scanned(7.1, onePoint(), 7.1);
+  EXPECT_TRUE(seesAnything(heard.observations.back()));
+  const std::size_t count = heard.observations.size();
+  heard.assembler.tick(7.5);
+  EXPECT_EQ(heard.observations.size(), count);
+  // Odometry that is silent too tells nothing more.
+  heard.assembler.tick(9.5);
+  heard.assembler.tick(10.0);
+  EXPECT_EQ(heard.observations.size(), count);
+}
+
+TEST(Assembler, BetweenTwoStopsItIsSilentAsItShouldBe) {
+  Assembled heard(stopAndLook());
+  for (int i = 0; i < 100; ++i) {
+    heard.assembler.moved(0.1 * i, {0.1 * i, 0.0, 0.0}, 0.1 * i);
+    heard.assembler.tick(0.1 * i);
+  }
+  EXPECT_TRUE(heard.observations.empty());
+}
+
 TEST(Assembler, WithoutMeasuredOdometryNothingIsWaitedFor) {
   Rig rig = laserCart();
   rig.odometry = {OdometryRigKind::Scan, "", ""};

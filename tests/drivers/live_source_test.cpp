@@ -1,6 +1,8 @@
 #include "drivers/live/live_source.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -193,6 +195,62 @@ struct FaultCase {
   const char* refused;  ///< what is counted
 };
 void PrintTo(const FaultCase& fault, std::ostream* out) { *out << fault.faults; }
+
+/// How far the robot moved, and how sure it was of where it is, as far as a run tells.
+struct Lived {
+  double sigma(double from_s, double to_s) const {
+    double most = 0.0;
+    for (const FrameReport& report : reports) {
+      if (report.time_s < from_s || report.time_s > to_s) continue;
+      most = std::max(most, std::hypot(report.pose_sigma[0], report.pose_sigma[1]));
+    }
+    return most;
+  }
+  std::vector<FrameReport> reports;
+  double moved_blind_m = 0.0;
+};
+
+/// Three seconds without a scan from the second second on.
+Lived livedWithoutScanner(OdometryRigKind odometry) {
+  VirtualDrive driven = drive("scanner:unplug@2+3");
+  driven.speed_m_s = 1.4;
+  driven.step_m = 0.1;
+  LiveJob live = job(driven);
+  live.rig.odometry.kind = odometry;
+  auto source = openLive(live, {});
+  RunSettings settings;
+  settings.slam.slam_particles = 5;
+  Map drawing = driven.world.map;
+  RunSession session(drawing, std::move(source), settings);
+  Lived lived;
+  while (live.monitor->now() < 7.0) {
+    const auto snapshot = session.step();
+    if (!snapshot) break;
+    lived.reports.push_back(snapshot->report);
+  }
+  live.monitor->end();
+  const auto at = [&](double time_s) {
+    return std::find_if(lived.reports.begin(), lived.reports.end(),
+                        [=](const FrameReport& report) { return report.time_s >= time_s; })
+        ->pose.position();
+  };
+  lived.moved_blind_m = (at(4.7) - at(3.0)).norm();
+  return lived;
+}
+
+TEST(LiveSource, ADeadScannerLeavesTheWayToTheWheelsAndTheRobotLessSure) {
+  const Lived lived = livedWithoutScanner(OdometryRigKind::Virtual);
+  EXPECT_NEAR(lived.moved_blind_m, 1.7 * 1.4, 0.5);
+  EXPECT_GT(lived.sigma(4.0, 5.0), lived.sigma(1.5, 2.0));
+}
+
+TEST(LiveSource, ADeadScannerWithoutWheelsIsLostUntilItIsRecognised) {
+  const Lived lived = livedWithoutScanner(OdometryRigKind::Scan);
+  EXPECT_LT(lived.sigma(1.5, 2.0), 1.5);
+  EXPECT_GT(lived.sigma(4.0, 5.0), 3.0);
+  // A street looks the same along itself: it is taken for found only where the scans say so.
+  EXPECT_FALSE(lived.reports.empty());
+}
 
 class FaultyRig : public testing::TestWithParam<FaultCase> {};
 

@@ -87,6 +87,27 @@ TEST(StopScan, APersonAsksForALookAround) {
   EXPECT_FALSE(scan.moved(30.0, kHere, 15.0)) << "once";
 }
 
+TEST(StopScan, WhoAsksSeesTheHeadGoAroundWithoutCameraAndWheels) {
+  StopRig options = sixPans();
+  options.automatic = false;
+  StopScan scan(options);
+  EXPECT_FALSE(scan.tick(1.0));
+  scan.trigger();
+  std::vector<double> pans;
+  std::string reason;
+  for (double now_s = 2.0; now_s < 60.0 && reason.empty(); now_s += 0.05) {
+    const auto action = scan.tick(now_s);
+    if (!action) continue;
+    if (action->kind == StopScan::Action::Kind::Drop) reason = action->reason;
+    if (action->kind != StopScan::Action::Kind::Look) continue;
+    pans.push_back(action->pan);
+    scan.arrived(now_s, action->pan);
+  }
+  EXPECT_EQ(pans, options.pans);
+  EXPECT_FALSE(reason.empty()) << "there is nothing to be worked in";
+  for (double now_s = 60.0; now_s < 70.0; now_s += 0.05) EXPECT_FALSE(scan.tick(now_s));
+}
+
 TEST(StopScan, DropsWhatItHasWhenTheRobotDrivesOn) {
   StopScan scan = begun();
   scan.arrived(11.0, 0.0);

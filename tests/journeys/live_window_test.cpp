@@ -1,5 +1,6 @@
 // A live robot in the window: the virtual rig, the dialog that puts a rig together.
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QPushButton>
 #include <QTcpServer>
@@ -11,6 +12,8 @@
 
 #include "app/gui/rig/rig_actions.h"
 #include "app/gui/run/live_robot.h"
+#include "drivers/emulators/rosbridge_emulator.h"
+#include "drivers/virtual/virtual_rig.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/rig/live_panel.h"
 #include "widgets/rig/rig_dialog.h"
@@ -40,6 +43,12 @@ class LiveWindow : public WindowTest {
       }
     }
     return text + window.rigs().panel().findChild<QLabel*>("live_counts")->text();
+  }
+  static QPushButton* button(MainWindow& window, const QString& text) {
+    for (auto* found : window.messages().findChildren<QPushButton*>()) {
+      if (found->text() == text && found->isVisible()) return found;
+    }
+    return nullptr;
   }
   static QString wordsOf(RigDialog& dialog) {
     return dialog.findChild<QLabel*>("rig_words")->text();
@@ -205,6 +214,125 @@ TEST_F(LiveWindow, ARigOverRosIsEnteredAsAnyOther) {
   dialog->form().setRig(rig);
   EXPECT_EQ(dialog->form().rig(), rig);
   dialog->reject();
+}
+
+TEST_F(LiveWindow, TheDialogOffersWhatGoesTogether) {
+  const auto window = open();
+  action(*window, "run.connect")->trigger();
+  RigDialog* dialog = window->rigs().dialog();
+  auto* sees = dialog->findChild<QComboBox*>("rig_sees");
+  auto* motion = dialog->findChild<QComboBox*>("rig_odometry");
+  auto* version = dialog->findChild<QComboBox*>("rig_ros_version");
+  EXPECT_EQ(motion->currentText(), "No wheels: the images");
+  EXPECT_FALSE(version->isVisible());
+  sees->setCurrentIndex(sees->findText("Laser scanner: Hokuyo"));
+  EXPECT_EQ(motion->currentText(), "No wheels: the scans");
+  EXPECT_EQ(motion->findText("No wheels: the images"), -1);
+  sees->setCurrentIndex(sees->findText("Laser scanner over ROS"));
+  EXPECT_TRUE(version->isVisible());
+  auto* scanner = dialog->findChild<QComboBox*>("rig_scanner");
+  scanner->setEditText("ws://rover:9090");
+  motion->setCurrentIndex(motion->findText("Wheels over ROS"));
+  EXPECT_EQ(dialog->findChild<QComboBox*>("rig_wheels")->currentText(), "ws://rover:9090");
+  version->setCurrentIndex(version->findText("ROS 1"));
+  EXPECT_EQ(dialog->form().rig().ros_version, 1);
+  EXPECT_EQ(dialog->form().rig().odometry.port, "ws://rover:9090");
+  dialog->reject();
+}
+
+TEST_F(LiveWindow, ARobotThatWaitsForItsStartOffersToPlaceIt) {
+  const auto window = open();
+  Rig rig;
+  rig.name = "Cart";
+  rig.scanner = ScannerRig{};
+  window->sources().useLive(liveRobot(rig, {}));
+  ASSERT_TRUE(message(*window).contains("Draw where it starts"));
+  QPushButton* place = button(*window, "Place the start");
+  ASSERT_NE(place, nullptr);
+  place->click();
+  EXPECT_TRUE(action(*window, "draw.start")->isChecked());
+  window->sources().useLive(liveRobot(rig, {}));
+  Map map = document_.map();
+  map.start = Pose2{1.0, 2.0, 0.0};
+  document_.setStart(map.start);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button(*window, "Place the start") == nullptr; }));
+  window->sources().useLive(liveRobot(rig, {}));
+  EXPECT_FALSE(message(*window).contains("Draw where it starts")) << "it has one";
+}
+
+TEST_F(LiveWindow, ADeadScannerIsSaidAndSoIsARecordingThatEnds) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  drive.faults = parseFaults("scanner:unplug@3+4");
+  Rig rig = virtualRig(drive);
+  rig.record = path("drives").toStdString();
+  window->sources().setRobot(liveRobot(rig, virtualDevices(drive)));
+  window->runs().runOrResume();
+  ASSERT_TRUE(waitForSteps(*window));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return settings_.contains("live/recording"); }, kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("Nothing has been observed"); }, kPatienceMs));
+  EXPECT_TRUE(message(*window).contains("unplugged")) << message(*window).toStdString();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return !message(*window).contains("Nothing has been observed"); }, kPatienceMs));
+  QDir(path("drives")).removeRecursively();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("The recording has ended, the drive goes on"); },
+      kPatienceMs));
+  EXPECT_TRUE(window->run().isActive());
+}
+
+TEST_F(LiveWindow, ADriveThatWasCutOffIsOffered) {
+  auto window = open();
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  Rig rig = virtualRig(drive);
+  rig.record = path("drives").toStdString();
+  window->sources().setRobot(liveRobot(rig, virtualDevices(drive)));
+  window->runs().runOrResume();
+  ASSERT_TRUE(waitForSteps(*window));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return settings_.contains("live/recording"); }, kPatienceMs));
+  const QString folder = settings_.value("live/recording").toString();
+  action(*window, "run.stop")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  EXPECT_FALSE(settings_.contains("live/recording")) << "it has ended";
+  window->offerRecovery();
+  QTest::qWait(200);
+  EXPECT_FALSE(message(*window).contains("middle of a drive"));
+  // As it is after a kill.
+  settings_.setValue("live/recording", folder);
+  settings_.setValue("live/process", 0);
+  window->offerRecovery();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return message(*window).contains("middle of a drive"); }, kPatienceMs));
+  EXPECT_TRUE(message(*window).contains(folder));
+  button(*window, "Open it")->click();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return window->sources().robot() && !window->sources().robot()->live; }, kPatienceMs));
+}
+
+TEST_F(LiveWindow, APoseThatIsGivenInRvizIsRobotIsHere) {
+  const auto window = open();
+  RosbridgeEmulator ros;
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  Rig rig = virtualRig(drive);
+  rig.publish.ros = ros.url().toString().toStdString();
+  window->sources().setRobot(liveRobot(rig, virtualDevices(drive)));
+  QCborMap pose;
+  QObject::connect(&ros, &RosbridgeEmulator::published, &guard_,
+                   [&](const QString& topic, const QCborMap& told) {
+                     if (topic == QLatin1String("/handmap/pose")) pose = told;
+                   });
+  window->runs().runOrResume();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return !pose.isEmpty() && ros.hasSubscriber(QStringLiteral("/initialpose")); },
+      kPatienceMs));
+  ros.publish(QStringLiteral("/initialpose"), pose);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window->run().settings().given_poses.size() == 1; },
+                              kPatienceMs));
+  EXPECT_TRUE(window->run().isActive()) << "the drive goes on from there";
 }
 
 TEST_F(LiveWindow, ARigIsTriedAndLookedAt) {

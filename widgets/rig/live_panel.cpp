@@ -73,18 +73,16 @@ QString recordingInWords(const RecordingStatus& recording) {
       .arg(QString::fromStdString(recording.folder));
 }
 
-}  // namespace
-
-QString stateInWords(const DeviceStatus& device) {
+QString stateOf(const DeviceStatus& device) {
   static constexpr const char* kWords[] = {QT_TRANSLATE_NOOP("handmap::LivePanel", "closed"),
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "connecting"),
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "ready"),
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "degraded"),
                                            QT_TRANSLATE_NOOP("handmap::LivePanel", "lost")};
-  QString state = LivePanel::tr(kWords[static_cast<int>(device.state)]);
-  if (device.detail.empty()) return state;
-  return state + QStringLiteral(": ") + QString::fromStdString(device.detail);
+  return LivePanel::tr(kWords[static_cast<int>(device.state)]);
 }
+
+}  // namespace
 
 LivePanel::LivePanel(QWidget* parent)
     : QWidget(parent),
@@ -150,8 +148,8 @@ void LivePanel::show(const RigStatus& status) {
     QTreeWidgetItem& item = *devices_->topLevelItem(row);
     item.setText(NameColumn, QString::fromUtf8(signOf(device.state)) + QLatin1Char(' ') +
                                  roleInWords(device.role));
-    item.setText(StateColumn, stateInWords(device));
-    item.setToolTip(StateColumn, stateInWords(device));
+    item.setText(StateColumn, stateOf(device));
+    item.setToolTip(StateColumn, QString::fromStdString(device.detail));
     item.setText(RateColumn, device.rate_hz > 0.0 ? tr("%1 Hz").arg(device.rate_hz, 0, 'f', 1)
                                                   : QStringLiteral("\u2013"));
     item.setText(AgeColumn, device.age_s ? tr("%1 s").arg(*device.age_s, 0, 'f', 1)
@@ -159,9 +157,15 @@ void LivePanel::show(const RigStatus& status) {
     has_head |= device.role == DeviceRole::Head;
   }
   look_around_->setVisible(has_head);
-  QStringList lines{tr("%1 observations taken, %2 passed over for newer ones")
-                        .arg(status.given)
-                        .arg(status.passed_over)};
+  QStringList lines;
+  for (const DeviceStatus& device : status.devices) {  // the column has no room for them
+    if (!device.detail.empty())
+      lines << roleInWords(device.role) + QStringLiteral(": ") +
+                   QString::fromStdString(device.detail);
+  }
+  lines << tr("%1 observations taken, %2 passed over for newer ones")
+               .arg(status.given)
+               .arg(status.passed_over);
   for (const QString& line : {QString::fromStdString(status.activity), refusedInWords(status),
                               recordingInWords(status.recording)}) {
     if (!line.isEmpty()) lines << line;

@@ -14,9 +14,6 @@ class QTreeWidget;
 
 namespace handmap {
 
-/// "ready", "silent for 3 s" …: what a device says of itself, in the words of the window.
-QString stateInWords(const DeviceStatus& device);
-
 class LivePanel : public QWidget {
   Q_OBJECT
  public:

@@ -148,6 +148,7 @@ bool RigDialog::save(const QString& path) {
 
 void RigDialog::askToOpen() {
   const QString path = dialogs_.fileToOpen({tr("Open a rig"), path_, kFilter, {}, {}});
+  comeBack();
   if (!path.isEmpty()) open(path);
 }
 
@@ -155,7 +156,14 @@ void RigDialog::askToSave() {
   if (!enteredRig()) return;
   const QString path = dialogs_.fileToSave({tr("Save the rig"), QFileInfo(path_).path(), kFilter,
                                             QStringLiteral("robot.json"), QStringLiteral("json")});
+  comeBack();
   if (!path.isEmpty()) save(path);
+}
+
+/// From the choice of a file, which gives the keys to the window below it.
+void RigDialog::comeBack() {
+  raise();
+  activateWindow();
 }
 
 void RigDialog::toggleTrial() {

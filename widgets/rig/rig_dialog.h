@@ -46,6 +46,7 @@ class RigDialog : public QDialog {
   void makeButtons();
   void askToOpen();
   void askToSave();
+  void comeBack();
   void toggleTrial();
   void look();
   void use();

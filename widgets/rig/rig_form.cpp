@@ -2,14 +2,18 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSerialPortInfo>
+#include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStringListModel>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/messages/dialogs.h"
 
@@ -27,8 +31,8 @@ QString cameraHint() {
 }
 QString portHint() {
   return RigForm::tr(
-      "A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or "
-      "tcp://host:port; of ROS the rosbridge: ws://host:9090");
+      "A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or an address "
+      "(192.168.0.10, host:port); of ROS the rosbridge: ws://host:9090");
 }
 
 void offer(QComboBox& box, const QStringList& choices) {
@@ -54,11 +58,15 @@ RigForm::RigForm(Dialogs& dialogs, Cameras cameras, QWidget* parent)
   makeSensorRows(*form_);
   makeMotionRows(*form_);
   makeOutputRows(*form_);
+  connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::offerMotions);
   connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
   connect(sees_, &QComboBox::currentIndexChanged, this, &RigForm::listCameras);
   connect(odometry_, &QComboBox::currentIndexChanged, this, &RigForm::showRows);
   connect(foxglove_, &QSpinBox::valueChanged, this, &RigForm::showRows);
   connect(has_head_, &QCheckBox::toggled, this, &RigForm::showRows);
+  connect(publish_ros_, &QLineEdit::textChanged, this, &RigForm::showRows);
+  for (QLineEdit* field : rosbridges())
+    connect(field, &QLineEdit::editingFinished, this, &RigForm::shareRosbridge);
   listPorts();
   Rig rig;
   rig.name = tr("My robot").toStdString();
@@ -129,11 +137,6 @@ void RigForm::makeMotionRows(QFormLayout& form) {
   head_port_ = addPort(form, tr("Head"), portHint());
   odometry_ = new QComboBox;
   odometry_->setObjectName("rig_odometry");
-  odometry_->addItem(tr("Wheels: lines of text"), static_cast<int>(OdometryRigKind::Lines));
-  odometry_->addItem(tr("Wheels over ROS"), static_cast<int>(OdometryRigKind::Ros));
-  odometry_->addItem(tr("No wheels: the images"), static_cast<int>(OdometryRigKind::Visual));
-  odometry_->addItem(tr("No wheels: the scans"), static_cast<int>(OdometryRigKind::Scan));
-  odometry_->addItem(tr("Nothing"), static_cast<int>(OdometryRigKind::None));
   form.addRow(tr("Motion told by"), odometry_);
   odometry_port_ = addPort(form, tr("Wheels"), portHint());
   odometry_port_->setObjectName("rig_wheels");
@@ -149,7 +152,16 @@ void RigForm::makeOutputRows(QFormLayout& form) {
   publish_ros_ = addRosbridge(form, tr("Tell ROS"));
   publish_ros_->setObjectName("rig_publish_ros");
   publish_ros_->setPlaceholderText(tr("not told; a rosbridge is ws://host:9090"));
-  publish_ros_->setToolTip(tr("Pose, occupancy grid and buildings are published there"));
+  publish_ros_->setToolTip(
+      tr("Pose, frames, occupancy grid and buildings are published there, and /initialpose is "
+         "heard"));
+  publish_ros_->setCompleter(new QCompleter(new QStringListModel(this), this));
+  publish_ros_->completer()->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
+  ros_version_ = new QComboBox;
+  ros_version_->setObjectName("rig_ros_version");
+  ros_version_->addItem(QStringLiteral("ROS 2"), 2);
+  ros_version_->addItem(QStringLiteral("ROS 1"), 1);
+  form.addRow(tr("Version of ROS"), ros_version_);
   foxglove_ = new QSpinBox;
   foxglove_->setObjectName("rig_foxglove");
   foxglove_->setRange(0, kMostPort);
@@ -236,7 +248,51 @@ RigForm::Sees RigForm::seesOf(const CameraRig& camera) {
   return camera.right.empty() ? Sees::SideBySide : Sees::TwoCameras;
 }
 
+/// No images for a laser, no scans for a camera; what was chosen stays where it can.
+void RigForm::offerMotions() {
+  using Kind = OdometryRigKind;
+  const QVariant chosen = odometry_->currentData();
+  const QSignalBlocker quiet(odometry_);
+  odometry_->clear();
+  const auto offer = [this](const QString& words, Kind kind) {
+    odometry_->addItem(words, static_cast<int>(kind));
+  };
+  offer(tr("Wheels: lines of text"), Kind::Lines);
+  offer(tr("Wheels over ROS"), Kind::Ros);
+  if (hasCamera()) offer(tr("No wheels: the images"), Kind::Visual);
+  if (!hasCamera()) offer(tr("No wheels: the scans"), Kind::Scan);
+  offer(tr("Nothing"), Kind::None);
+  const int same = chosen.isValid() ? odometry_->findData(chosen) : -1;
+  const Kind alone = hasCamera() ? Kind::Visual : Kind::Scan;
+  odometry_->setCurrentIndex(same >= 0 ? same : odometry_->findData(static_cast<int>(alone)));
+}
+
+std::vector<QLineEdit*> RigForm::rosbridges() const {
+  return {camera_ros_, scanner_port_->lineEdit(), odometry_port_->lineEdit(), publish_ros_};
+}
+
+/// One is enough: the fields of others that go over ROS and are empty get it too.
+void RigForm::shareRosbridge() {
+  const auto fields = rosbridges();
+  const auto has = [](const QLineEdit* field) {
+    return field->text().trimmed().startsWith(QLatin1String("ws"));
+  };
+  const auto known = std::find_if(fields.begin(), fields.end(), has);
+  if (known == fields.end()) return;
+  const QString url = (*known)->text().trimmed();
+  static_cast<QStringListModel*>(publish_ros_->completer()->model())->setStringList({url});
+  const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
+  const std::pair<QLineEdit*, bool> over_ros[] = {
+      {camera_ros_, sees() == Sees::RosCameras},
+      {scanner_port_->lineEdit(), sees() == Sees::Ros || sees() == Sees::RosCloud},
+      {odometry_port_->lineEdit(), odometry == OdometryRigKind::Ros}};
+  for (const auto& [field, is_over_ros] : over_ros) {
+    if (is_over_ros && field->text().trimmed().isEmpty()) field->setText(url);
+  }
+}
+
 void RigForm::showRows() {
+  shareRosbridge();
   const bool camera = hasCamera();
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
   const bool ros = odometry == OdometryRigKind::Ros;
@@ -257,6 +313,9 @@ void RigForm::showRows() {
   form_->setRowVisible(odometry_port_, ros || odometry == OdometryRigKind::Lines);
   form_->setRowVisible(odometry_topic_, ros);
   form_->setRowVisible(beyond_, foxglove_->value() > 0);
+  const bool scans_over_ros = sees() == Sees::Ros || sees() == Sees::RosCloud;
+  form_->setRowVisible(
+      ros_version_, ros || over_ros || scans_over_ros || !publish_ros_->text().trimmed().isEmpty());
 }
 
 void RigForm::listPorts() {

@@ -66,6 +66,9 @@ class RigForm : public QWidget {
   QDoubleSpinBox* addNumber(QFormLayout& form, const QString& label, double low, double high,
                             const QString& suffix);
   QWidget* withBrowse(QLineEdit* edit, bool folder);
+  void offerMotions();
+  std::vector<QLineEdit*> rosbridges() const;
+  void shareRosbridge();
   void showRows();
   Sees sees() const;
   static ScannerKind scannerOf(Sees sees);
@@ -107,6 +110,7 @@ class RigForm : public QWidget {
   QLineEdit* publish_ros_;
   QSpinBox* foxglove_;
   QCheckBox* beyond_;
+  QComboBox* ros_version_;
   Rig kept_;  ///< what has no field stays as it was read
 };
 

@@ -59,12 +59,6 @@ void RigForm::checkEntered() const {
   need(odometry_topic_, tr("Enter the topic of the wheels."));
   if (!publish_ros_->text().trimmed().isEmpty()) needRosbridge(publish_ros_);
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
-  if (hasCamera() && odometry == OdometryRigKind::Scan) {
-    refuse(odometry_, tr("There is no scanner whose scans could tell the motion."));
-  }
-  if (!hasCamera() && odometry == OdometryRigKind::Visual) {
-    refuse(odometry_, tr("There is no camera whose images could tell the motion."));
-  }
   const bool wheels = odometry == OdometryRigKind::Lines || odometry == OdometryRigKind::Ros;
   if (hasCamera() && has_head_->isChecked() && !wheels) {
     refuse(odometry_, tr("A robot that stops to look around needs wheels that tell its motion."));
@@ -114,6 +108,7 @@ Rig RigForm::rig() const {
   rig.odometry = {static_cast<OdometryRigKind>(odometry_->currentData().toInt()),
                   textOf(*odometry_port_), textOf(*odometry_topic_)};
   if (rig.stops && rig.odometry.kind != OdometryRigKind::Ros) rig.stops->topic.clear();
+  rig.ros_version = ros_version_->currentData().toInt();
   rig.publish.ros = textOf(*publish_ros_);
   rig.publish.foxglove = foxglove_->value();
   rig.publish.beyond_this_machine = foxglove_->value() > 0 && beyond_->isChecked();
@@ -162,6 +157,7 @@ void RigForm::setRig(const Rig& rig) {
     z_->setValue(scanner.mount.z);
     yaw_->setValue(toDegrees(scanner.mount.yaw));
   }
+  offerMotions();
   has_head_->setChecked(rig.head.has_value());
   if (rig.head) head_port_->setEditText(QString::fromStdString(rig.head->port));
   odometry_->setCurrentIndex(odometry_->findData(static_cast<int>(rig.odometry.kind)));
@@ -169,6 +165,7 @@ void RigForm::setRig(const Rig& rig) {
   if (!rig.odometry.topic.empty()) {
     odometry_topic_->setText(QString::fromStdString(rig.odometry.topic));
   }
+  ros_version_->setCurrentIndex(ros_version_->findData(rig.ros_version));
   publish_ros_->setText(QString::fromStdString(rig.publish.ros));
   foxglove_->setValue(rig.publish.foxglove);
   beyond_->setChecked(rig.publish.beyond_this_machine);

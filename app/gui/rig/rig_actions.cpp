@@ -78,13 +78,7 @@ void RigActions::openRig(const QString& path) {
   }
 }
 
-void RigActions::use(const Rig& rig) {
-  sources_.setRobot(liveRobot(rig, connectedDevices()));
-  shell_.messages.show(
-      MessageBar::Kind::Info, tr("“%1” is the robot now.").arg(QString::fromStdString(rig.name)),
-      tr("Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends "
-         "the drive."));
-}
+void RigActions::use(const Rig& rig) { sources_.useLive(liveRobot(rig, connectedDevices())); }
 
 /// Its devices are looked at while the run goes on; what they said last stays.
 void RigActions::followRun() {

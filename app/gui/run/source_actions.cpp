@@ -21,6 +21,7 @@ namespace {
 
 const QString kDoubtTopic = QStringLiteral("recording-doubt-");
 constexpr auto kRecordingFolderKey = "files/recording_folder";
+constexpr auto kStartTopic = "where_it_starts";
 
 }  // namespace
 
@@ -43,6 +44,9 @@ SourceActions::SourceActions(const Shell& shell, MapDocument& document, FileActi
   connect(&opener_, &RecordingOpener::posesOpened, this, &SourceActions::usePoses);
   connect(&opener_, &RecordingOpener::simulated, this, &SourceActions::setRobot);
   connect(&opener_, &RecordingOpener::failed, this, &SourceActions::tell);
+  connect(&document_, &MapDocument::mapChanged, this, [this] {
+    if (document_.map().start) shell_.messages.withdraw(kStartTopic);
+  });
   updateActions();
 }
 
@@ -251,6 +255,22 @@ RunSetup SourceActions::nextSetup() {
   if (!gone.isEmpty()) document_.remove(gone);
   if (setup.settings.given_poses.empty()) setup.settings.given_poses = done.poses;
   return setup;
+}
+
+void SourceActions::useLive(Robot robot) {
+  const QString name = robot.name;
+  setRobot(std::move(robot));
+  const QString text = tr("“%1” is the robot now.").arg(name);
+  if (document_.map().start) {
+    shell_.messages.show(MessageBar::Kind::Info, text, tr("Press Run; Stop ends the drive."));
+    return;
+  }
+  shell_.messages
+      .show(MessageBar::Kind::Info, text,
+            tr("Draw where it starts: press, drag to where it looks, release. Then press Run; Stop "
+               "ends the drive."),
+            kStartTopic)
+      .addAction(tr("Place the start"), [this] { shell_.actions["draw.start"].trigger(); });
 }
 
 bool SourceActions::isReady(bool may_start_on_route) {

@@ -33,6 +33,8 @@ class SourceActions : public QObject {
   /// Shows what the log of another program holds; once it is right, makes a recording of it.
   void importLog(const QString& file);
   void setRobot(Robot robot);
+  /// The same of a live one, and says what is to be done.
+  void useLive(Robot robot);
 
   /// nullopt: none is chosen yet.
   const std::optional<Robot>& robot() const { return robot_; }

@@ -11,6 +11,7 @@
 namespace handmap {
 
 class FileActions;
+class MapDocument;
 class RunViews;
 class SourceActions;
 

@@ -21,6 +21,7 @@
 #include "app/gui/files/reference_trust.h"
 #include "app/gui/files/template_menu.h"
 #include "app/gui/rig/rig_actions.h"
+#include "app/gui/run/live_watch.h"
 #include "app/gui/run/result_actions.h"
 #include "app/gui/run/revision_actions.h"
 #include "app/gui/run/run_views.h"
@@ -121,6 +122,7 @@ void MainWindow::makeRun() {
   runs_ = new TransportActions(shell_, document_, *files_, *sources_, run_, *views_, *transport_);
   results_ = new ResultActions(shell_, document_, *files_, *sources_, run_, run_panels_.buildings);
   rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
+  live_watch_ = new LiveWatch(shell_, run_, *sources_, this);
   revisions_ =
       std::make_unique<RevisionActions>(shell_, document_, run_, *canvas_, *tools_, runs_->past());
   connect(sources_, &SourceActions::posesGiven, this,
@@ -331,7 +333,10 @@ void MainWindow::connectRecovery() {
           });
 }
 
-void MainWindow::offerRecovery() { recovery_offer_->look(); }
+void MainWindow::offerRecovery() {
+  recovery_offer_->look();
+  live_watch_->offerCutOff();
+}
 
 void MainWindow::showIssue(const Issue& issue) {
   constexpr double kAround = 15.0;  // metres

@@ -32,6 +32,7 @@ class Recovery;
 class RecoveryOffer;
 class ResultActions;
 class RevisionActions;
+class LiveWatch;
 class RigActions;
 class RunOverlays;
 class RunViews;
@@ -122,6 +123,7 @@ class MainWindow : public QMainWindow {
   RunViews* views_;
   TransportActions* runs_;
   ResultActions* results_;
+  LiveWatch* live_watch_;
   RigActions* rigs_;
   PictureActions* pictures_;
   TemplateMenu* templates_;

@@ -47,6 +47,28 @@ TEST(ScanBuilder, SilenceCountsOnlyWhereSomethingWasEverSeen) {
   EXPECT_EQ(rayAt(scan, -90.0), nullptr);
 }
 
+TEST(ScanBuilder, WhatWasNotMeasuredIsNoSilence) {
+  ScanBuilder scans(40.0);
+  scanOf(scans, {pointAt(90.0, 10.0, 1.0, 1.0F), pointAt(0.0, 5.0, 1.0, 1.0F)});
+  const Scan scan =
+      scanOf(scans, {notMeasured(toRadians(90.0), 1.0F), notMeasured(toRadians(-90.0), 1.0F),
+                     pointAt(45.0, 10.0, 1.0, 1.0F)});
+  EXPECT_EQ(rayAt(scan, 90.0), nullptr) << "it has returned before, but was not measured now";
+  ASSERT_NE(rayAt(scan, 0.0), nullptr);
+  EXPECT_FALSE(rayAt(scan, 0.0)->returned) << "that is silence";
+  EXPECT_EQ(scan.first_looked_at.size(), 1U);
+  const Scan next = scanOf(scans, {pointAt(-90.0, 3.0, 1.0, 1.0F)});
+  EXPECT_TRUE(next.first_looked_at.empty()) << "nobody knows what was there before";
+  EXPECT_FALSE(rayAt(next, 90.0)->returned) << "now it is silent";
+}
+
+TEST(ScanBuilder, AScannerThatMeasuresNothingSaysNothing) {
+  ScanBuilder scans(40.0);
+  scanOf(scans, {pointAt(90.0, 10.0, 1.0, 1.0F)});
+  EXPECT_TRUE(scanOf(scans, {notMeasured(0.0, 1.0F)}).rays.empty());
+  EXPECT_TRUE(scanOf(scans, {}).rays.empty());
+}
+
 TEST(ScanBuilder, AStandingScanLooksThroughWhatIsNoWall) {
   ScanBuilder scans(40.0);
   std::vector<RangePoint> points;

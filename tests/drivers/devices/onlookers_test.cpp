@@ -33,7 +33,6 @@ quint16 freePort() {
 std::shared_ptr<Snapshot> at(double x, double width) {
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->report.pose = {x, 2.0, 0.5};
-  snapshot->report.within = {0.9, 0.99, 1.0};
   snapshot->report.pose_sigma = {0.1, 0.2, 0.03};
   snapshot->map = Lazy<Map>([width] {
     Map map;
@@ -287,12 +286,12 @@ TEST(Onlookers, WhoIsLostIsSaidToBeAndNotToldOfAsIfHeWereNot) {
   told.tell(at(1.0, 8.0));
   ASSERT_TRUE(waitUntil([&] { return stateIn(listener) == QLatin1String("sure"); }));
   auto unsure = at(2.0, 8.0);
-  unsure->report.within = {0.1, 0.4, 0.8};
+  unsure->report.pose_sigma = {1.5, 1.5, 0.1};
   told.tell(unsure);
   ASSERT_TRUE(waitUntil([&] { return stateIn(listener) == QLatin1String("unsure"); }));
   ASSERT_TRUE(waitUntil([&] { return poseX(listener) == 2.0; }));
   auto lost = at(3.0, 8.0);
-  lost->report.within = {0.01, 0.03, 0.2};
+  lost->report.pose_sigma = {10.0, 3.0, 0.1};
   told.tell(lost);
   ASSERT_TRUE(waitUntil([&] { return stateIn(listener) == QLatin1String("lost"); }));
   const int told_before = listener.count[QStringLiteral("/tf")];

@@ -19,6 +19,15 @@ TEST(PortAddress, AreReadAndWritten) {
   EXPECT_EQ(parsePortAddress("tcp://192.168.0.10:10940", 9600),
             PortAddress(TcpAddress{"192.168.0.10", 10940}));
   EXPECT_EQ(parsePortAddress("tcp://[::1]:80", 9600), PortAddress(TcpAddress{"::1", 80}));
+  EXPECT_EQ(parsePortAddress("192.168.0.10", 9600, 10940),
+            PortAddress(TcpAddress{"192.168.0.10", 10940}));
+  EXPECT_EQ(parsePortAddress("192.168.0.10:4000", 9600, 10940),
+            PortAddress(TcpAddress{"192.168.0.10", 4000}));
+  EXPECT_EQ(parsePortAddress("laser.local", 9600, 10940),
+            PortAddress(TcpAddress{"laser.local", 10940}));
+  EXPECT_EQ(parsePortAddress("tcp://[::1]", 9600, 10940), PortAddress(TcpAddress{"::1", 10940}));
+  EXPECT_EQ(parsePortAddress("ttyUSB0", 9600, 10940), PortAddress(SerialAddress{"ttyUSB0", 9600}));
+  EXPECT_THROW(parsePortAddress("192.168.0.10", 9600), Error) << "no port is usual there";
   for (const char* text : {"/dev/ttyUSB0@9600", "tcp://robot:4000", "tcp://[fe80::1]:4000"}) {
     EXPECT_EQ(formatPortAddress(parsePortAddress(text, 1200)), text);
   }

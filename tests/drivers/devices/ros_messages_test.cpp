@@ -1,6 +1,7 @@
 #include "drivers/rosbridge/ros_messages.h"
 
 #include <QCborArray>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,14 +53,15 @@ TEST(RosMessages, LaserScansBecomePointsWhereSomethingWas) {
   const QCborMap message = emulated::laserScan(
       5.0, {1.0F, 2.0F, infinity, 3.0F, 99.0F, 0.01F, 2.0F, 2.0F}, RosVersion::Ros2);
   const auto scan = readLaserScan(RosValue(message, "/scan"));
-  ASSERT_EQ(scan.points.size(), 5U);
+  ASSERT_EQ(scan.points.size(), 6U);
+  EXPECT_EQ(std::count_if(scan.points.begin(), scan.points.end(), isMeasured), 5);
   EXPECT_NEAR(scan.points[0].x, -1.0F, 1e-6F);  // behind
   EXPECT_NEAR(scan.points[1].y, -std::sqrt(2.0F), 1e-6F);
   EXPECT_EQ(scan.stamp_s, 5.0);
   EXPECT_EQ(scan.reach_m, 30.0);
   // In JSON what is not a number is null.
   const QCborArray list = {1.0, nullptr, 3.0};
-  EXPECT_EQ(readLaserScan(RosValue(with(message, "ranges", list), "/scan")).points.size(), 2U);
+  EXPECT_EQ(readLaserScan(RosValue(with(message, "ranges", list), "/scan")).points.size(), 3U);
   const auto timed = readLaserScan(RosValue(with(message, "time_increment", 0.01), "/scan"));
   EXPECT_NEAR(timed.stamp_s, 5.04, 1e-9);
   EXPECT_THROW(readLaserScan(RosValue(with(message, "ranges", 1), "/scan")), Error);
@@ -67,23 +69,30 @@ TEST(RosMessages, LaserScansBecomePointsWhereSomethingWas) {
                Error);
 }
 
-/// REP 117, and what many drivers do besides: nothing came back as far as the scanner reaches.
+/// REP 117, and what many drivers do besides: nothing came back as far as the scanner reaches, or
+/// it could not be measured whether anything did.
 TEST(RosMessages, WhatAScannerGivesForNothingIsNoWall) {
   const auto points = [](float range, double farthest) {
     const QCborMap message = emulated::laserScan(
         5.0, {2.0F, range, 2.0F, 2.0F, 2.0F, 2.0F, 2.0F, 2.0F}, RosVersion::Ros2);
-    return readLaserScan(RosValue(with(message, "range_max", farthest), "/scan")).points.size();
+    return readLaserScan(RosValue(with(message, "range_max", farthest), "/scan")).points;
   };
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (const double farthest : {12.0, 11.99, 5.6, static_cast<double>(11.99F)}) {
     const auto most = static_cast<float>(farthest);
-    for (const float range : {most, std::nextafter(most, kInfinity), most + 1.0F, kInfinity,
-                              -kInfinity, kNone, 0.0F, -1.0F, 0.049F}) {
-      EXPECT_EQ(points(range, farthest), 7U) << range << " of " << farthest;
+    for (const float range :
+         {most, std::nextafter(most, kInfinity), most + 1.0F, kInfinity, 0.0F}) {
+      EXPECT_EQ(points(range, farthest).size(), 7U) << range << " of " << farthest;
     }
-    EXPECT_EQ(points(std::nextafter(most, 0.0F), farthest), 8U);
-    EXPECT_EQ(points(0.05F, farthest), 8U);
+    for (const float range : {-kInfinity, kNone, -1.0F, 0.049F}) {
+      const auto scan = points(range, farthest);
+      ASSERT_EQ(scan.size(), 8U) << range;
+      EXPECT_FALSE(isMeasured(scan[1])) << range;
+      EXPECT_NEAR(std::atan2(scan[1].y, scan[1].x), -0.75 * kPi, 1e-6) << "its direction";
+    }
+    EXPECT_TRUE(isMeasured(points(std::nextafter(most, 0.0F), farthest)[1]));
+    EXPECT_EQ(points(0.05F, farthest).size(), 8U);
   }
 }
 

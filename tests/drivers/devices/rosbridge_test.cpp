@@ -1,3 +1,7 @@
+#include <QCryptographicHash>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -103,8 +107,10 @@ TEST(Rosbridge, ScansCloudsAndPairsOfImagesComeOverOneConnection) {
     std::size_t rays = 0;
     std::size_t points = 0;
     int pairs = 0;
-    QObject::connect(&laser, &RangeSensor::scanned, &laser,
-                     [&](double, const std::vector<RangePoint>& scan) { rays = scan.size(); });
+    QObject::connect(
+        &laser, &RangeSensor::scanned, &laser, [&](double, const std::vector<RangePoint>& scan) {
+          rays = static_cast<std::size_t>(std::count_if(scan.begin(), scan.end(), isMeasured));
+        });
     double reach_m = 0.0;
     QObject::connect(&laser, &RangeSensor::reaches, &laser,
                      [&](double range_m) { reach_m = range_m; });
@@ -206,6 +212,97 @@ std::shared_ptr<const Map> oneBuilding() {
   map->buildings[0].id = "A";
   map->buildings[0].shape = Rectangle{{10.0, 5.0}, 8.0, 4.0, 0.0};
   return map;
+}
+
+TEST(Rosbridge, TheFramesOfTheOdometryAreNamedAlsoWhereTheBaseBeginsAnew) {
+  RosbridgeEmulator server;
+  const RigClock clock = startedRigClock();
+  RosOdometry device(clientOf(server), QStringLiteral("/odom"), {}, clock);
+  std::vector<OdometryFrames> named;
+  Pose2 told;
+  QObject::connect(&device, &OdometrySensor::framed, &device,
+                   [&](const OdometryFrames& frames) { named.push_back(frames); });
+  QObject::connect(&device, &OdometrySensor::moved, &device,
+                   [&](double, const Pose2& pose) { told = pose; });
+  device.open();
+  Pose2 base{50.0, 3.0, 0.5};
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout, &server, [&] {
+    server.publish(QStringLiteral("/odom"),
+                   emulated::odometry(1.7e9 + clock(), base, RosVersion::Ros2));
+  });
+  timer.start(20);
+  ASSERT_TRUE(waitUntil([&] { return named.size() == 1; }));
+  EXPECT_EQ(named[0].odometry, "base") << "as the emulator calls it";
+  EXPECT_EQ(named[0].base, "base");
+  EXPECT_EQ(named[0].origin, Pose2{});
+  base = {0.0, 0.0, 0.0};
+  ASSERT_TRUE(waitUntil([&] { return named.size() == 2; }));
+  base = {1.0, 0.0, 0.0};
+  const Pose2 there = named[1].origin * base;
+  EXPECT_TRUE(waitUntil([&] { return (told.position() - there.position()).norm() < 1e-6; }));
+  EXPECT_NEAR(there.x, 50.0 + std::cos(0.5), 1e-6);
+}
+
+/// Lets in whoever comes, takes nothing of what it is sent then, and pings.
+class DeafBridge {
+ public:
+  DeafBridge() {
+    server_.listen(QHostAddress::LocalHost);
+    QObject::connect(&server_, &QTcpServer::newConnection, &server_, [this] {
+      socket_ = server_.nextPendingConnection();
+      QObject::connect(socket_, &QTcpSocket::readyRead, &server_, [this] { letIn(); });
+    });
+  }
+  QUrl url() const { return QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(server_.serverPort())); }
+  bool isLetGo() const { return let_in_ && socket_->state() == QAbstractSocket::UnconnectedState; }
+  /// So many bytes were sent.
+  qint64 ping() {
+    if (!let_in_ || socket_->bytesToWrite() > 1 << 20) return 0;
+    QByteArray flood;
+    for (int i = 0; i < 1000; ++i) flood += QByteArray("\x89\x7d", 2) + QByteArray(125, 'x');
+    return socket_->write(flood);
+  }
+
+ private:
+  void letIn() {
+    if (let_in_) return;
+    request_ += socket_->readAll();
+    if (!request_.contains("\r\n\r\n")) return;
+    const qsizetype at = request_.indexOf("Sec-WebSocket-Key: ") + 19;
+    const QByteArray key = request_.mid(at, request_.indexOf("\r\n", at) - at);
+    const QByteArray proof = QCryptographicHash::hash(key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11",
+                                                      QCryptographicHash::Sha1);
+    socket_->write(
+        "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n"
+        "Connection: Upgrade\r\nSec-WebSocket-Accept: " +
+        proof.toBase64() + "\r\n\r\n");
+    socket_->setReadBufferSize(1);
+    let_in_ = true;
+  }
+  QTcpServer server_;
+  QTcpSocket* socket_ = nullptr;
+  QByteArray request_;
+  bool let_in_ = false;
+};
+
+TEST(RosbridgeClient, AServerThatPingsAndDoesNotReadIsLetGo) {
+  DeafBridge bridge;
+  const auto client = std::make_shared<RosbridgeClient>(RosbridgeOptions{bridge.url()});
+  QString why;
+  QObject::connect(client.get(), &RosbridgeClient::lost, client.get(),
+                   [&](const QString& said) { why = said; });
+  client->open();
+  ASSERT_TRUE(waitUntil([&] { return client->isConnected(); }));
+  qint64 sent = 0;
+  EXPECT_TRUE(waitUntil([&] {
+    sent += bridge.ping();
+    return !why.isEmpty();
+  }));
+  EXPECT_TRUE(why.contains(QLatin1String("does not take"))) << why.toStdString();
+  EXPECT_LT(sent, 200 << 20) << "bytes of pings, each with its pong";
+  EXPECT_TRUE(waitUntil([&] { return bridge.isLetGo(); }));
+  client->close();
 }
 
 TEST(RosPublisher, WhoHearsGetsPosesAndTheMapAlsoAfterALoss) {

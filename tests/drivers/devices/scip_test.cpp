@@ -1,5 +1,7 @@
 #include "drivers/scanner/scip.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace handmap {
@@ -103,6 +105,12 @@ TEST(Scip, ScansBecomePointsWithoutTheCodesOfErrors) {
   EXPECT_NEAR(points[1].x, 2.0F, 1e-6F);   // ahead
   EXPECT_NEAR(points[2].y, 3.0F, 1e-6F);   // a quarter to the left
   EXPECT_EQ(points[2].w, 1.0F);
+  ScipScan coded = *scan;
+  coded.ranges_mm[1] = 6;
+  const auto with_code = scipPoints(coded, parameters);
+  ASSERT_EQ(with_code.size(), 4U);
+  EXPECT_FALSE(isMeasured(with_code[1])) << "not that nothing came back";
+  EXPECT_NEAR(std::atan2(with_code[1].y, with_code[1].x), -kPi / 4.0, 1e-6);
   ScipAnswer cut = answer;
   cut.lines.back().pop_back();
   EXPECT_FALSE(parseScipScan(cut, parameters));

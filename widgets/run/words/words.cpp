@@ -12,11 +12,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kHowOften = 0.9;
-constexpr double kHeadingSigmas = 1.645;  // nine of ten, both sides
-constexpr double kSureWithin_m = 1.5;
-constexpr double kRoughWithin_m = 5.0;
-constexpr double kSureHeading = toRadians(15.0);
 constexpr double kNearby_m = 50.0;
 constexpr qsizetype kMostNamed = 4;
 constexpr double kSurprising = 2.0;  // σ of the drawing
@@ -31,17 +26,6 @@ QString range(double least, double most) {
 }
 
 }  // namespace
-
-PoseCertainty certaintyOf(const FrameReport& report) {
-  PoseCertainty certainty{Certainty::Lost, radiusHolding(positionCovariance(report), kHowOften),
-                          kHeadingSigmas * report.pose_sigma[2]};
-  if (certainty.heading_rad > kPi / 2.0) return certainty;
-  if (certainty.within_m <= kRoughWithin_m) certainty.kind = Certainty::Rough;
-  if (certainty.within_m <= kSureWithin_m && certainty.heading_rad <= kSureHeading) {
-    certainty.kind = Certainty::Sure;
-  }
-  return certainty;
-}
 
 QString Words::nameOf(const Building& building) {
   QString id = QString::fromStdString(building.id);

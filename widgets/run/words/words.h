@@ -6,21 +6,10 @@
 #include <optional>
 
 #include "core/map/map_changes.h"
+#include "core/session/pose_trust.h"
 #include "core/session/snapshot.h"
 
 namespace handmap {
-
-/// How surely the robot is where it is shown.
-enum class Certainty { Sure, Rough, Lost };
-
-/// Nine times of ten the pose is off by no more than `within_m` and `heading_rad`.
-struct PoseCertainty {
-  Certainty kind;
-  double within_m;
-  double heading_rad;
-};
-
-PoseCertainty certaintyOf(const FrameReport& report);
 
 class Words {
   Q_DECLARE_TR_FUNCTIONS(handmap::Words)

@@ -11,8 +11,9 @@ namespace handmap {
 
 namespace {
 
-/// What may be gone over again: hours of a planar scanner, minutes of a spinning one.
-constexpr std::size_t kMostBytes = 512U << 20U;
+/// What may be gone over again: the better part of an hour of a planar scanner, minutes of a
+/// spinning one.
+constexpr std::size_t kMostBytes = 192U << 20U;
 constexpr auto kLookAgain = std::chrono::milliseconds(20);
 
 }  // namespace

@@ -1,0 +1,159 @@
+#include "app/gui/run/live_watch.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+#include <csignal>
+#include <utility>
+
+#include "app/gui/run/live_robot.h"
+#include "app/gui/run/run_controller.h"
+#include "app/gui/run/source_actions.h"
+#include "core/recording/recording.h"
+#include "widgets/messages/message_bar.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr int kLook_ms = 250;
+constexpr auto kSilentTopic = "live_silent";
+constexpr auto kLostTopic = "live_lost";
+constexpr auto kCutOffTopic = "live_cut_off";
+constexpr auto kFolderKey = "live/recording";  // while one is written
+constexpr auto kProcessKey = "live/process";
+
+/// Another window may be recording yet.
+bool isAlive(qint64 process) { return process > 0 && kill(static_cast<pid_t>(process), 0) == 0; }
+
+/// What is wrong with what the robot sees with; empty where the devices know nothing.
+QString whySilent(const RigStatus& status) {
+  for (const DeviceStatus& device : status.devices) {
+    const bool sees = device.role == DeviceRole::Scanner || device.role == DeviceRole::Camera;
+    if (sees && !device.detail.empty()) return QString::fromStdString(device.detail);
+  }
+  return QString::fromStdString(status.last_refusal);
+}
+
+}  // namespace
+
+LiveWatch::LiveWatch(const Shell& shell, RunController& run, SourceActions& sources,
+                     QObject* parent)
+    : QObject(parent),
+      shell_(shell),
+      run_(run),
+      sources_(sources),
+      settings_(shell.settings),
+      self_(std::make_shared<Lifeline<LiveWatch>>(*this)) {
+  connect(&timer_, &QTimer::timeout, this, &LiveWatch::look);
+  connect(&run_, &RunController::begun, this, [this] {
+    silent_s_ = 0;
+    is_told_ended_ = was_found_ = is_lost_ = false;
+  });
+  connect(&run_, &RunController::stateChanged, this, &LiveWatch::follow);
+  connect(&run_, &RunController::newsArrived, this, [this](const RunNews& news) {
+    if (run_.live() && run_.isActive()) tellLost(certaintyOf(news.newest->report).kind);
+  });
+}
+
+LiveWatch::~LiveWatch() {
+  self_->cut();
+  note({});
+}
+
+void LiveWatch::follow() {
+  if (run_.live() && run_.isActive()) {
+    if (!timer_.isActive()) timer_.start(kLook_ms);
+    return;
+  }
+  if (!timer_.isActive()) return;
+  timer_.stop();
+  note({});
+  for (const char* topic : {kSilentTopic, kLostTopic}) shell_.messages.withdraw(topic);
+}
+
+void LiveWatch::look() {
+  const auto link = run_.live();
+  const auto monitor = link ? link->monitor() : nullptr;
+  if (!monitor) return;
+  const RigStatus status = monitor->status();
+  if (run_.state() != RunState::Stopping) tellSilence(status);
+  tellRecording(status.recording);
+}
+
+/// Between two stops of a robot with a head it is silent as it should be.
+void LiveWatch::tellSilence(const RigStatus& status) {
+  const bool has_head =
+      std::any_of(status.devices.begin(), status.devices.end(),
+                  [](const DeviceStatus& device) { return device.role == DeviceRole::Head; });
+  const int silent_s = has_head ? 0 : static_cast<int>(status.observation_age_s.value_or(0.0));
+  const int told_s = std::exchange(silent_s_, silent_s);
+  if (silent_s == told_s) return;
+  if (silent_s == 0) return shell_.messages.withdraw(kSilentTopic);
+  shell_.messages.show(MessageBar::Kind::Warning,
+                       tr("Nothing has been observed for %1 s: the robot is shown by its odometry "
+                          "alone.")
+                           .arg(silent_s),
+                       whySilent(status), kSilentTopic);
+}
+
+void LiveWatch::tellLost(Certainty certainty) {
+  const bool lost = was_found_ && certainty == Certainty::Lost;
+  was_found_ |= certainty != Certainty::Lost;
+  if (lost && !is_lost_) {
+    shell_.messages.show(MessageBar::Kind::Warning, tr("It is no longer known where the robot is."),
+                         tr("If you see it, say so with “Robot is here”."), kLostTopic);
+  } else if (!lost && is_lost_) {
+    shell_.messages.withdraw(kLostTopic);
+  }
+  is_lost_ = lost;
+}
+
+void LiveWatch::tellRecording(const RecordingStatus& recording) {
+  if (recording.error.empty()) return note(QString::fromStdString(recording.folder));
+  note({});
+  if (std::exchange(is_told_ended_, true)) return;
+  shell_.messages.show(MessageBar::Kind::Error, tr("The recording has ended, the drive goes on."),
+                       QString::fromStdString(recording.error));
+}
+
+/// So that the next start knows of it, whatever becomes of this one.
+void LiveWatch::note(const QString& folder) {
+  if (folder == noted_) return;
+  noted_ = folder;
+  if (folder.isEmpty()) {
+    settings_.remove(kFolderKey);
+    settings_.remove(kProcessKey);
+  } else {
+    settings_.setValue(kFolderKey, QFileInfo(folder).absoluteFilePath());
+    settings_.setValue(kProcessKey, QCoreApplication::applicationPid());
+  }
+  settings_.sync();
+}
+
+void LiveWatch::offerCutOff() {
+  const QString folder = settings_.value(kFolderKey).toString();
+  const qint64 process = settings_.value(kProcessKey).toLongLong();
+  if (folder.isEmpty() || isAlive(process)) return;
+  settings_.remove(kFolderKey);
+  settings_.remove(kProcessKey);
+  startInBackground([self = self_, folder] {
+    int rows = 0;
+    try {
+      rows = static_cast<int>(openRecording(folder.toStdString()).rows.size());
+    } catch (const std::exception&) {
+      return;  // it ended before its first observation
+    }
+    self->post([folder, rows](LiveWatch& watch) {
+      Message& message = watch.shell_.messages.ask(
+          tr("The program ended in the middle of a drive. Its recording is whole, up to its last "
+             "observation: %n of them.",
+             nullptr, rows),
+          folder, kCutOffTopic);
+      message.addAction(tr("Open it"), [&watch, folder] { watch.sources_.openRecording(folder); });
+    });
+  });
+}
+
+}  // namespace handmap
