@@ -48,6 +48,13 @@ struct BuildingSwarm {
   std::vector<Rectangle> members;
 };
 
+/// A drawn building near the robot, as it is corrected now.
+struct NearbyBuilding {
+  std::size_t building;  ///< of the drawing
+  Polygon outline;
+  bool found;  ///< something that was seen is taken for it
+};
+
 /// What a step does, in this order; an observation near the last key frame ends with the first.
 enum class EstimatorPhase { Way, Poses, Evidence, Detection, Labels, Correction };
 
@@ -91,6 +98,7 @@ class HandmapEstimator {
   Map refinedMap() const { return refinedMapLater()(); }
   /// The same, to be made later and in any thread.
   std::function<Map()> refinedMapLater() const;
+  std::vector<NearbyBuilding> nearby() const;
   /// How the drawing as a whole lies.
   const DrawingMotion& drawingMotion() const;
   const std::vector<FoundBox>& found() const;

@@ -49,6 +49,16 @@ std::vector<PoseParticle> HandmapEstimator::particles() const {
   return particles;
 }
 
+std::vector<NearbyBuilding> HandmapEstimator::nearby() const {
+  std::vector<NearbyBuilding> buildings;
+  for (const std::size_t b : state_->labels.nearby()) {
+    const Building& now = state_->correction.corrected(b);
+    buildings.push_back(
+        {b, now.footprint(), now.estimate && now.estimate->observations > 0 && !now.fixed});
+  }
+  return buildings;
+}
+
 std::vector<BuildingSwarm> HandmapEstimator::swarms(std::size_t members) const {
   const State& state = *state_;
   const std::vector<std::size_t> held = sampledHypotheses(state.labels.hypotheses(), members);

@@ -37,6 +37,7 @@ class MapCorrection {
   void correctSome(std::span<const FoundBox> found, const HasReached& has_reached);
   /// A building that is probably another one, or not there, has a member "doubtful".
   std::function<Map()> mapLater() const;
+  const Building& corrected(std::size_t building) const { return corrected_[building]; }
 
  private:
   void compare(std::size_t building, std::span<const FoundBox> found);

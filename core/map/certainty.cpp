@@ -32,6 +32,7 @@ std::vector<SideEstimate> wallsOf(const Building& building) {
   for (std::size_t i = 0; i < footprint.size(); ++i) {
     const Vec2 along = footprint[(i + 1) % footprint.size()] - footprint[i];
     walls.push_back(sides[sideFacing(heading, -perpendicular(along))]);
+    if (building.seen_walls.size() == footprint.size()) walls.back().seen = building.seen_walls[i];
   }
   return walls;
 }
@@ -45,11 +46,13 @@ void setDoubt(Building& building, double doubt) { building.doubt = std::round(do
 
 void copyCertainty(const Building& from, Building& to) {
   to.sides = from.sides;
+  to.seen_walls = from.seen_walls;
   to.doubt = from.doubt;
 }
 
 void forgetCertainty(Building& building) {
   building.sides.reset();
+  building.seen_walls.clear();
   building.doubt.reset();
 }
 

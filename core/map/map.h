@@ -45,7 +45,7 @@ struct StartUncertainty {
 /// Of a single object of a drawing.
 struct Flags {
   bool hidden = false;  ///< not drawn and not met by the pointer
-  bool locked = false;  ///< not changed by the pointer on the canvas; of a building see `fixed`
+  bool locked = false;  ///< not moved, resized or deleted by hand; a run goes by `fixed`
   bool operator==(const Flags&) const = default;
 };
 
@@ -78,7 +78,10 @@ struct Building {
   bool may_not_exist = false;
   Flags flags;
   std::optional<Estimate> estimate;
-  std::optional<Sides> sides;   ///< as a run told them one by one; see sidesOf()
+  std::optional<Sides> sides;  ///< as a run told them one by one; see sidesOf()
+  /// Of an outline with other than four walls: those of its seen sides that were seen themselves.
+  /// Empty: all of them; see wallsOf().
+  std::vector<bool> seen_walls;
   std::optional<double> doubt;  ///< that it is another building or is not there, 0 … 1
   UnknownMembers unknown;
 

@@ -10,22 +10,38 @@
 
 namespace handmap {
 
+// Less is not a change that anybody sees.
+inline constexpr double kLeastMove_m = 0.1;
+inline constexpr double kLeastTurn = toRadians(2.0);
+inline constexpr double kLeastGrowth_m = 0.5;  ///< of one of the sizes
+
 struct BuildingChange {
-  std::size_t building;  ///< of the drawing
-  Vec2 drawn;            ///< middle of its area, metres
-  Vec2 now;
-  double doubt;  ///< see doubtOf()
+  std::size_t building = 0;   ///< of the drawing
+  Vec2 drawn = Vec2::Zero();  ///< middle of its area, metres
+  Vec2 now = Vec2::Zero();
+  double turned = 0.0;     ///< counter-clockwise, radians
+  double wider_m = 0.0;    ///< along the heading of the drawn box; negative: shrunk
+  double deeper_m = 0.0;   ///< across it
+  double doubt = 0.0;      ///< see doubtOf()
+  bool one_sided = false;  ///< one side alone was seen: how deep it is behind that is as drawn
   double moved_m() const { return (now - drawn).norm(); }
+  /// The size that changed most, with its sign.
+  double grown_m() const;
+  bool isTurned() const;
+  bool isResized() const;
 };
 
-/// Less is not a change that anybody sees.
-inline constexpr double kLeastMove_m = 0.1;
+/// `now`: the building that a run made of `drawn`.
+BuildingChange changeOf(const Building& drawn, const Building& now);
 
 struct MapChanges {
-  std::vector<BuildingChange> moved;     ///< and seen; the farthest first
-  std::vector<BuildingChange> kept;      ///< seen, and less than kLeastMove_m off
-  std::vector<BuildingChange> unseen;    ///< no observation stands for them
-  std::vector<BuildingChange> doubtful;  ///< also among the others; the most doubtful first
+  std::vector<BuildingChange> moved;      ///< and seen; the farthest first
+  std::vector<BuildingChange> kept;       ///< seen, and neither moved, turned nor resized
+  std::vector<BuildingChange> unseen;     ///< no observation stands for them
+  std::vector<BuildingChange> turned;     ///< of those seen; the most turned first
+  std::vector<BuildingChange> resized;    ///< of those seen; the most changed first
+  std::vector<BuildingChange> one_sided;  ///< of those seen
+  std::vector<BuildingChange> doubtful;   ///< also among the others; the most doubtful first
 };
 
 /// `refined`: of a run on `drawing`, its buildings in the same order.

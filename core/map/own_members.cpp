@@ -20,6 +20,7 @@ constexpr auto kLocked = "handmap:locked";
 constexpr auto kMayNotExist = "handmap:may_not_exist";
 constexpr auto kSigmas = "wall_sigma_m";
 constexpr auto kSeen = "walls_seen";
+constexpr auto kSeenWalls = "handmap:outline_walls_seen";
 constexpr auto kDoubtful = "doubtful";
 constexpr auto kStart = "handmap:start_uncertainty";
 constexpr auto kLayers = "handmap:layers";
@@ -113,6 +114,23 @@ std::string formatSeen(const Sides& sides) {
   return fmt::format("[{}]", fmt::join(seen, ","));
 }
 
+/// Of an outline; empty where it is no array of true and false.
+std::vector<bool> readSeenWalls(const Text& member) {
+  if (!member) return {};
+  const auto json = nlohmann::json::parse(*member, nullptr, false);
+  if (!json.is_array()) return {};
+  std::vector<bool> seen;
+  for (const auto& wall : json) {
+    if (!wall.is_boolean()) return {};
+    seen.push_back(wall.get<bool>());
+  }
+  return seen;
+}
+
+std::string formatSeenWalls(const std::vector<bool>& seen) {
+  return seen.empty() ? std::string() : nlohmann::json(seen).dump();
+}
+
 std::optional<double> readDoubt(const Text& text) {
   return text ? parseFinite(*text) : std::nullopt;
 }
@@ -199,6 +217,8 @@ void takeOwnMembers(Building& building) {
     members.erase(kSigmas);
     members.erase(kSeen);
   }
+  building.seen_walls = readSeenWalls(textOf(members, kSeenWalls));
+  dropSame(members, kSeenWalls, formatSeenWalls(building.seen_walls));
   building.doubt = readDoubt(textOf(members, kDoubtful));
   if (building.doubt) dropSame(members, kDoubtful, formatNumber(*building.doubt));
 }
@@ -227,6 +247,9 @@ UnknownMembers withOwnMembers(const Building& building) {
       were.has_value());
   put(members, kSeen, building.sides ? formatSeen(*building.sides) : "", same_sides,
       were.has_value());
+  const std::vector<bool> outlined = readSeenWalls(textOf(members, kSeenWalls));
+  put(members, kSeenWalls, formatSeenWalls(building.seen_walls), outlined == building.seen_walls,
+      !outlined.empty());
   const std::optional<double> doubted = readDoubt(textOf(members, kDoubtful));
   put(members, kDoubtful, building.doubt ? formatNumber(*building.doubt) : "",
       doubted == building.doubt, doubted.has_value());

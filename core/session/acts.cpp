@@ -157,4 +157,10 @@ void appendAct(const std::filesystem::path& folder, const Act& act) {
   }
 }
 
+void writeActs(const std::filesystem::path& folder, const std::vector<Act>& acts) {
+  std::string content;
+  for (const Act& act : acts) content += formatAct(act);
+  writeFileAtomically(folder / kActsFile, content);
+}
+
 }  // namespace handmap

@@ -35,6 +35,8 @@ struct Act {
 std::vector<Act> readActs(const std::filesystem::path& folder);
 /// On the disk when it returns. Throws RunFailed with the reason of the system.
 void appendAct(const std::filesystem::path& folder, const Act& act);
+/// All of them, in place of those that the folder has.
+void writeActs(const std::filesystem::path& folder, const std::vector<Act>& acts);
 
 std::string formatAct(const Act& act);  ///< a line
 

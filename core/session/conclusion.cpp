@@ -2,6 +2,7 @@
 
 #include "core/map_match/matched_trajectory.h"
 #include "core/outlines/refinement.h"
+#include "core/session/seen_walls.h"
 
 namespace handmap {
 
@@ -39,6 +40,7 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
   if (!(supportOf(drawing, placed, limit_m, stop) >= kMostlyRight)) return std::nullopt;
   auto refined = refine(drawing, std::nullopt, placed, limit_m, seed, stop);
   if (!refined || !(refined->right >= kMostlyRight)) return std::nullopt;
+  WallRays::of(refined->map, placed, {}).state(drawing, refined->map);
   return Conclusion{std::move(trajectory), std::move(refined->map), laid.covariance()};
 }
 
@@ -63,6 +65,7 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
   if (!refined) return std::nullopt;
   const Pose2 onto_map = inverse(refined->motion);
+  WallRays::of(refined->map, placed, onto_map).state(drawing, refined->map);
   for (Pose2& pose : trajectory.poses) pose = onto_map * pose;
   return Conclusion{std::move(trajectory), std::move(refined->map), std::nullopt};
 }

@@ -9,6 +9,8 @@
 #include "core/session/localization_method.h"
 #include "core/session/paper_phases.h"
 #include "core/session/pose_trust.h"
+#include "core/session/recognition.h"
+#include "core/session/seen_walls.h"
 
 namespace handmap {
 
@@ -30,7 +32,8 @@ Eigen::Matrix3d covarianceOf(const std::vector<Particle>& particles, const Pose2
 class PaperMethod : public EstimationMethod {
  public:
   PaperMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
-      : drawing_(drawing), slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
+      : drawing_(std::make_shared<const Map>(drawing)),
+        slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const std::stop_token& stop, const std::function<void(double)>& progress) override {
@@ -40,8 +43,12 @@ class PaperMethod : public EstimationMethod {
                     recorder_ ? &trace : nullptr)) {
       return false;
     }
+    const double driven_m = (slam_.best().pose.position() - before.position()).norm();
+    recognition_.look(
+        wall_rays_.add(foundOutlines(slam_.refinedMap()), slam_.best().pose, percept.scan),
+        driven_m);
     if (recorder_ != nullptr) {
-      tellPhases(trace, {slam_, drawing_, percept.local_map, before}, *recorder_);
+      tellPhases(trace, {slam_, *drawing_, percept.local_map, before}, *recorder_);
     }
     return true;
   }
@@ -53,7 +60,10 @@ class PaperMethod : public EstimationMethod {
       report.log_likelihood = std::log(slam_.lastStep().likelihood);
     }
     report.pose = slam_.best().pose;
-    stateTrust(covarianceOf(slam_.particles(), report.pose), report);
+    report.unrecognised_m = recognition_.unrecognised_m();
+    Eigen::Matrix3d covariance = covarianceOf(slam_.particles(), report.pose);
+    recognition_.widen(covariance);
+    stateTrust(covariance, report);
   }
   std::vector<ParticleView> particles() const override {
     std::vector<ParticleView> views;
@@ -75,12 +85,18 @@ class PaperMethod : public EstimationMethod {
     return SharedListWriter<StampedPose>(slam_.best().path.poses()).share();
   }
   std::function<Map()> refinedMap() const override {
-    return [map = slam_.refinedMap()] { return map; };
+    return [drawing = drawing_, map = slam_.refinedMap(), rays = wall_rays_] {
+      Map stated = map;
+      rays.state(*drawing, stated);
+      return stated;
+    };
   }
 
  private:
-  Map drawing_;
+  std::shared_ptr<const Map> drawing_;
   FastSlamPsom slam_;
+  WallRays wall_rays_;
+  Recognition recognition_;
   PhaseRecorder* recorder_ = nullptr;
 };
 

@@ -6,8 +6,11 @@
 #include "core/estimation/estimator.h"
 #include "core/map_match/matched_trajectory.h"
 #include "core/session/conclusions.h"
+#include "core/session/doubt.h"
 #include "core/session/handmap_phases.h"
 #include "core/session/pose_trust.h"
+#include "core/session/recognition.h"
+#include "core/session/seen_walls.h"
 #include "core/session/wheel_uncertainty.h"
 #include "core/trajectory/scan_trajectory.h"
 
@@ -35,6 +38,7 @@ class HandmapMethod : public EstimationMethod {
  public:
   HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
       : drawing_(drawing),
+        shared_drawing_(std::make_shared<const Map>(drawing)),
         start_(*drawing.start * inverse(source.start_odometry)),
         seed_(settings.seed),
         on_the_way_(settings.conclude_on_the_way),
@@ -60,7 +64,11 @@ class HandmapMethod : public EstimationMethod {
     }
     estimator_.step(time_s, here, percept.scan, stop, progress);
     estimator_.watch({});
+    const std::size_t kept = seen_.frames().size();
     seen_.add(observations_++, odometry, percept.scan, percept.points);
+    if (seen_.frames().size() > kept) {
+      look(percept.scan);
+    }
     if (matched_) {
       matched_->add(trajectory_.poses(),
                     by_scans_ ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
@@ -100,7 +108,10 @@ class HandmapMethod : public EstimationMethod {
     report.log_likelihood = estimator_.logLikelihood();
     report.loops = trajectory_.loops();
     report.pose = pose();
-    stateTrust(poseCovariance(), report);
+    report.unrecognised_m = recognition_.unrecognised_m();
+    Eigen::Matrix3d covariance = poseCovariance();
+    recognition_.widen(covariance);
+    stateTrust(covariance, report);
   }
   std::vector<ParticleView> particles() const override {
     std::vector<ParticleView> views;
@@ -114,21 +125,40 @@ class HandmapMethod : public EstimationMethod {
     return concluded_ ? shown_trajectory_ : estimator_.trajectory();
   }
   std::function<Map()> refinedMap() const override {
-    if (!concluded_) return estimator_.refinedMapLater();
-    if (finished_ || concluded_->trajectory.by != TrajectoryHypothesis::By::Buildings) {
-      return [map = concluded_->map] { return map; };
-    }
-    return [map = concluded_->map, since = estimator_.refinedMapLater()] {
-      Map now = since();
-      for (std::size_t b = 0; b < map.buildings.size(); ++b) {
-        const auto& estimate = map.buildings[b].estimate;
-        if (estimate && estimate->observations > 0) now.buildings[b] = map.buildings[b];
+    const bool goes_on = !concluded_ || (!finished_ && concluded_->trajectory.by ==
+                                                           TrajectoryHypothesis::By::Buildings);
+    return [drawing = shared_drawing_, concluded = concluded_ ? concluded_->map : Map(),
+            since = goes_on ? estimatedMap() : std::function<Map()>()] {
+      Map now = since ? since() : concluded;
+      for (std::size_t b = 0; since && b < concluded.buildings.size(); ++b) {
+        const auto& estimate = concluded.buildings[b].estimate;
+        if (estimate && estimate->observations > 0) now.buildings[b] = concluded.buildings[b];
       }
+      stateDoubt(*drawing, now);
       return now;
     };
   }
 
  private:
+  /// Which walls of what was found rays end on.
+  void look(const Scan& scan) {
+    std::vector<FoundOutline> found;
+    for (NearbyBuilding& building : estimator_.nearby()) {
+      if (building.found) found.push_back({building.building, std::move(building.outline)});
+    }
+    recognition_.look(wall_rays_.add(found, estimator_.pose(), scan), driven_m_ - looked_at_m_);
+    looked_at_m_ = driven_m_;
+  }
+
+  /// The drawing as the estimator has it now.
+  std::function<Map()> estimatedMap() const {
+    return [drawing = shared_drawing_, later = estimator_.refinedMapLater(), rays = wall_rays_] {
+      Map map = later();
+      rays.state(*drawing, map);
+      return map;
+    };
+  }
+
   /// A drawing that says that it is true as a whole, and nearly so in its parts, is one to lay the
   /// way on.
   void matchToWalls(const Pose2& odometry) {
@@ -260,7 +290,8 @@ class HandmapMethod : public EstimationMethod {
   }
 
   Map drawing_;
-  Pose2 start_;  ///< of the odometry frame, map frame
+  std::shared_ptr<const Map> shared_drawing_;  ///< the same, for what is made later
+  Pose2 start_;                                ///< of the odometry frame, map frame
   std::uint64_t seed_;
   bool on_the_way_;
   SeenFrames seen_;
@@ -270,6 +301,9 @@ class HandmapMethod : public EstimationMethod {
   bool by_scans_ = false;
   int loops_ = 0;
   HandmapEstimator estimator_;
+  Recognition recognition_;
+  double looked_at_m_ = 0.0;  ///< driven by then
+  WallRays wall_rays_;        ///< of the buildings as the estimator had them when they were met
   PhaseRecorder* recorder_ = nullptr;
   std::optional<MatchedTrajectory> matched_;
   double driven_m_ = 0.0;  ///< by the recorded odometry

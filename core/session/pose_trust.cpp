@@ -82,6 +82,10 @@ void stateBlind(double blind_s, FrameReport& report) {
   stateTrust(covariance, report);
 }
 
+double certainWithin(const FrameReport& report) {
+  return radiusHolding(positionCovariance(report), kHowOften);
+}
+
 void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
   const Eigen::Array3d sigma = covariance.diagonal().array().max(0.0).sqrt();
   report.pose_sigma = {sigma[0], sigma[1], sigma[2]};

@@ -56,7 +56,8 @@ struct FrameReport {
   /// Of the observation, nats: by the published method that of its particles, by ours how much
   /// better the buildings in sight explain what was seen than nothing does. Absent: not known.
   std::optional<double> log_likelihood;
-  int loops = 0;  ///< closed so far
+  int loops = 0;                ///< closed so far
+  double unrecognised_m = 0.0;  ///< see Recognition
 };
 
 /// Which view of a stop an image is.

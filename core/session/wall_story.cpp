@@ -16,21 +16,11 @@ constexpr double kShared_m = 0.2;
 constexpr double kOneLook_m = 1.0;
 constexpr double kLeastSigma_m = 0.01;
 
-struct PlacedWall {
-  Segment wall;
-  Vec2 along;
-  Vec2 normal;  ///< outwards
-  double tolerance_m;
-};
-
-std::optional<PlacedWall> placed(const Map& map, std::size_t building, std::size_t wall,
-                                 double tolerance_m) {
+std::optional<Segment> wallOf(const Map& map, std::size_t building, std::size_t wall) {
   if (building >= map.buildings.size()) return std::nullopt;
   const Polygon outline = map.buildings[building].footprint();
   if (wall >= outline.size()) return std::nullopt;
-  const Segment segment{outline[wall], outline[(wall + 1) % outline.size()]};
-  const Vec2 along = (segment.b - segment.a).normalized();
-  return PlacedWall{segment, along, -perpendicular(along), tolerance_m};
+  return Segment{outline[wall], outline[(wall + 1) % outline.size()]};
 }
 
 struct Place {
@@ -66,27 +56,24 @@ class DrivenTrajectory {
 };
 
 /// The returns of a scan that lie on the wall and came from outside.
-std::optional<WallWitness> witnessOf(const Scan& scan, const Pose2& pose, const PlacedWall& wall) {
+std::optional<WallWitness> witnessOf(const Scan& scan, const Pose2& pose, const Segment& wall,
+                                     double tolerance_m) {
   WallWitness witness;
   witness.pose = pose;
   double weights = 0.0;
   double offsets = 0.0;
   double variances = 0.0;
-  const double length = wall.wall.length();
   for (const Ray& ray : scan.rays) {
     const auto likely = static_cast<double>(ray.wall);
     if (!ray.returned || likely < kLeastWall) continue;
     const Vec2 direction = unitVector(pose.heading + static_cast<double>(ray.bearing));
-    const double cosine = -direction.dot(wall.normal);
-    if (cosine < kLeastCosine) continue;
     const Vec2 end = pose.position() + static_cast<double>(ray.range) * direction;
-    const double at = (end - wall.wall.a).dot(wall.along);
-    const double offset = (end - wall.wall.a).dot(wall.normal);
-    if (at < 0.0 || at > length || std::abs(offset) > wall.tolerance_m) continue;
-    const double sigma = std::max(kLeastSigma_m, static_cast<double>(ray.sigma) * cosine);
+    const auto on = onWall(wall, end, direction, tolerance_m);
+    if (!on) continue;
+    const double sigma = std::max(kLeastSigma_m, static_cast<double>(ray.sigma) * on->cosine);
     const double weight = likely / (sigma * sigma);
     weights += weight;
-    offsets += weight * offset;
+    offsets += weight * on->offset_m;
     variances += weight * weight * sigma * sigma;
     witness.returns.push_back(end);
   }
@@ -126,15 +113,15 @@ WallStory storyOf(const Map& drawing, const Map& refined,
                   std::size_t building, std::size_t wall, double tolerance_m) {
   WallStory story;
   story.tolerance_m = tolerance_m;
-  const auto now = placed(refined, building, wall, tolerance_m);
-  const auto drawn = placed(drawing, building, wall, tolerance_m);
+  const auto now = wallOf(refined, building, wall);
+  const auto drawn = wallOf(drawing, building, wall);
   if (!now || !drawn) return story;
-  story.wall = now->wall;
+  story.wall = *now;
   const SideEstimate stated = wallsOf(refined.buildings[building])[wall];
   story.sigma_m = stated.sigma;
   story.seen = stated.seen;
-  const Vec2 apart = drawn->wall.a + drawn->wall.b - now->wall.a - now->wall.b;
-  story.drawn_m = 0.5 * apart.dot(now->normal);
+  const Vec2 apart = drawn->a + drawn->b - now->a - now->b;
+  story.drawn_m = -0.5 * apart.dot(perpendicular((now->b - now->a).normalized()));
   const Uncertainty uncertainty = drawing.uncertaintyOf(drawing.buildings[building]);
   story.drawn_sigma_m = std::hypot(uncertainty.position, 0.5 * uncertainty.size);
 
@@ -144,7 +131,7 @@ WallStory storyOf(const Map& drawing, const Map& refined,
   for (const SeenScan& seen : scans) {
     const auto place = robot.at(seen.time_s);
     if (!place || seen.scan == nullptr) continue;
-    auto witness = witnessOf(*seen.scan, place->pose, *now);
+    auto witness = witnessOf(*seen.scan, place->pose, *now, tolerance_m);
     if (!witness) continue;
     witness->time_s = seen.time_s;
     story.witnesses.push_back(std::move(*witness));

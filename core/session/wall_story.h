@@ -8,13 +8,9 @@
 #include "core/map/map.h"
 #include "core/perception/scan.h"
 #include "core/recording/trajectory.h"
+#include "core/session/on_wall.h"
 
 namespace handmap {
-
-/// Rays that place a wall: the least cosine of incidence (flatter ones tell nothing across) and how
-/// surely the return is of a wall.
-inline constexpr double kLeastCosine = 0.1;
-inline constexpr double kLeastWall = 0.05;
 
 /// What one observation saw, robot frame.
 struct SeenScan {
@@ -50,8 +46,6 @@ struct WallStory {
   /// knows more: the other walls of the building, and the drawing as a whole.
   double explained_m = 0.0;
 };
-
-inline constexpr double kOnWall_m = 0.5;
 
 /// Wall `wall` of the footprint of a building, from corner `wall` to the next. `refined`: of a run
 /// on `drawing`; `trajectory`: in order of time. Scans whose time is not within it tell nothing. A

@@ -36,7 +36,7 @@ class ScanOdometrySource : public ObservationSource {
                                        features(usableReturns(points, info_.range_limit_m)));
     // Where it was silent the robot may be anywhere near, until the next scan is recognised.
     is_blind_ = !seesAnything(*observation) || (is_blind_ && !matched);
-    if (!is_blind_) seen_s_ = observation->time_s;
+    if (!is_blind_ || !any_) seen_s_ = observation->time_s;
     observation->blind_s = is_blind_ ? observation->time_s - seen_s_ : 0.0;
     observation->odometry_guessed = is_blind_ || (alone_ && any_ && !matched);
     observation->odometry = odometry_.pose();

@@ -36,6 +36,36 @@ TEST(MapChanges, SortsTheBuildingsByWhatBecameOfThem) {
   EXPECT_EQ(changes.doubtful.front().building, 3U);
 }
 
+TEST(MapChanges, ABuildingThatTurnsOrGrowsWhereItStandsIsNotKept) {
+  Map drawing;
+  drawing.buildings = {at("turned", 0.0, 0), at("grown", 50.0, 0), at("kept", 100.0, 0)};
+  Map refined = drawing;
+  for (Building& building : refined.buildings) building.estimate->observations = 3;
+  refined.buildings[0].shape = Rectangle{{0.0, 0.0}, 10.0, 10.0, toRadians(-20.0)};
+  // Counted from another corner, as a box that turned may be.
+  refined.buildings[1].shape = Rectangle{{50.0, 0.0}, 19.0, 10.0, kPi / 2.0};
+  const MapChanges changes = changesOf(drawing, refined);
+  EXPECT_TRUE(changes.moved.empty());
+  ASSERT_EQ(changes.turned.size(), 1U);
+  EXPECT_NEAR(toDegrees(changes.turned[0].turned), -20.0, 1e-6);
+  ASSERT_EQ(changes.resized.size(), 1U);
+  EXPECT_NEAR(changes.resized[0].grown_m(), 9.0, 1e-6);
+  EXPECT_NEAR(changes.resized[0].deeper_m, 9.0, 1e-6);
+  ASSERT_EQ(changes.kept.size(), 1U);
+  EXPECT_EQ(changes.kept[0].building, 2U);
+}
+
+TEST(MapChanges, ThePolygonThatTurnsIsToldByItsCorners) {
+  Building drawn;
+  drawn.shape = Polygon{{0, 0}, {24, 0}, {24, 18}, {14, 18}, {14, 8}, {0, 8}};
+  Building now = drawn;
+  for (Vec2& corner : std::get<Polygon>(now.shape))
+    corner = Pose2{3.0, 4.0, toRadians(100.0)}.toOuter(corner);
+  const BuildingChange change = changeOf(drawn, now);
+  EXPECT_NEAR(toDegrees(change.turned), 100.0, 1e-6);
+  EXPECT_NEAR(change.grown_m(), 0.0, 1e-6);
+}
+
 TEST(MapChanges, TheErrorIsAgainstTheBuildingOfTheSameId) {
   Map truth;
   truth.buildings = {at("a", 1.0, 0), at("b", 7.0, 0)};

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/map/certainty.h"
+#include "core/map/map_io.h"
+
 namespace handmap {
 namespace {
 
@@ -56,6 +59,64 @@ TEST_F(SeenWallsTest, NothingIsSeenWhereReturnsAreNotOfWallsOrLieElsewhere) {
 TEST_F(SeenWallsTest, AWallIsSeenFromOutsideOnly) {
   const Pose2 inside{0.0, 20.0, -kPi / 2.0};  // looks at the same wall from behind
   EXPECT_TRUE(seenWalls(map_, inside, scan_).empty());
+}
+
+/// A robot that passes north of a kiosk and of an L whose notch looks north too, behind a wing.
+class WallRaysTest : public testing::Test {
+ protected:
+  WallRaysTest() {
+    drawing_.uncertainty = {2.0, 3.0};
+    drawing_.buildings.resize(2);
+    drawing_.buildings[0].id = "kiosk";
+    drawing_.buildings[1].id = "block";
+    drawing_.buildings[0].shape = Rectangle{{0.0, 0.0}, 6.0, 4.0, 0.0};
+    drawing_.buildings[1].shape = Polygon{{20, -8}, {44, -8}, {44, 10}, {34, 10}, {34, 0}, {20, 0}};
+    refined_ = drawing_;
+    for (Building& building : refined_.buildings) {
+      building.estimate = Estimate{0.2, 0.2, 0.2, 9};
+      setSides(building, {{{0.2, true}, {0.2, true}, {0.2, true}, {0.2, true}}});
+    }
+  }
+  /// Rays down on the upper walls of both, but not into the notch.
+  void look() {
+    for (double x = -10.0; x < 60.0; x += 1.0) {
+      Scan scan;
+      Ray ray;
+      ray.wall = 1.0F;
+      ray.returned = (std::abs(x) < 3.0) || (x > 34.0 && x < 44.0);
+      ray.range = static_cast<float>(std::abs(x) < 3.0 ? 18.0 : 10.0);
+      scan.rays.push_back(ray);
+      rays_.add(foundOutlines(refined_), {x, 20.0, -kPi / 2.0}, scan);
+    }
+  }
+  Map drawing_;
+  Map refined_;
+  WallRays rays_;
+};
+
+TEST_F(WallRaysTest, NoWallIsStatedAsSeenThatNoRayEndedOn) {
+  look();
+  rays_.state(drawing_, refined_);
+  const std::vector<SideEstimate> kiosk = wallsOf(refined_.buildings[0]);
+  EXPECT_FALSE(kiosk[0].seen) << "lower";
+  EXPECT_DOUBLE_EQ(kiosk[0].sigma, 3.0) << "as well as the drawing knows its sizes";
+  EXPECT_FALSE(kiosk[1].seen);
+  EXPECT_TRUE(kiosk[2].seen) << "upper";
+  EXPECT_DOUBLE_EQ(kiosk[2].sigma, 0.2);
+  const std::vector<SideEstimate> block = wallsOf(refined_.buildings[1]);
+  EXPECT_TRUE(block[2].seen) << "the wing";
+  EXPECT_FALSE(block[4].seen) << "the notch, which looks the same way";
+  EXPECT_FALSE(block[0].seen);
+}
+
+TEST_F(WallRaysTest, ItIsKeptWithTheMapAndForgottenWithItsShape) {
+  look();
+  rays_.state(drawing_, refined_);
+  const Map read = parseMap(formatMap(refined_), "map");
+  EXPECT_EQ(read.buildings[1].seen_walls, refined_.buildings[1].seen_walls);
+  EXPECT_TRUE(read.buildings[1].unknown.empty());
+  forgetCertainty(refined_.buildings[1]);
+  EXPECT_TRUE(refined_.buildings[1].seen_walls.empty());
 }
 
 }  // namespace

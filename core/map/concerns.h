@@ -1,0 +1,25 @@
+// What a run has made of a drawing that nobody should take over unseen: corrected buildings that
+// stand in each other, and changes far beyond what the drawing says that it may be off.
+#pragma once
+
+#include <vector>
+
+#include "core/map/map.h"
+
+namespace handmap {
+
+struct Concern {
+  enum class Kind { Overlaps, Moved, Turned, Resized };
+  Kind kind;
+  std::size_t building;   ///< of the drawing
+  std::size_t other = 0;  ///< Overlaps: the building that it shares ground with
+  /// Overlaps: how much more of the smaller one's area is shared than in the drawing, 0 … 1; Moved
+  /// and Resized: metres; Turned: radians.
+  double by = 0.0;
+};
+
+/// `refined`: of a run on `drawing`, its buildings in the same order; those that nobody saw stand
+/// where the drawing has them and are no concern, but where others stand in them. By building.
+std::vector<Concern> concernsOf(const Map& drawing, const Map& refined);
+
+}  // namespace handmap
