@@ -188,7 +188,7 @@ class DrawingToolsTest : public QObject {
     for (int i = 0; i < 4; ++i) {
       Building building;
       building.shape = Rectangle{{20.0 * i, 0}, 10, 10, 0};
-      building.fixed = i == 2;
+      building.flags.locked = i == 2;
       document_->addBuilding(building);
     }
     const Map before = document_->map();

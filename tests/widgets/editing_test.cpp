@@ -136,7 +136,7 @@ class EditingTest : public QObject {
 
   void theLockedStays() {
     Map map = town();
-    map.buildings[1].fixed = true;
+    map.buildings[1].flags.locked = true;
     document_->reset(map);
     document_->setSelection({"A", "B"});
     key(*tool_, Qt::Key_Right);
@@ -146,6 +146,29 @@ class EditingTest : public QObject {
     drag(*tool_, {60, 5}, {70, 5});
     QCOMPARE(document_->map().find("A")->box(), town().find("A")->box());
     QCOMPARE(document_->selection(), QStringList{"A"});
+    document_->removeSelected();
+    QVERIFY(document_->map().find("A"));
+    document_->setSelection({"A", "B"});
+    document_->removeSelected();
+    QVERIFY(document_->map().find("A") && !document_->map().find("B"));
+  }
+
+  void whatIsFixedForRunsIsNotLocked() {
+    Map map = town();
+    map.buildings[1].fixed = true;
+    document_->reset(map);
+    document_->setSelection({"A"});
+    key(*tool_, Qt::Key_Right);
+    QVERIFY(document_->map().find("A")->box() != town().find("A")->box());
+  }
+
+  void nothingOfALockedLayerIsDeleted() {
+    Map map = town();
+    map.layers[static_cast<std::size_t>(DrawingLayer::Buildings)].locked = true;
+    document_->reset(map);
+    document_->selectAll();
+    document_->removeSelected();
+    QCOMPARE(document_->map().buildings.size(), map.buildings.size());
   }
 
   void tabGoesThroughEverythingAndOut() {
@@ -204,10 +227,11 @@ class EditingTest : public QObject {
 
   void locksAndUnlocks() {
     const MapChange locked = lockToggled(town(), {"A", "B"});
-    QVERIFY(locked.buildings[0].fixed && locked.buildings[1].fixed);
+    QVERIFY(locked.buildings[0].flags.locked && locked.buildings[1].flags.locked);
+    QVERIFY(!locked.buildings[0].fixed);  // a run may still move it
     document_->apply(locked, "Lock");
-    QVERIFY(!lockToggled(document_->map(), {"A", "B"}).buildings[0].fixed);
-    QVERIFY(lockToggled(document_->map(), {"A", "C"}).buildings[1].fixed);
+    QVERIFY(!lockToggled(document_->map(), {"A", "B"}).buildings[0].flags.locked);
+    QVERIFY(lockToggled(document_->map(), {"A", "C"}).buildings[1].flags.locked);
   }
 
   // --- Clipboard

@@ -147,6 +147,18 @@ class PanelsTest : public QObject {
     QCOMPARE(document_->undoStack().count(), 1);
   }
 
+  void whatIsLockedIsNotMovedByNumbers() {
+    document_->setSelection({"A"});
+    QTest::mouseClick(&field<QCheckBox>("locked"), Qt::LeftButton, {}, QPoint(8, 8));
+    QVERIFY(document_->map().find("A")->flags.locked && !document_->map().find("A")->fixed);
+    QVERIFY(!number("x").isEnabled() && !number("width").isEnabled());
+    document_->setSelection({"A", "B"});
+    const double before = box("A").centre.x();
+    type(number("x"), "7");
+    QCOMPARE(box("A").centre.x(), before);
+    QCOMPARE(box("B").centre.x(), 7.0);
+  }
+
   void fixedAndUncertaintyAreSet() {
     document_->setSelection({"A", "B"});
     QTest::mouseClick(&field<QCheckBox>("fixed"), Qt::LeftButton, {}, QPoint(8, 8));
@@ -280,7 +292,7 @@ class PanelsTest : public QObject {
     QVERIFY(model.setData(rowOf(model, "A"), "Library", Qt::EditRole));
     QCOMPARE(building("A").name, std::string("Library"));
     QVERIFY(set(rowOf(model, "A"), 2, Qt::Checked));
-    QVERIFY(building("A").fixed);
+    QVERIFY(building("A").flags.locked && !building("A").fixed);
     for (const char* key : {"A", "gate", "@route"}) {
       QVERIFY(set(rowOf(model, key), 1, Qt::Unchecked));
       QCOMPARE(rowOf(model, key).siblingAtColumn(1).data(Qt::CheckStateRole).toInt(),

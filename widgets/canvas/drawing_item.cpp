@@ -57,7 +57,7 @@ void DrawingItem::forgetStills() {
 
 bool DrawingItem::Shape::shows(const Building& building) const {
   return of == building.shape && id == building.id && name == building.name &&
-         fixed == building.fixed;
+         fixed == building.fixed && locked == building.flags.locked;
 }
 
 DrawingItem::Shape DrawingItem::shapeOf(const Building& building) const {
@@ -66,6 +66,7 @@ DrawingItem::Shape DrawingItem::shapeOf(const Building& building) const {
   shape.id = building.id;
   shape.name = building.name;
   shape.fixed = building.fixed;
+  shape.locked = building.flags.locked;
   const Polygon footprint = building.footprint();
   for (const Vec2& corner : footprint) shape.outline << toScene(corner);
   shape.bounds = shape.outline.boundingRect();
@@ -299,8 +300,13 @@ void DrawingItem::paintLabel(QPainter& painter, const Shape& shape,
   } else if (shape.selected && selected_.size() < kManySelected) {
     write(QPointF(centre.x(), bounds.bottom() + line), id, true);
   }
-  if (shape.fixed && std::min(bounds.width(), bounds.height()) >= kMarkedPx)
-    paintFixedSymbol(painter, bounds.topLeft() + QPointF(11.0, 11.0), (*colours_)[Role::Drawing]);
+  if (std::min(bounds.width(), bounds.height()) < kMarkedPx) return;
+  QPointF mark = bounds.topLeft() + QPointF(11.0, 11.0);
+  if (shape.locked) {
+    paintLockSymbol(painter, mark, (*colours_)[Role::Drawing]);
+    mark += QPointF(14.0, 0.0);
+  }
+  if (shape.fixed) paintFixedSymbol(painter, mark, (*colours_)[Role::Drawing]);
 }
 
 const Landmark& DrawingItem::shown(const Landmark& on_map) const {

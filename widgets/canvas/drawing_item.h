@@ -39,6 +39,7 @@ class DrawingItem : public QGraphicsItem {
     std::string id;
     std::string name;
     bool fixed = false;
+    bool locked = false;
     QPolygonF outline;  ///< metres
     QRectF bounds;
     QPointF middle;  ///< of its area

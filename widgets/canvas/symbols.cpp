@@ -45,7 +45,7 @@ void paintLandmarkSymbol(QPainter& painter, const QPointF& at, const QColor& ink
                                  at + QPointF(0.0, 7.0), at + QPointF(-6.0, 0.0)}});
 }
 
-void paintFixedSymbol(QPainter& painter, const QPointF& centre, const QColor& ink) {
+void paintLockSymbol(QPainter& painter, const QPointF& centre, const QColor& ink) {
   QPainterPath bow;
   bow.moveTo(centre + QPointF(-2.5, -0.5));
   bow.arcTo(QRectF(centre + QPointF(-2.5, -5.5), QSizeF(5.0, 6.0)), 180.0, -180.0);
@@ -54,6 +54,13 @@ void paintFixedSymbol(QPainter& painter, const QPointF& centre, const QColor& in
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(bow);
   painter.fillRect(QRectF(centre + QPointF(-4.5, -0.5), QSizeF(9.0, 6.5)), ink);
+}
+
+void paintFixedSymbol(QPainter& painter, const QPointF& centre, const QColor& ink) {
+  painter.setPen(QPen(ink, 1.4));
+  painter.drawLine(centre + QPointF(0.0, 0.0), centre + QPointF(0.0, 6.0));
+  painter.setBrush(ink);
+  painter.drawEllipse(centre + QPointF(0.0, -2.0), 3.0, 3.0);
 }
 
 void paintRoute(QPainter& painter, const QPolygonF& points, const QPen& pen, const QColor& ground) {

@@ -13,7 +13,9 @@ void paintStartSymbol(QPainter& painter, const QPointF& at, const QPointF& direc
                       const QColor& ink, const QColor& ground);
 void paintLandmarkSymbol(QPainter& painter, const QPointF& at, const QColor& ink,
                          const QColor& ground);
-/// A padlock: a run must not move this building.
+/// A padlock: nobody moves this building by hand.
+void paintLockSymbol(QPainter& painter, const QPointF& centre, const QColor& ink);
+/// A pin: a run must not move it.
 void paintFixedSymbol(QPainter& painter, const QPointF& centre, const QColor& ink);
 void paintRoute(QPainter& painter, const QPolygonF& points, const QPen& pen, const QColor& ground);
 /// Text, centred; on a faint ground of its own where what is below may be anything.

@@ -59,16 +59,35 @@ MapChange selected(const Map& map, const QStringList& keys) {
   return objects;
 }
 
+bool isLocked(const Map& map, const Building& building) {
+  const LayerStates& layers = map.layers;
+  return building.flags.locked || stateOf(layers, DrawingLayer::Buildings).locked;
+}
+
 MapChange movable(const Map& map, const QStringList& keys) {
   MapChange objects = selected(map, keys);
-  std::erase_if(objects.buildings, [](const Building& building) { return building.fixed; });
+  std::erase_if(objects.buildings,
+                [&](const Building& building) { return isLocked(map, building); });
   std::erase_if(objects.landmarks, [](const Landmark& landmark) { return landmark.flags.locked; });
   const LayerStates& layers = map.layers;
-  if (stateOf(layers, DrawingLayer::Buildings).locked) objects.buildings.clear();
   if (stateOf(layers, DrawingLayer::Landmarks).locked) objects.landmarks.clear();
   if (stateOf(layers, DrawingLayer::Start).locked) objects.start.reset();
   if (stateOf(layers, DrawingLayer::Route).locked) objects.route.reset();
   return objects;
+}
+
+QStringList unlocked(const Map& map, const QStringList& keys) {
+  const MapChange free = movable(map, keys);
+  QStringList left;
+  for (const Building& building : free.buildings) left << QString::fromStdString(building.id);
+  for (const Landmark& landmark : free.landmarks) left << QString::fromStdString(landmark.id);
+  if (free.start) left << kStartKey;
+  if (free.route) left << kRouteKey;
+  for (const QString& key : keys) {
+    const auto place = pictureIndex(key);
+    if (place && *place < map.underlays.size() && !map.underlays[*place].flags.locked) left << key;
+  }
+  return left;
 }
 
 MapChange moved(MapChange objects, const Vec2& offset) {

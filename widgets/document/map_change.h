@@ -39,8 +39,12 @@ Bounds boundsOf(const Building& building);
 QStringList allKeys(const Map& map);
 /// The objects of the map that `keys` names, as they are; without pictures.
 MapChange selected(const Map& map, const QStringList& keys);
+/// Whether it, or its layer, is locked: nobody changes it by hand.
+bool isLocked(const Map& map, const Building& building);
 /// Those of them that are not locked.
 MapChange movable(const Map& map, const QStringList& keys);
+/// The keys of those, and of pictures that are not locked.
+QStringList unlocked(const Map& map, const QStringList& keys);
 MapChange moved(MapChange objects, const Vec2& offset);
 
 /// "Library (N1)", "Start", "Route".

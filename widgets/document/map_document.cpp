@@ -308,7 +308,10 @@ bool MapDocument::rename(const QString& id, const QString& new_id) {
   return true;
 }
 
-void MapDocument::removeSelected() { remove(selection_); }
+void MapDocument::removeSelected() {
+  const QStringList keys = unlocked(map_, selection_);
+  if (!keys.isEmpty()) remove(keys);
+}
 
 void MapDocument::remove(const QStringList& objects) {
   const QSet<QString> keys(objects.begin(), objects.end());

@@ -71,7 +71,7 @@ class MapDocument : public QObject {
   void apply(const MapChange& change, const QString& text, bool mergeable = false);
   /// False, and nothing is changed, when the id is empty, taken or one of the two special keys.
   bool rename(const QString& id, const QString& new_id);
-  void removeSelected();
+  void removeSelected();  ///< but what is locked
   void remove(const QStringList& keys);
   void setStart(std::optional<Pose2> start, bool mergeable = false);
   /// How sure the start is; nullopt: not said.

@@ -24,13 +24,13 @@ std::vector<Part> partsOf(const Map& map, const QStringList& keys) {
   const MapChange objects = selected(map, keys);
   std::vector<Part> parts;
   for (const Building& building : objects.buildings)
-    parts.push_back(
-        {boundsOf(building), building.fixed, [building](MapChange& change, const Vec2& offset) {
-           change.buildings.push_back(moved(building, offset));
-         }});
+    parts.push_back({boundsOf(building), isLocked(map, building),
+                     [building](MapChange& change, const Vec2& offset) {
+                       change.buildings.push_back(moved(building, offset));
+                     }});
   for (const Landmark& landmark : objects.landmarks)
     parts.push_back({{landmark.position, landmark.position},
-                     false,
+                     landmark.flags.locked,
                      [landmark](MapChange& change, const Vec2& offset) {
                        change.landmarks.push_back(landmark);
                        change.landmarks.back().position += offset;
@@ -172,8 +172,9 @@ MapChange asPolygons(const Map& map, const QStringList& keys) {
 
 MapChange lockToggled(const Map& map, const QStringList& keys) {
   std::vector<Building> buildings = selected(map, keys).buildings;
-  const bool all_locked = std::ranges::all_of(buildings, &Building::fixed);
-  for (Building& building : buildings) building.fixed = !all_locked;
+  const bool all_locked =
+      std::ranges::all_of(buildings, [](const Building& b) { return b.flags.locked; });
+  for (Building& building : buildings) building.flags.locked = !all_locked;
   return {.buildings = std::move(buildings)};
 }
 

@@ -56,6 +56,13 @@ BuildingPage::BuildingPage(MapDocument& document) : PropertyPage(document, tr("B
     editBox(tr("Change Heading"), [heading](Rectangle& box) { box.heading = toRadians(heading); });
   });
   addVertices();
+  locked_ = new QCheckBox(tr("Locked: not moved, resized or deleted by hand"));
+  addField("locked", {}, locked_);
+  connect(locked_, &QCheckBox::clicked, this, [this] {
+    const bool locked = locked_->checkState() != Qt::Unchecked;
+    edit(tr("Lock Building"), [locked](Building& building) { building.flags.locked = locked; });
+    this->document().finishMerging();
+  });
   fixed_ = new QCheckBox(tr("Fixed: a run must not move it"));
   addField("fixed", {}, fixed_);
   connect(fixed_, &QCheckBox::clicked, this, [this] {
@@ -132,6 +139,7 @@ void BuildingPage::edit(const QString& text, const std::function<void(Building&)
 
 void BuildingPage::editBox(const QString& text, const std::function<void(Rectangle&)>& change) {
   edit(text, [&](Building& building) {
+    if (isLocked(document().map(), building)) return;
     Rectangle box = building.box();
     change(box);
     building = building.fitted(box);
@@ -157,6 +165,7 @@ void BuildingPage::refresh() {
   width_->showValue(box([](const Rectangle& b) { return b.width; }));
   depth_->showValue(box([](const Rectangle& b) { return b.depth; }));
   heading_->showValue(box(degrees));
+  refreshLock(shown);
   showFlag(*fixed_, common(shown, [](const Building& b) { return b.fixed; }));
   showFlag(*may_not_exist_, common(shown, [](const Building& b) { return b.may_not_exist; }));
   const auto* polygon = single ? std::get_if<Polygon>(&shown.front().shape) : nullptr;
@@ -164,6 +173,16 @@ void BuildingPage::refresh() {
   if (polygon != nullptr) vertices_->showPolygon(*polygon);
   refreshUncertainty(shown);
   refreshEstimate(shown);
+}
+
+/// What is locked is not moved by numbers either.
+void BuildingPage::refreshLock(const std::vector<Building>& shown) {
+  showFlag(*locked_, common(shown, [](const Building& b) { return b.flags.locked; }));
+  const bool free = std::ranges::any_of(
+      shown, [&](const Building& building) { return !isLocked(document().map(), building); });
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{x_, y_, width_, depth_, heading_, vertices_})
+    field->setEnabled(free);
 }
 
 void BuildingPage::refreshUncertainty(const std::vector<Building>& shown) {

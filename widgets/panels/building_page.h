@@ -28,6 +28,7 @@ class BuildingPage : public PropertyPage {
   Uncertainty statedOf(const Building& building) const;
   void edit(const QString& text, const std::function<void(Building&)>& change);
   void editBox(const QString& text, const std::function<void(Rectangle&)>& change);
+  void refreshLock(const std::vector<Building>& shown);
   void refreshUncertainty(const std::vector<Building>& shown);
   void refreshEstimate(const std::vector<Building>& shown);
 
@@ -37,6 +38,7 @@ class BuildingPage : public PropertyPage {
   NumberField* width_;
   NumberField* depth_;
   NumberField* heading_;
+  QCheckBox* locked_;
   QCheckBox* fixed_;
   QCheckBox* may_not_exist_;
   QCheckBox* own_uncertainty_;

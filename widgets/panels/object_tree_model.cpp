@@ -96,7 +96,7 @@ void ObjectTreeModel::follow(const Touched& touched) {
 
 ObjectTreeModel::Look ObjectTreeModel::lookOf(const Building& building) {
   return {building.name,
-          {building.flags.hidden, building.fixed},
+          {building.flags.hidden, building.flags.locked},
           std::holds_alternative<Rectangle>(building.shape)};
 }
 
@@ -302,7 +302,7 @@ std::optional<ObjectTreeModel::State> ObjectTreeModel::stateOf(const QModelIndex
     return State{state.hidden, state.locked};
   }
   if (kind == Kind::Buildings && row < map.buildings.size()) {
-    return State{map.buildings[row].flags.hidden, map.buildings[row].fixed};
+    return State{map.buildings[row].flags.hidden, map.buildings[row].flags.locked};
   }
   if (kind == Kind::Landmarks && row < map.landmarks.size()) {
     return State{map.landmarks[row].flags.hidden, map.landmarks[row].flags.locked};
@@ -346,8 +346,10 @@ QVariant ObjectTreeModel::headerData(int section, Qt::Orientation orientation, i
                                      : QVariant();
     case LockedColumn:
       if (role == Qt::DisplayRole) return tr("Locked");
-      return role == Qt::ToolTipRole ? tr("A building that is locked is not moved by a run either")
-                                     : QVariant();
+      return role == Qt::ToolTipRole
+                 ? tr("What is locked is not moved, resized or deleted by hand; whether a "
+                      "run may move a building is told in its properties")
+                 : QVariant();
     default:
       return {};
   }
@@ -395,9 +397,7 @@ bool ObjectTreeModel::setFlag(const QModelIndex& index, bool on) {
     return true;
   }
   MapChange change = selected(document_.map(), {keyOf(index)});
-  for (Building& building : change.buildings) {
-    (is_lock ? building.fixed : building.flags.hidden) = wanted;
-  }
+  for (Building& building : change.buildings) building.flags.*flag = wanted;
   for (Landmark& landmark : change.landmarks) landmark.flags.*flag = wanted;
   document_.apply(change, text);
   return true;

@@ -33,7 +33,7 @@ std::optional<CornerLine> selectedCorners(const MapDocument& document) {
     return CornerLine{document.map().route, false};
   const Building* building = onlyBuilding(document);
   const auto* outline = building ? std::get_if<Polygon>(&building->shape) : nullptr;
-  if (!outline || building->fixed) return std::nullopt;
+  if (!outline || building->flags.locked) return std::nullopt;
   return CornerLine{*outline, true};
 }
 
@@ -93,7 +93,7 @@ std::optional<MapChange> withCornerAdded(const MapDocument& document, const Vec2
                                          std::size_t& corner) {
   CornerLine line;
   const Building* building = onlyBuilding(document);
-  if (building && !building->fixed)
+  if (building && !building->flags.locked)
     line = {building->footprint(), true};
   else if (document.selection() == QStringList{kRouteKey})
     line = {document.map().route, false};

@@ -18,7 +18,7 @@ double turnStep(Qt::KeyboardModifiers modifiers) {
 
 std::optional<Drag> buildingDrag(const MapDocument& document, const ToolEvent& press) {
   const Building* building = onlyBuilding(document);
-  if (!building || building->fixed) return std::nullopt;
+  if (!building || building->flags.locked) return std::nullopt;
   const Rectangle box = building->box();
   const Rectangle frame = handleFrame(*building, press.metres_per_pixel);
   const auto handle = handleAt(frame, press.position, press.reach(1.0));

@@ -11,10 +11,7 @@ namespace {
 
 constexpr double kEraserReachPx = 4.0;
 
-bool isLocked(const Map& map, const QString& key) {
-  const Building* building = map.find(key.toStdString());
-  return building && building->fixed;
-}
+bool isLocked(const Map& map, const QString& key) { return unlocked(map, {key}).isEmpty(); }
 
 }  // namespace
 

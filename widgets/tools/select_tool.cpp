@@ -52,7 +52,7 @@ QString SelectTool::hint() const {
   if (document().selection() == QStringList{kRouteKey})
     return tr("Drag a point to bend the route, a line to move it · Del removes");
   const Building* building = onlyBuilding(document());
-  if (building && building->fixed) return tr("It is locked · Ctrl+L unlocks it");
+  if (building && building->flags.locked) return tr("It is locked · Ctrl+L unlocks it");
   if (building && std::holds_alternative<Polygon>(building->shape))
     return tr("Drag corners, or a dot to add one · Enter: corners by keys · arrow keys nudge");
   if (building || document().selection() == QStringList{kStartKey})
@@ -284,7 +284,7 @@ void SelectTool::updateCursor(const ToolEvent& event) {
   const Building* building = onlyBuilding(document());
   if (line && cornerHandleAt(*line, event)) {
     shape = Qt::CrossCursor;
-  } else if (building && !building->fixed) {
+  } else if (building && !building->flags.locked) {
     const Rectangle frame = handleFrame(*building, event.metres_per_pixel);
     if (const auto handle = handleAt(frame, event.position, event.metres_per_pixel))
       shape = cursorOf(frame, *handle);
@@ -305,7 +305,7 @@ void SelectTool::paint(ToolPaint& canvas) const {
   }
   if (preview_) return paintReadout(canvas);
   const Building* building = onlyBuilding(document());
-  if (building && !building->fixed)
+  if (building && !building->flags.locked)
     paintHandles(canvas, handleFrame(*building, canvas.metresPerPixel()));
   const Map& map = document().map();
   if (document().selection() == QStringList{kStartKey})

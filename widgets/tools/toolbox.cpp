@@ -52,7 +52,7 @@ void Toolbox::setRecognizing(bool on) { freehand_->setRecognizing(on); }
 
 bool Toolbox::canAddCorner() const {
   const Building* building = onlyBuilding(document_);
-  return (building && !building->fixed) ||
+  return (building && !building->flags.locked) ||
          (document_.selection() == QStringList{kRouteKey} && document_.map().route.size() > 1);
 }
 

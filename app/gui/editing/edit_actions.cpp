@@ -160,8 +160,9 @@ void EditActions::updateEnabled() {
   actions.setEnabled({"edit.undo"}, undo.canUndo(), tr("nothing has been changed"));
   actions.setEnabled({"edit.redo"}, undo.canRedo(), tr("nothing has been taken back"));
   const QString nothing = tr("nothing is selected");
-  actions.setEnabled({"edit.delete", "edit.cut", "edit.copy", "edit.duplicate"}, !keys.isEmpty(),
-                     nothing);
+  actions.setEnabled({"edit.copy", "edit.duplicate"}, !keys.isEmpty(), nothing);
+  actions.setEnabled({"edit.delete", "edit.cut"}, !unlocked(document_.map(), keys).isEmpty(),
+                     keys.isEmpty() ? nothing : tr("what is selected is locked"));
   const auto objects = std::ranges::count_if(keys, [](const QString& key) {
     return key != kStartKey && key != kRouteKey && !pictureIndex(key);
   });
