@@ -29,14 +29,47 @@ class MessageBarTest : public testing::Test {
   MessageBar bar_;
 };
 
-TEST_F(MessageBarTest, ShowsTheNewestOnTopAndNoMoreThanFit) {
+TEST_F(MessageBarTest, ShowsTheNewestAndListsTheOthersWhenAsked) {
   EXPECT_TRUE(bar_.isHidden());
-  for (const char* text : {"a", "b", "c", "d", "e"}) bar_.show(Kind::Warning, text);
-  EXPECT_EQ(texts(), (QStringList{"e", "d", "c", "b"}));
-  EXPECT_FALSE(bar_.isHidden());
+  for (int i = 0; i < 12; ++i) bar_.show(Kind::Error, QString::number(i));
+  ASSERT_EQ(texts().size(), 8);
+  EXPECT_EQ(texts().first(), "11");
+  const auto shown = [this] {
+    int count = 0;
+    for (const Message* message : bar_.messages()) count += message->isHidden() ? 0 : 1;
+    return count;
+  };
+  EXPECT_EQ(shown(), 1);
+  auto* more = bar_.findChild<QToolButton*>("more_messages");
+  EXPECT_TRUE(more->text().contains("7")) << more->text().toStdString();
+  more->click();
+  EXPECT_EQ(shown(), 8);
+  more->click();
+  EXPECT_EQ(shown(), 1);
   for (Message* message : bar_.messages()) close(*message);
   EXPECT_TRUE(texts().isEmpty());
   EXPECT_TRUE(bar_.isHidden());
+}
+
+TEST_F(MessageBarTest, LiesOverTheMapWithoutMovingIt) {
+  QWidget map;
+  map.resize(500, 400);
+  map.show();
+  MessageBar over(&map);
+  over.show(Kind::Error, QString("A long message that takes more than one line. ").repeated(6));
+  EXPECT_EQ(map.size(), QSize(500, 400));
+  EXPECT_TRUE(map.rect().contains(over.geometry())) << over.width() << " x " << over.height();
+  map.resize(300, 400);
+  EXPECT_TRUE(map.rect().contains(over.geometry())) << over.width() << " x " << over.height();
+}
+
+TEST_F(MessageBarTest, AButtonMayKeepItsMessage) {
+  int looked = 0;
+  bar_.show(Kind::Info, "One is doubtful").addAction("Show", [&] { ++looked; }, Message::Then::Stay);
+  press(*bar_.messages().first(), "Show");
+  press(*bar_.messages().first(), "Show");
+  EXPECT_EQ(looked, 2);
+  EXPECT_EQ(texts().size(), 1);
 }
 
 TEST_F(MessageBarTest, CountsWhatIsSaidAgain) {
@@ -54,6 +87,7 @@ TEST_F(MessageBarTest, AQuestionStaysUntilItIsAnswered) {
   QString answer;
   bar_.ask("Recover?").addAction("Yes", [&] { answer = "yes"; });
   for (int i = 0; i < 9; ++i) bar_.show(Kind::Error, QString::number(i));
+  EXPECT_FALSE(bar_.messages().last()->isHidden()) << "also behind others";
   bar_.clear();
   ASSERT_EQ(texts(), QStringList{"Recover?"});
   press(*bar_.messages().first(), "Yes");

@@ -155,6 +155,7 @@ TEST_F(WindowTest, LayersReachTheCanvas) {
   const auto window = open();
   window->sources().openTwoRows();
   window->canvas().zoomToFit();
+  window->runPanels().layers.setOn(Layer::Truth, true);
   const auto picture = [&] { return window->canvas().viewport()->grab().toImage(); };
   const QImage all = picture();
   for (const Layer layer : {Layer::Drawing, Layer::Grid, Layer::Truth}) {

@@ -16,6 +16,7 @@ namespace handmap {
 namespace {
 
 constexpr int kInfoStaysMs = 12'000;
+constexpr int kWarningStaysMs = 40'000;
 
 QStyle::StandardPixmap pictureOf(Message::Kind kind) {
   switch (kind) {
@@ -74,7 +75,6 @@ Message::Message(QString topic, QWidget* parent)
     Q_EMIT putOff();
   });
   timer_->setSingleShot(true);
-  timer_->setInterval(kInfoStaysMs);
   connect(timer_, &QTimer::timeout, this, &Message::dismissed);
 }
 
@@ -96,19 +96,21 @@ void Message::setText(Kind kind, const QString& text, const QString& hint) {
   letGoInTime();
 }
 
-void Message::addAction(const QString& text, std::function<void()> action) {
+void Message::addAction(const QString& text, std::function<void()> action, Then then) {
   auto* button = new QPushButton(text);
   buttons_->addWidget(button);
-  connect(button, &QPushButton::clicked, this, [this, action = std::move(action)] {
-    Q_EMIT dismissed();
+  connect(button, &QPushButton::clicked, this, [this, then, action = std::move(action)] {
+    if (then == Then::Close) Q_EMIT dismissed();
     action();
   });
   letGoInTime();
+  Q_EMIT resized();
 }
 
 void Message::setPicture(const QImage& picture) {
   picture_->setPixmap(QPixmap::fromImage(picture));
   picture_->setVisible(!picture.isNull());
+  Q_EMIT resized();
 }
 
 void Message::setQuestion() {
@@ -118,8 +120,9 @@ void Message::setQuestion() {
 
 /// What can be read and no more goes by itself.
 void Message::letGoInTime() {
-  const bool only_told = kind_ == Kind::Info && !question_ && buttons_->count() == 0;
-  only_told ? timer_->start() : timer_->stop();
+  const bool only_told = kind_ != Kind::Error && !question_ && buttons_->count() == 0;
+  if (!only_told) return timer_->stop();
+  timer_->start(kind_ == Kind::Info ? kInfoStaysMs : kWarningStaysMs);
 }
 
 void Message::applyColours() {

@@ -20,8 +20,9 @@ class Message : public QFrame {
 
   /// Another text in place of the old one; its buttons go. The same text again counts up.
   void setText(Kind kind, const QString& text, const QString& hint);
-  /// A button; it takes the message away and then does what it says.
-  void addAction(const QString& text, std::function<void()> action);
+  enum class Then { Close, Stay };
+  /// A button; it takes the message away, unless it is to stay, and then does what it says.
+  void addAction(const QString& text, std::function<void()> action, Then then = Then::Close);
   void setPicture(const QImage& picture);
   /// A question stays until it is answered by a button or put off by its cross.
   void setQuestion();
@@ -33,6 +34,7 @@ class Message : public QFrame {
  Q_SIGNALS:
   void dismissed();
   void putOff();  ///< by the cross, after dismissed()
+  void resized();  ///< it may need more room, or less
 
  protected:
   void changeEvent(QEvent* event) override;

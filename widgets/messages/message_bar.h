@@ -1,26 +1,29 @@
-// The messages above the canvas, the newest on top. Never a dialog.
+// The messages over the lower edge of the canvas: the newest and what is still to be answered; the
+// others behind a button. Never a dialog, and what lies below does not move.
 #pragma once
 
+#include <QFrame>
 #include <QPointer>
-#include <QWidget>
 #include <functional>
 
 #include "widgets/messages/message.h"
 
+class QToolButton;
 class QVBoxLayout;
 
 namespace handmap {
 
-class MessageBar : public QWidget {
+class MessageBar : public QFrame {
   Q_OBJECT
  public:
   using Kind = Message::Kind;
 
-  explicit MessageBar(QWidget* parent = nullptr);
+  /// Lies over `over`; without one it is a widget as any other.
+  explicit MessageBar(QWidget* over = nullptr);
 
-  /// Infos go by themselves, unless they have a button. In place of the message of the same topic,
-  /// where there is one; without a topic, the same text again counts up. The reference is for the
-  /// moment: the message is gone when it is closed.
+  /// What is only told goes by itself. In place of the message of the same topic, where there is
+  /// one; without a topic, the same text again counts up. The reference is for the moment: the
+  /// message is gone when it is closed.
   Message& show(Kind kind, const QString& text, const QString& hint = {},
                 const QString& topic = {});
   /// A message that no other takes the place of and that stays until it is answered.
@@ -38,13 +41,20 @@ class MessageBar : public QWidget {
  Q_SIGNALS:
   void shown(const QString& text);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   Message& add(const QString& topic);
   void remove(Message& message);
   void keepBounded();
+  void layOut();
+  void place();
 
   QVBoxLayout* layout_;
+  QToolButton* more_;
   QPointer<Message> latest_;
+  bool all_shown_ = false;
 };
 
 }  // namespace handmap

@@ -8,6 +8,7 @@
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_controller.h"
 #include "app/gui/run/source_actions.h"
+#include "app/gui/shell/docks.h"
 #include "core/base/text.h"
 #include "core/map/map_changes.h"
 #include "core/map/map_io.h"
@@ -23,6 +24,7 @@ namespace handmap {
 namespace {
 
 constexpr auto kAcceptTopic = "accept";
+constexpr auto kSummaryTopic = "summary";
 constexpr std::size_t kMostDoubtfulOffered = 3;
 constexpr qsizetype kMostEditedNamed = 8;
 
@@ -87,15 +89,18 @@ bool ResultActions::warn() {
 void ResultActions::summarize(const RunScore& score) {
   const Map& drawing = run_.drawing();
   const MapChanges changes = changesOf(drawing, run_.result()->map());
-  shell_.messages.show(MessageBar::Kind::Info,
-                       tr("The run is done. %1").arg(Words::changes(changes, drawing)),
-                       scoreInWords(score));
+  Message& summary = shell_.messages.show(
+      MessageBar::Kind::Info, tr("The run is done. %1").arg(Words::changes(changes, drawing)),
+      scoreInWords(score), kSummaryTopic);
   const std::size_t offered = std::min(changes.doubtful.size(), kMostDoubtfulOffered);
   for (const BuildingChange& change : std::span(changes.doubtful).first(offered)) {
     const QString id = QString::fromStdString(drawing.buildings[change.building].id);
-    shell_.messages.addAction(id, [this, id] { Q_EMIT buildings_.showRequested(id); });
+    summary.addAction(
+        id, [this, id] { Q_EMIT buildings_.showRequested(id); }, Message::Then::Stay);
   }
-  shell_.messages.addAction(tr("Accept refinement"), [this, number = run_.number()] {
+  summary.addAction(
+      tr("Review…"), [this] { shell_.docks.show(buildings_); }, Message::Then::Stay);
+  summary.addAction(tr("Accept refinement"), [this, number = run_.number()] {
     if (number == run_.number()) accept();
   });
 }

@@ -19,12 +19,12 @@ RunPanels RunPanels::make() {
 void RunPanels::addTo(Docks& docks) const {
   using Group = Docks::Group;
   using When = Docks::When;
-  docks.add({"setup", tr("Run settings"), Group::Details, When::Asked}, Docks::scrolled(&setup));
-  docks.add({"charts", tr("Charts"), Group::Run, When::Run}, &charts);
+  docks.add({"buildings", tr("Review"), Group::Run, When::Run}, &buildings);
   docks.add({"camera", tr("Camera"), Group::Run, When::Camera}, &camera);
-  docks.add({"buildings", tr("Buildings"), Group::Run, When::Run}, &buildings);
+  docks.add({"charts", tr("Charts"), Group::Run, When::Run}, &charts);
   docks.add({"log", tr("Log"), Group::Run, When::Run}, &log);
   docks.add({"why", tr("Why"), Group::Run, When::RunAsked}, &why);
+  docks.add({"setup", tr("Run settings"), Group::Drawing, When::Asked}, Docks::scrolled(&setup));
 }
 
 }  // namespace handmap

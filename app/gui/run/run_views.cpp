@@ -59,6 +59,7 @@ RunViews::RunViews(const Shell& shell, MapCanvas& canvas, MapDocument& document,
   connect(&files, &FileActions::drawingReplaced, this, [this] {
     forget();
     shell_.docks.showRunDocks(false, false);
+    panels_.layers.setRun(false, false);
   });
   connectRun();
   connect(&teller_, &StoryTeller::told, this, &RunViews::hearStory);
@@ -77,7 +78,10 @@ void RunViews::connectRun() {
   connect(&run_, &RunController::sourceOpened, this,
           [this](const std::shared_ptr<const SourceInfo>& source) {
             showTruth(source->truth);
-            shell_.docks.showRunDocks(true, source->camera.has_value());
+            const bool has_camera = source->camera.has_value();
+            shell_.docks.showRunDocks(true, has_camera);
+            panels_.layers.setRun(true, run_.settings().method == Method::Paper);
+            if (has_camera) shell_.docks.bringForward(panels_.camera);
             compare();
           });
   connect(&run_, &RunController::newsArrived, this,

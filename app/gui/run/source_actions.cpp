@@ -22,6 +22,7 @@ namespace {
 const QString kDoubtTopic = QStringLiteral("recording-doubt-");
 constexpr auto kRecordingFolderKey = "files/recording_folder";
 constexpr auto kStartTopic = "where_it_starts";
+constexpr auto kNotReadyTopic = "not ready";
 
 }  // namespace
 
@@ -38,6 +39,10 @@ SourceActions::SourceActions(const Shell& shell, MapDocument& document, FileActi
   shell_.actions.on("file.import_log", this, [this] { askForLog(); });
   shell_.actions.on("run.load_poses", this, [this] { askForPoses(); });
   addSimulatorMenu();
+  shell_.actions.on("run.simulate", this, [this] { simulateDrawing(); });
+  connect(&document_, &MapDocument::mapChanged, this, [this] {
+    if (!missing()) shell_.messages.withdraw(kNotReadyTopic);
+  });
   connect(&files_, &FileActions::drawingReplaced, this, &SourceActions::onDrawingReplaced);
   connect(&run_, &RunController::failed, this, &SourceActions::tell);
   connect(&opener_, &RecordingOpener::opened, this, &SourceActions::onOpened);
@@ -57,7 +62,7 @@ void SourceActions::addSimulatorMenu() {
   menu->addAction(tr("&Around a campus"), this, [this] { openSimulation(loopSimulation(seed())); });
   menu->addAction(tr("A &quarter with fences and hedges"), this,
                   [this] { openSimulation(quarterSimulation(seed())); });
-  menu->addAction(tr("T&his drawing"), this, &SourceActions::simulateDrawing);
+  menu->addAction(&shell_.actions["run.simulate"]);
   menu->addSeparator();
   menu->addAction(tr("A &live robot (virtual rig)"), this, [this] { openVirtualRig(); });
   menu->addAction(tr("A live robot with a &stereo head"), this,
@@ -206,6 +211,11 @@ bool SourceActions::openVirtualRig(VirtualRigKind kind) {
   return openSimulation(liveSimulation(seed(), kind));
 }
 
+/// A drawing that there is is what the robot is to drive through.
+void SourceActions::openSimulator() {
+  document_.map().buildings.empty() ? void(openTwoRows()) : simulateDrawing();
+}
+
 bool SourceActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 
 void SourceActions::simulateDrawing() {
@@ -273,24 +283,27 @@ void SourceActions::useLive(Robot robot) {
       .addAction(tr("Place the start"), [this] { shell_.actions["draw.start"].trigger(); });
 }
 
-bool SourceActions::isReady(bool may_start_on_route) {
-  const auto refuse = [this](const QString& message, const QString& hint, const char* action,
-                             const QString& offer) {
-    tell({ErrorCode::BadInput, message, hint});
-    shell_.messages.addAction(offer, [this, action] { shell_.actions[action].trigger(); });
-    return false;
-  };
+const SourceActions::Missing* SourceActions::missing(bool may_start_on_route) const {
+  static constexpr Missing kBuildings{
+      QT_TR_NOOP("There are no buildings yet to find the robot among."),
+      QT_TR_NOOP("Draw at least one that the robot comes by."), "draw.rectangle",
+      QT_TR_NOOP("Draw")};
+  static constexpr Missing kStart{
+      QT_TR_NOOP("The map has no start."),
+      QT_TR_NOOP("Press where the robot begins, drag to where it looks, release."), "draw.start",
+      QT_TR_NOOP("Place the start")};
   const Map& drawing = document_.map();
-  if (drawing.buildings.empty()) {
-    return refuse(tr("There are no buildings yet to find the robot among."),
-                  tr("Draw at least one that the robot comes by."), "draw.rectangle", tr("Draw"));
-  }
-  if (!drawing.start && !(may_start_on_route && !drawing.route.empty())) {
-    return refuse(tr("The map has no start."),
-                  tr("Press where the robot begins, drag to where it looks, release."),
-                  "draw.start", tr("Place the start"));
-  }
-  return true;
+  if (drawing.buildings.empty()) return &kBuildings;
+  return drawing.start || (may_start_on_route && !drawing.route.empty()) ? nullptr : &kStart;
+}
+
+bool SourceActions::isReady(bool may_start_on_route) {
+  const Missing* what = missing(may_start_on_route);
+  if (what == nullptr) return true;
+  shell_.messages.show(MessageBar::Kind::Error, tr(what->message), tr(what->hint), kNotReadyTopic)
+      .addAction(tr(what->offer), [this, what] { shell_.actions[what->action].trigger(); });
+  Q_EMIT failed({ErrorCode::BadInput, tr(what->message), tr(what->hint)});
+  return false;
 }
 
 }  // namespace handmap

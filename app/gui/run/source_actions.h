@@ -27,6 +27,8 @@ class SourceActions : public QObject {
   /// False: the user wants to keep the drawing.
   bool openDemonstration();
   bool openTwoRows();
+  /// Through the drawing where there is one, else two rows of buildings.
+  void openSimulator();
   /// A live robot that is simulated, among two rows of buildings; it starts when the run does.
   bool openVirtualRig(VirtualRigKind kind = VirtualRigKind::Laser);
   void askForRecording();
@@ -56,6 +58,15 @@ class SourceActions : public QObject {
   void failed(const handmap::Failure& failure);
 
  private:
+  /// What a drawing needs before a robot can be found on it, and the action that leads there.
+  struct Missing {
+    const char* message;
+    const char* hint;
+    const char* action;
+    const char* offer;
+  };
+  /// nullptr: nothing.
+  const Missing* missing(bool may_start_on_route = false) const;
   void addSimulatorMenu();
   void onOpened(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts,
                 const Doubts& doubts);

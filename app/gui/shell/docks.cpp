@@ -1,17 +1,19 @@
 #include "app/gui/shell/docks.h"
 
+#include <QChildEvent>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
-#include <QTimer>
+#include <QTabBar>
 #include <algorithm>
 
 namespace handmap {
 
 namespace {
 
-constexpr QSize kRoomyWindow(1000, 700);
+constexpr QSize kRoomyWindow(1000, 700);  // pixels; a smaller one is the drawing's
+constexpr int kFirstWidth = 300;          // pixels
 constexpr QPoint kFloatingAt(160, 240);  // below the messages; where nobody has moved them
 
 /// A floating panel that is partly on no screen, or larger than it, is moved and made smaller.
@@ -37,6 +39,17 @@ bool isOfRun(Docks::When when) {
 Docks::Docks(QMainWindow& window) : QObject(&window), window_(window) {
   window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                          QMainWindow::AllowNestedDocks);
+  // Beside the panels: however many there are, no title is cut.
+  window_.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
+  window_.installEventFilter(this);
+}
+
+bool Docks::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ChildPolished) {
+    auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+    if (tabs != nullptr) tabs->setElideMode(Qt::ElideNone);
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 QWidget* Docks::scrolled(QWidget* panel) {
@@ -56,85 +69,112 @@ QDockWidget& Docks::add(const Spec& spec, QWidget* panel) {
   connect(dock, &QDockWidget::visibilityChanged, this, [dock](bool visible) {
     if (visible && dock->isFloating()) keepOnScreen(*dock);
   });
-  tabify(*dock, spec.group);
-  docks_.push_back({spec, dock});
-  if (spec.when == When::Asked) dock->hide();
   if (spec.group == Group::Floating) {
     dock->setFloating(true);
     dock->resize(spec.size);
     dock->move(kFloatingAt);
-  }
-  if (spec.when == When::RunAsked) closed_by_user_.insert(dock);
-  if (isOfRun(spec.when) || spec.when == When::Robot) {
-    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
-      if (shown) {
-        closed_by_user_.remove(dock);
-      } else {
-        closed_by_user_.insert(dock);
-      }
+  } else {
+    const auto last = std::find_if(docks_.rbegin(), docks_.rend(), [](const Dock& other) {
+      return other.spec.group != Group::Floating;
     });
-    setShown(docks_.back(), false);
+    if (last != docks_.rend()) window_.tabifyDockWidget(last->widget, dock);
   }
+  connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+    if (!shown) {
+      closed_.insert(dock);
+      return;
+    }
+    closed_.remove(dock);
+    if (!dock->isFloating()) setOpen(true);
+    dock->raise();
+  });
+  if (spec.when == When::Asked || spec.when == When::RunAsked) closed_.insert(dock);
+  docks_.push_back({spec, dock, spec.when == When::Always || spec.when == When::Asked});
+  showAll();
   for (const Dock& other : docks_) {
-    if (other.spec.group == spec.group && other.spec.in_front) other.widget->raise();
+    if (!other.spec.in_front) continue;
+    front_ = other.widget;
+    front_->raise();
   }
   return *dock;
 }
 
-/// Over the last dock of a group.
-void Docks::tabify(QDockWidget& dock, Group group) {
-  if (group == Group::Floating) return;
-  const auto last = std::find_if(docks_.rbegin(), docks_.rend(),
-                                 [group](const Dock& other) { return other.spec.group == group; });
-  if (last != docks_.rend()) window_.tabifyDockWidget(last->widget, &dock);
+bool Docks::isDocked(const Dock& dock) {
+  return dock.spec.group != Group::Floating && !dock.widget->isFloating();
 }
 
-void Docks::setShown(const Dock& dock, bool wanted) {
-  dock.widget->toggleViewAction()->setEnabled(wanted);
-  dock.widget->setVisible(wanted && !closed_by_user_.contains(dock.widget));
+/// What is possible, wanted and not folded away.
+void Docks::showAll() {
+  for (const Dock& dock : docks_) {
+    const bool shown =
+        dock.possible && !closed_.contains(dock.widget) && (open_ || !isDocked(dock));
+    dock.widget->toggleViewAction()->setEnabled(dock.possible);
+    if (dock.widget->isHidden() == shown) dock.widget->setVisible(shown);
+  }
+}
+
+void Docks::setOpen(bool open) {
+  if (open == open_) return;
+  for (const Dock& dock : docks_)
+    if (isDocked(dock) && !dock.widget->visibleRegion().isEmpty()) front_ = dock.widget;
+  open_ = open;
+  showAll();
+  if (open && front_ != nullptr) front_->raise();
+  Q_EMIT opened(open_);
+}
+
+void Docks::restored(bool open) {
+  for (const Dock& dock : docks_) {
+    const bool is_ours = dock.spec.when == When::Always || dock.spec.when == When::Asked;
+    // In a folded inspector all are hidden, which says nothing of each.
+    if (!is_ours || (!open && isDocked(dock))) continue;
+    closed_.remove(dock.widget);
+    if (dock.widget->isHidden()) closed_.insert(dock.widget);
+  }
+  open_ = open;
+  showAll();
+  Q_EMIT opened(open_);
 }
 
 void Docks::showRunDocks(bool run_exists, bool has_camera) {
-  QDockWidget* front = nullptr;  // the camera, the robot, or the first of all
-  for (const Dock& dock : docks_) {
-    if (isOfRun(dock.spec.when)) {
-      const bool is_camera = dock.spec.when == When::Camera;
-      setShown(dock, run_exists && (has_camera || !is_camera));
-      if (front == nullptr || (is_camera && has_camera)) front = dock.widget;
-    } else if (dock.spec.when == When::Robot && dock.widget->isVisible() && !has_camera) {
-      front = dock.widget;
-    }
+  for (Dock& dock : docks_) {
+    if (!isOfRun(dock.spec.when)) continue;
+    dock.possible = run_exists && (has_camera || dock.spec.when != When::Camera);
   }
-  if (!run_exists || front == nullptr) return;
-  front->raise();
-  QTimer::singleShot(0, this, &Docks::resize);  // when they have been laid out
+  showAll();
 }
 
 void Docks::showRobotDock(bool is_live) {
-  const bool appears = is_live && !robot_shown_;
-  robot_shown_ = is_live;
-  for (const Dock& dock : docks_) {
-    if (dock.spec.when != When::Robot) continue;
-    setShown(dock, is_live);
-    if (appears) dock.widget->raise();
+  for (Dock& dock : docks_) {
+    if (dock.spec.when != When::Robot || dock.possible == is_live) continue;
+    dock.possible = is_live;
+    showAll();
+    if (is_live && !dock.widget->isHidden()) dock.widget->raise();
   }
-  if (appears) QTimer::singleShot(0, this, &Docks::resize);
+}
+
+const Docks::Dock* Docks::dockOf(const QWidget& panel) const {
+  const auto found = std::ranges::find_if(
+      docks_, [&panel](const Dock& dock) { return dock.widget->isAncestorOf(&panel); });
+  return found == docks_.end() || !found->possible ? nullptr : &*found;
 }
 
 void Docks::show(const QWidget& panel) {
-  for (const Dock& dock : docks_) {
-    if (!dock.widget->isAncestorOf(&panel) || !dock.widget->toggleViewAction()->isEnabled())
-      continue;
-    const bool appears = dock.widget->isHidden();
-    closed_by_user_.remove(dock.widget);
-    dock.widget->show();
-    dock.widget->raise();
-    if (appears && dock.spec.group == Group::Run) QTimer::singleShot(0, this, &Docks::resize);
-  }
+  const Dock* dock = dockOf(panel);
+  if (dock == nullptr) return;
+  closed_.remove(dock->widget);
+  if (isDocked(*dock)) setOpen(true);
+  showAll();
+  dock->widget->raise();
+}
+
+void Docks::bringForward(const QWidget& panel) {
+  const Dock* dock = dockOf(panel);
+  if (dock != nullptr && !dock->widget->isHidden()) dock->widget->raise();
 }
 
 void Docks::addSwitches(QMenu& menu) const {
-  for (const Group group : {Group::Drawing, Group::Details, Group::Run, Group::Floating}) {
+  for (const Group group : {Group::Drawing, Group::Run, Group::Floating}) {
     for (const Dock& dock : docks_) {
       if (dock.spec.group == group && dock.spec.in_menu)
         menu.addAction(dock.widget->toggleViewAction());
@@ -143,40 +183,9 @@ void Docks::addSwitches(QMenu& menu) const {
 }
 
 void Docks::arrange(QSize window) {
-  compact_ = window.width() < kRoomyWindow.width() || window.height() < kRoomyWindow.height();
-  if (compact_) {
-    QDockWidget* over = nullptr;
-    for (const Dock& dock : docks_) {
-      if (dock.spec.group == Group::Drawing) over = dock.widget;
-    }
-    for (const Dock& dock : docks_) {
-      if (dock.spec.group != Group::Details || over == nullptr) continue;
-      window_.tabifyDockWidget(over, dock.widget);
-      over = dock.widget;
-    }
-    for (const Dock& dock : docks_) {
-      if (dock.spec.group == Group::Drawing && dock.spec.in_front) dock.widget->raise();
-    }
-  }
-  resize();
-}
-
-void Docks::resize() {
-  const int width = compact_ ? 220 : 300;
-  const auto height = [this](Group group) {
-    if (group == Group::Drawing) return compact_ ? 200 : 250;
-    if (group == Group::Details) return compact_ ? 200 : 150;
-    return compact_ ? 240 : 290;
-  };
-  QList<QDockWidget*> docks;
-  QList<int> heights;
-  for (const Dock& dock : docks_) {
-    if (dock.widget->isHidden() || dock.widget->isFloating()) continue;
-    docks << dock.widget;
-    heights << height(dock.spec.group);
-  }
-  window_.resizeDocks(docks, QList<int>(docks.size(), width), Qt::Horizontal);
-  window_.resizeDocks(docks, heights, Qt::Vertical);
+  const auto docked = std::ranges::find_if(docks_, &Docks::isDocked);
+  if (docked != docks_.end()) window_.resizeDocks({docked->widget}, {kFirstWidth}, Qt::Horizontal);
+  setOpen(window.width() >= kRoomyWindow.width() && window.height() >= kRoomyWindow.height());
 }
 
 }  // namespace handmap

@@ -1,5 +1,5 @@
-// The docks of the window. What is in them is the rooms' own; here is when they are shown, where,
-// and how large.
+// The inspector at the right of the window: docks, one tabbed over another, that open and fold
+// together. What is in them is the rooms' own; here is when they are shown, and where.
 #pragma once
 
 #include <QDockWidget>
@@ -16,8 +16,8 @@ class Docks : public QObject {
  public:
   explicit Docks(QMainWindow& window);
 
-  /// One tabbed over another; Floating: a window of its own over the drawing.
-  enum class Group { Drawing, Details, Run, Floating };
+  /// In the order of the menu; Floating: a window of its own over the drawing.
+  enum class Group { Drawing, Run, Floating };
   enum class When {
     Always,    ///< as the person leaves it
     Asked,     ///< not before somebody asks for it
@@ -45,25 +45,37 @@ class Docks : public QObject {
   void showRobotDock(bool is_live);
   /// That of a panel, in front; not while it has no run to show.
   void show(const QWidget& panel);
+  /// The same, and the inspector stays folded where somebody has folded it.
+  void bringForward(const QWidget& panel);
   void addSwitches(QMenu& menu) const;
-  /// As they are at the first start in a window of that size: side by side, or one over another
-  /// where there is little room.
+  /// As they are at the first start in a window of that size: folded where there is little room.
   void arrange(QSize window);
+  bool isOpen() const { return open_; }
+  void setOpen(bool open);
+  /// After the window has been given the state of an earlier session.
+  void restored(bool open);
+
+ Q_SIGNALS:
+  void opened(bool open);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Dock {
     Spec spec;
     QDockWidget* widget;
+    bool possible = true;  ///< there is something to show
   };
-  void tabify(QDockWidget& dock, Group group);
-  void setShown(const Dock& dock, bool wanted);
-  void resize();
+  static bool isDocked(const Dock& dock);
+  void showAll();
+  const Dock* dockOf(const QWidget& panel) const;
 
   QMainWindow& window_;
   std::vector<Dock> docks_;
-  QSet<QDockWidget*> closed_by_user_;
-  bool robot_shown_ = false;
-  bool compact_ = false;
+  QSet<QDockWidget*> closed_;  ///< by the user, or never asked for
+  QDockWidget* front_ = nullptr;  ///< of those that are folded away
+  bool open_ = true;
 };
 
 }  // namespace handmap

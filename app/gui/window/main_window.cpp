@@ -52,8 +52,14 @@ namespace {
 constexpr auto kNotNowTopic = "not now";
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
-constexpr int kStateVersion = 6;  // of the set of docks and bars
+constexpr auto kInspectorKey = "window/inspector";
+constexpr int kStateVersion = 7;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 900);
+
+bool isNothing(const Map& map) {
+  return map.buildings.empty() && map.landmarks.empty() && map.route.empty() && !map.start &&
+         map.underlays.empty();
+}
 
 /// The file or folder that is dragged; empty for anything else.
 QString draggedPath(const QMimeData& data) {
@@ -73,7 +79,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
       dialogs_(dialogs ? std::move(dialogs) : systemDialogs(*this)),
       canvas_(new MapCanvas(document_)),
       tools_(new Toolbox(document_, *canvas_, this)),
-      messages_(new MessageBar),
+      messages_(new MessageBar(canvas_)),
       welcome_(new WelcomeStrip),
       centre_(makeCentre()),
       transport_(new TransportBar),
@@ -143,7 +149,6 @@ QWidget* MainWindow::makeCentre() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(welcome_);
-  layout->addWidget(messages_);
   layout->addWidget(canvas_, 1);
   setCentralWidget(centre);
   return centre;
@@ -180,10 +185,19 @@ void MainWindow::makeBars() {
 QToolBar* MainWindow::makeTransport() {
   QToolBar& buttons = transport_->toolBar();
   actions_.fillToolBar(buttons, ToolBar::Transport);
-  for (const char* id : {"run.run", "run.accept"}) {
-    auto* button = qobject_cast<QToolButton*>(buttons.widgetForAction(&actions_[id]));
-    if (button != nullptr) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  }
+  // What is next has its words beside it; on a small screen there is no room for those of others.
+  const auto tell_next = [this, &buttons] {
+    const bool has_robot = sources_->robot().has_value();
+    for (const auto& [id, next] : {std::pair("run.simulate", !has_robot), std::pair("run.run", true),
+                                   std::pair("run.accept", actions_["run.accept"].isEnabled())}) {
+      auto* button = qobject_cast<QToolButton*>(buttons.widgetForAction(&actions_[id]));
+      if (button != nullptr)
+        button->setToolButtonStyle(next ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    }
+  };
+  connect(sources_, &SourceActions::robotChanged, this, tell_next);
+  connect(&actions_["run.accept"], &QAction::enabledChanged, this, tell_next);
+  tell_next();
   auto* bar = new QToolBar(tr("Transport"));
   bar->setObjectName("transport_bar");
   bar->setMovable(false);
@@ -284,6 +298,7 @@ void MainWindow::connectView() {
             overlays_->setLayerOpacity(layer, share);
           });
   run_panels_.layers.setAvailable(Layer::Truth, false);
+  run_panels_.layers.setRun(false, false);
 
   connect(&editing_panels_.objects, &ObjectsPanel::showRequested, canvas_,
           &MapCanvas::zoomToObject);
@@ -293,6 +308,10 @@ void MainWindow::connectView() {
     document_.setSelection({});  // the page of the map itself
     docks_.show(editing_panels_.properties);
   });
+  connect(files_, &FileActions::drawingReplaced, canvas_,
+          [this] { canvas_->setFocus(Qt::OtherFocusReason); });
+  actions_.on("view.inspector", this, [this](bool open) { docks_.setOpen(open); });
+  connect(&docks_, &Docks::opened, &actions_["view.inspector"], &QAction::setChecked);
 }
 
 void MainWindow::connectWelcome() {
@@ -303,12 +322,23 @@ void MainWindow::connectWelcome() {
     if (files_->replace({})) actions_["draw.rectangle"].trigger();
   });
   connect(welcome_, &WelcomeStrip::recordingRequested, sources_, &SourceActions::askForRecording);
-  connect(welcome_, &WelcomeStrip::simulatorRequested, sources_, &SourceActions::openTwoRows);
+  connect(welcome_, &WelcomeStrip::simulatorRequested, sources_, &SourceActions::openSimulator);
   connect(welcome_, &WelcomeStrip::robotRequested, rigs_, &RigActions::showDialog);
   connect(welcome_, &WelcomeStrip::tourRequested, comfort_, &Comfort::beginTour);
   connect(welcome_, &WelcomeStrip::closed, this,
           [this] { settings_.setValue("welcome/closed", true); });
-  welcome_->setVisible(!settings_.value("welcome/closed").toBool());
+  connect(&document_, &MapDocument::mapChanged, this, &MainWindow::showWelcome);
+  connect(&document_, &MapDocument::fileChanged, this, &MainWindow::showWelcome);
+  connect(sources_, &SourceActions::robotChanged, this, &MainWindow::showWelcome);
+  connect(canvas_, &MapCanvas::toolChanged, this, &MainWindow::showWelcome);
+  showWelcome();
+}
+
+/// While nothing is open and nobody draws; it does not shift what is being drawn.
+void MainWindow::showWelcome() {
+  const bool begun = !isNothing(document_.map()) || !document_.filePath().isEmpty() ||
+                     sources_->robot().has_value() || canvas_->tool() != ToolId::Select;
+  welcome_->setVisible(!begun && !settings_.value("welcome/closed").toBool());
 }
 
 void MainWindow::connectRecovery() {
@@ -380,7 +410,9 @@ void MainWindow::restoreState() {
     setWindowState(Qt::WindowMaximized);
   }
   restoreGeometry(settings_.value(kGeometryKey).toByteArray());
-  if (!QMainWindow::restoreState(settings_.value(kStateKey).toByteArray(), kStateVersion)) {
+  if (QMainWindow::restoreState(settings_.value(kStateKey).toByteArray(), kStateVersion)) {
+    docks_.restored(settings_.value(kInspectorKey, true).toBool());
+  } else {
     docks_.arrange(screen()->availableSize().boundedTo(kFirstSize));
   }
   docks_.showRunDocks(false, false);
@@ -391,6 +423,7 @@ void MainWindow::restoreState() {
 void MainWindow::saveState() {
   settings_.setValue(kGeometryKey, saveGeometry());
   settings_.setValue(kStateKey, QMainWindow::saveState(kStateVersion));
+  settings_.setValue(kInspectorKey, docks_.isOpen());
   run_panels_.setup.save(settings_);
   run_panels_.layers.save(settings_);
 }

@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   void connectTools();
   void connectView();
   void connectWelcome();
+  void showWelcome();
   void connectRecovery();
   void showIssue(const Issue& issue);
   void setLayer(Layer layer, bool on);

@@ -28,10 +28,10 @@ TEST(LayersPanel, EverySwitchTellsOfItsLayer) {
   QObject::connect(&panel, &LayersPanel::toggled, &panel,
                    [&heard](Layer layer, bool on) { heard.emplace_back(layer, on); });
   for (const LayerSpec& spec : kLayers) {
-    EXPECT_TRUE(panel.isOn(spec.layer));
-    panel.setOn(spec.layer, false);
-    ASSERT_EQ(heard.back(), std::pair(spec.layer, false)) << spec.text;
-    EXPECT_FALSE(panel.isOn(spec.layer));
+    EXPECT_EQ(panel.isOn(spec.layer), spec.usual);
+    panel.setOn(spec.layer, !spec.usual);
+    ASSERT_EQ(heard.back(), std::pair(spec.layer, !spec.usual)) << spec.text;
+    EXPECT_EQ(panel.isOn(spec.layer), !spec.usual);
   }
   EXPECT_EQ(heard.size(), kLayers.size());
 }
@@ -50,12 +50,26 @@ TEST(LayersPanel, EachLayerHasAnOpacityButPicturesAndTheGrid) {
   EXPECT_DOUBLE_EQ(heard[Layer::Band], 0.4);
 }
 
-TEST(LayersPanel, ALayerWithNothingToShowIsGrey) {
+TEST(LayersPanel, ListsOnlyWhatThereIs) {
   LayersPanel panel;
+  panel.show();
+  std::map<Layer, bool> heard;
+  QObject::connect(&panel, &LayersPanel::toggled, &panel,
+                   [&heard](Layer layer, bool on) { heard[layer] = on; });
+  const auto listed = [&panel] {
+    int count = 0;
+    for (const auto* box : panel.findChildren<QCheckBox*>()) count += box->isVisible() ? 1 : 0;
+    return count;
+  };
   panel.setAvailable(Layer::Truth, false);
-  int grey = 0;
-  for (const auto* box : panel.findChildren<QCheckBox*>()) grey += box->isEnabled() ? 0 : 1;
-  EXPECT_EQ(grey, 1);
+  panel.setRun(false, false);
+  EXPECT_EQ(listed(), 3) << "drawing, pictures and grid";
+  EXPECT_FALSE(heard[Layer::Corrected]);
+  panel.setRun(true, false);
+  EXPECT_TRUE(heard[Layer::Corrected]);
+  EXPECT_FALSE(panel.isAvailable(Layer::Particles)) << "the method has none";
+  panel.setRun(true, true);
+  EXPECT_EQ(listed(), static_cast<int>(kLayers.size()) - 1);
 }
 
 TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {

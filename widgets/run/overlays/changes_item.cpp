@@ -30,11 +30,6 @@ void paintArrow(QPainter& painter, QLineF line) {
 
 }  // namespace
 
-QString ChangesItem::lengthText(double moved_m, std::optional<double> error_m) {
-  if (!error_m) return tr("%1 m").arg(moved_m, 0, 'f', 1);
-  return tr("%1 m, %2 m off").arg(moved_m, 0, 'f', 1).arg(*error_m, 0, 'f', 1);
-}
-
 void ChangesItem::setColours(const Colours& colours) {
   colours_ = &colours;
   update();
@@ -46,12 +41,11 @@ void ChangesItem::clear() {
   bounds_ = {};
 }
 
-void ChangesItem::setChanges(const Map& drawing, const Map& refined, const TrueMiddles* truth) {
+void ChangesItem::setChanges(const Map& drawing, const Map& refined) {
   clear();
   for (const BuildingChange& change : changesOf(drawing, refined).moved) {
-    const auto error = truth ? truth->errorOf(refined.buildings[change.building]) : std::nullopt;
-    arrows_.push_back(
-        {{toScene(change.drawn), toScene(change.now)}, lengthText(change.moved_m(), error)});
+    arrows_.push_back({{toScene(change.drawn), toScene(change.now)},
+                       tr("moved %1 m").arg(change.moved_m(), 0, 'f', 1)});
     bounds_ |= QRectF(toScene(change.drawn), toScene(change.now)).normalized();
   }
   if (!arrows_.empty()) bounds_.adjust(-kMarginM, -kMarginM, kMarginM, kMarginM);

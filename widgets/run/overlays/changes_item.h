@@ -16,8 +16,7 @@ class ChangesItem : public QGraphicsItem {
   Q_DECLARE_TR_FUNCTIONS(handmap::ChangesItem)
  public:
   void setColours(const Colours& colours);
-  /// `truth`: nullptr where it is not known.
-  void setChanges(const Map& drawing, const Map& refined, const TrueMiddles* truth);
+  void setChanges(const Map& drawing, const Map& refined);
   void clear();
 
   QRectF boundingRect() const override { return bounds_; }
@@ -28,8 +27,6 @@ class ChangesItem : public QGraphicsItem {
     QLineF line;  ///< metres
     QString text;
   };
-
-  static QString lengthText(double moved_m, std::optional<double> error_m);
 
   const Colours* colours_ = &Colours::light();
   std::vector<Arrow> arrows_;

@@ -35,12 +35,14 @@ struct LayerSpec {
   const char* text;
   const char* hint;
   Role role;  ///< of its legend
+  bool usual = true;   ///< shown before anybody has chosen
+  bool of_run = true;  ///< there is nothing of it without a run
 };
 
 /// In the order of the panel.
 inline constexpr std::array<LayerSpec, static_cast<std::size_t>(Layer::Count)> kLayers = {{
     {Layer::Drawing, "drawing", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Drawing"),
-     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The map as it is drawn"), Role::Drawing},
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The map as it is drawn"), Role::Drawing, true, false},
     {Layer::Corrected, "corrected", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Corrected map"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "The best map of the run. Dashed: a wall that nobody saw. Hatched: a "
@@ -64,39 +66,39 @@ inline constexpr std::array<LayerSpec, static_cast<std::size_t>(Layer::Count)> k
      Role::LocalMap},
     {Layer::Particles, "particles", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Particles"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel", "Where the robot may be; the surer, the stronger"),
-     Role::Particle},
+     Role::Particle, false},
     {Layer::Swarms, "swarms", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Swarms"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "What the buildings in sight may be: one outline a sample"),
-     Role::Swarm},
+     Role::Swarm, false},
     {Layer::Trajectory, "trajectory", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Trajectory"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel", "The way of the best particle"), Role::Trajectory},
     {Layer::Odometry, "odometry", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Odometry alone"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel", "The way that the odometry alone would give"),
-     Role::Odometry},
+     Role::Odometry, false},
     {Layer::LocalMap, "local_map", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Local map"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel", "The walls that the robot sees around itself"),
-     Role::LocalMap},
+     Role::LocalMap, false},
     {Layer::Points, "points", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Points"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "What the sensor sees now; the surer of a wall, the stronger"),
-     Role::LocalMap},
+     Role::LocalMap, false},
     {Layer::SeenWalls, "seen_walls", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Visible walls"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "The parts of the corrected walls that the robot sees now"),
-     Role::LocalMap},
+     Role::LocalMap, false},
     {Layer::Sight, "sight", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Visibility range"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "How far the sensor reaches, and what it looks through now"),
-     Role::LocalMap},
+     Role::LocalMap, false},
     {Layer::Truth, "truth", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Truth"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "Where the recording knows the true way; never used by the run"),
-     Role::Truth},
+     Role::Truth, false, false},
     {Layer::Underlays, "pictures", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures"),
-     QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures below the drawing"), Role::Axis},
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures below the drawing"), Role::Axis, true, false},
     {Layer::Grid, "grid", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Grid"),
-     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The metric grid"), Role::GridLineMajor},
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The metric grid"), Role::GridLineMajor, true, false},
 }};
 
 }  // namespace handmap

@@ -1,6 +1,7 @@
 #include "widgets/run/overlays/run_overlays.h"
 
 #include <QGraphicsScene>
+#include <algorithm>
 
 #include "widgets/run/overlays/bands_item.h"
 #include "widgets/run/overlays/changes_item.h"
@@ -37,7 +38,9 @@ RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
       robot_(std::make_unique<RobotItem>(Role::Trajectory)),
       changes_(std::make_unique<ChangesItem>()),
       phase_(std::make_unique<PhaseItem>()) {
-  visible_.fill(true);
+  for (const LayerSpec& spec : kLayers)
+    visible_[static_cast<std::size_t>(spec.layer)] = spec.usual;
+  *shows_local_map_ = isOn(Layer::LocalMap);
   for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{
            sight_.get(), local_map_.get(), swarms_.get(), bands_.get(), corrected_.get(),
            truth_.get(), odometry_.get(), trajectory_.get(), points_.get(), seen_walls_.get(),
@@ -139,6 +142,7 @@ void RunOverlays::updateVisibility() {
 void RunOverlays::setDrawing(const Map& drawing) { drawing_ = drawing; }
 
 void RunOverlays::setTruth(const std::vector<StampedPose>& trajectory) {
+  true_way_ = trajectory;
   truth_->setPoses(trajectory);
   Q_EMIT truthChanged(trajectory);
 }
@@ -179,11 +183,18 @@ void RunOverlays::display(const Snapshot& snapshot) {
   pose_spread_->setReport(snapshot.report);
   robot_->setPose(snapshot.report.pose);
   if (snapshot.truth) true_robot_->setPose(*snapshot.truth);
+  showTruthUntil(snapshot.report.time_s);
   seen_ = snapshot.seen.lock();
   seen_from_ = snapshot.report.pose;
   if (snapshot.local_map) seen_range_m_ = snapshot.local_map.range();
   showSeen();
   updateVisibility();
+}
+
+/// What lies ahead would look like a way that the robot plans.
+void RunOverlays::showTruthUntil(double time_s) {
+  const auto ahead = std::ranges::upper_bound(true_way_, time_s, {}, &StampedPose::time_s);
+  truth_->setPoses({true_way_.begin(), ahead});
 }
 
 void RunOverlays::showSeen() {
@@ -199,7 +210,7 @@ void RunOverlays::showMap(const Map& map) {
   shown_map_ = map;
   corrected_->setMap(map);
   bands_->setMap(map);
-  changes_->setChanges(drawing_, map, true_middles_ ? &*true_middles_ : nullptr);
+  changes_->setChanges(drawing_, map);
   tellOutlines();
 }
 
@@ -224,6 +235,7 @@ void RunOverlays::clear() {
   has_snapshot_ = false;
   has_true_pose_ = false;
   true_middles_.reset();
+  true_way_.clear();
   shown_map_.reset();
   shown_trajectory_.clear();
   truth_->setPoses({});

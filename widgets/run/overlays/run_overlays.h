@@ -85,6 +85,7 @@ class RunOverlays : public QObject {
   void display(const Snapshot& snapshot);
   void showMap(const Map& map);
   void showSeen();
+  void showTruthUntil(double time_s);
   void tellOutlines();
   void updateVisibility();
   bool isOn(Layer layer) const { return visible_[static_cast<std::size_t>(layer)]; }
@@ -113,6 +114,7 @@ class RunOverlays : public QObject {
   Map drawing_;
   std::optional<TrueMiddles> true_middles_;
   std::optional<Map> shown_map_;
+  std::vector<StampedPose> true_way_;
   std::vector<StampedPose> shown_trajectory_;
   std::shared_ptr<const Perceived> seen_;  ///< nullptr: not known, or no longer
   Pose2 seen_from_;

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QSettings>
 #include <QSlider>
+#include <QVBoxLayout>
 
 #include "widgets/run/overlays/corrected_map_item.h"
 #include "widgets/run/overlays/seen_item.h"
@@ -93,6 +94,7 @@ void paintSample(QPainter& painter, const LayerSpec& spec, const Colours& colour
 }  // namespace
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
+  available_.fill(true);
   auto* layout = new QGridLayout(this);
   layout->setVerticalSpacing(0);
   layout->setContentsMargins(8, 4, 8, 4);
@@ -105,14 +107,20 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
     check->setObjectName(QStringLiteral("layer.%1").arg(static_cast<int>(spec.layer)));
     check->setIconSize(kSample);
     check->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
-    check->setChecked(true);
+    check->setChecked(spec.usual);
     boxes_[at] = check;
-    connect(check, &QCheckBox::toggled, this,
-            [this, layer = spec.layer](bool on) { Q_EMIT toggled(layer, on); });
+    connect(check, &QCheckBox::toggled, this, [this, layer = spec.layer](bool on) {
+      if (isAvailable(layer)) Q_EMIT toggled(layer, on);
+    });
     layout->addWidget(check, row, 0);
     if (hasOpacity(spec.layer)) layout->addWidget(sliders_[at] = makeSlider(spec), row, 1);
     ++row;
   }
+  legend_ = new QWidget;
+  auto* legend = new QVBoxLayout(legend_);
+  legend->setContentsMargins({});
+  legend->setSpacing(0);
+  layout->addWidget(legend_, row++, 0, 1, 2);
   for (const auto& [sample, text] :
        {std::pair(&unseen_sample_, tr("A wall that nobody saw")),
         std::pair(&doubtful_sample_, tr("A doubtful building: point at it to read why"))}) {
@@ -122,7 +130,7 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
     auto* words = new QLabel(text);
     words->setWordWrap(true);
     line->addWidget(words, 1);
-    layout->addLayout(line, row++, 0, 1, 2);
+    legend->addLayout(line);
   }
   layout->setRowStretch(row, 1);
   paintSamples();
@@ -143,9 +151,24 @@ QSlider* LayersPanel::makeSlider(const LayerSpec& spec) {
 
 bool LayersPanel::isOn(Layer layer) const { return box(layer)->isChecked(); }
 void LayersPanel::setOn(Layer layer, bool on) { box(layer)->setChecked(on); }
+bool LayersPanel::isAvailable(Layer layer) const {
+  return available_[static_cast<std::size_t>(layer)];
+}
+
 void LayersPanel::setAvailable(Layer layer, bool available) {
-  box(layer)->setEnabled(available);
-  if (QSlider* slider = sliders_[static_cast<std::size_t>(layer)]) slider->setEnabled(available);
+  if (available == isAvailable(layer)) return;
+  available_[static_cast<std::size_t>(layer)] = available;
+  box(layer)->setVisible(available);
+  if (QSlider* slider = sliders_[static_cast<std::size_t>(layer)]) slider->setVisible(available);
+  if (layer == Layer::Corrected) legend_->setVisible(available);
+  if (isOn(layer)) Q_EMIT toggled(layer, available);
+}
+
+void LayersPanel::setRun(bool exists, bool has_particles) {
+  for (const LayerSpec& spec : kLayers) {
+    const bool sampled = spec.layer == Layer::Particles || spec.layer == Layer::Swarms;
+    if (spec.of_run) setAvailable(spec.layer, exists && (has_particles || !sampled));
+  }
 }
 
 namespace {
@@ -166,7 +189,7 @@ void LayersPanel::save(QSettings& settings) const {
 
 void LayersPanel::restore(const QSettings& settings) {
   for (const LayerSpec& spec : kLayers) {
-    setOn(spec.layer, settings.value(keyOf(spec, "shown"), true).toBool());
+    setOn(spec.layer, settings.value(keyOf(spec, "shown"), spec.usual).toBool());
     QSlider* slider = sliders_[static_cast<std::size_t>(spec.layer)];
     if (slider) slider->setValue(settings.value(keyOf(spec, "percent"), 100).toInt());
   }

@@ -21,8 +21,12 @@ class LayersPanel : public QWidget {
 
   bool isOn(Layer layer) const;
   void setOn(Layer layer, bool on);
-  /// Greyed out where there is nothing of this layer to show.
+  /// Whether there is anything of this layer to show: else it is not listed.
+  bool isAvailable(Layer layer) const;
   void setAvailable(Layer layer, bool available);
+  /// What there is nothing of is not listed: without a run its layers, and particles where the
+  /// method has none.
+  void setRun(bool exists, bool has_particles);
   /// What is shown, and how strongly.
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
@@ -41,7 +45,9 @@ class LayersPanel : public QWidget {
 
   std::array<QCheckBox*, static_cast<std::size_t>(Layer::Count)> boxes_{};
   QLabel* unseen_sample_;    ///< of a wall that nobody saw
+  QWidget* legend_ = nullptr;  ///< of the corrected map
   QLabel* doubtful_sample_;  ///< of a doubtful building
+  std::array<bool, static_cast<std::size_t>(Layer::Count)> available_{};
   std::array<QSlider*, static_cast<std::size_t>(Layer::Count)> sliders_{};
 };
 
