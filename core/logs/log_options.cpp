@@ -20,12 +20,12 @@ void setColumns(std::string_view text, LogOptions& options) {
 void setAngles(std::string_view text, LogOptions& options) {
   const auto fields = splitFields(text, ':');
   const auto first = parseFinite(fields[0]);
-  const auto step = fields.size() == 2 ? parseFinite(fields[1]) : std::nullopt;
-  if (!first || !step || *step == 0.0) {
+  const double step = fields.size() == 2 ? parseFinite(fields[1]).value_or(0.0) : 0.0;
+  if (!first || step == 0.0) {
     throw Error(ErrorCode::Usage,
                 phrase("--angles: found \"{}\", expected FIRST:STEP in degrees", text));
   }
-  options.angles = RayAngles{toRadians(*first), toRadians(*step)};
+  options.angles = RayAngles{toRadians(*first), toRadians(step)};
 }
 
 }  // namespace handmap
