@@ -85,6 +85,7 @@ TEST(WiredRig, GivesScansWithTheirPoses) {
   for (std::size_t i = 0; i < taken.size(); ++i) {
     ASSERT_FALSE(taken[i].views.at(0).points->empty());
     for (const RangePoint& point : *taken[i].views[0].points) {
+      if (!isMeasured(point)) continue;
       EXPECT_NEAR(point.x, 4.5F, 0.1F);  // 4 m before the scanner, which is 0.5 m ahead
       EXPECT_NEAR(point.z, 0.4F, 1e-5F);
     }
@@ -131,7 +132,7 @@ TEST(WiredRig, LivesWithAScannerThatIsPulledAndPutBack) {
 
 TEST(WiredRig, AnAddressThatIsNoneIsRefused) {
   WiredRig rig;
-  rig.job.rig.scanner->port = "tcp://nowhere";
+  rig.job.rig.scanner->port = "tcp://nowhere:0";
   EXPECT_THROW(openLive(rig.job, {}), std::exception);
 }
 
