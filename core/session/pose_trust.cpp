@@ -96,7 +96,7 @@ void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report) {
 }
 
 PoseCertainty certaintyOf(const FrameReport& report) {
-  PoseCertainty certainty{Certainty::Lost, radiusHolding(positionCovariance(report), kHowOften),
+  PoseCertainty certainty{Certainty::Lost, certainWithin(report),
                           kHeadingSigmas * report.pose_sigma[2]};
   if (certainty.heading_rad > kPi / 2.0) return certainty;
   if (certainty.within_m <= kRoughWithin_m) certainty.kind = Certainty::Rough;

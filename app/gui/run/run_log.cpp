@@ -69,9 +69,8 @@ void RunLog::finish(bool cancelled) {
   for (const BuildingChange& change : changes.doubtful) {
     const Building& building = run_.drawing().buildings[change.building];
     add(LogKind::Warning,
-        tr("%1 is doubtful: %2 % that it is another building, or is not there")
-            .arg(Words::nameOf(building))
-            .arg(std::lround(100.0 * change.doubt)),
+        Words::nameOf(building) + QStringLiteral(" · ") +
+            Words::doubt(run_.drawing(), result->map(), change.building),
         QString::fromStdString(building.id));
   }
   for (const RunWarning& warning : result->warnings) {

@@ -233,7 +233,7 @@ TEST(BuildingsPanel, CopiesAsCsv) {
   EXPECT_TRUE(lines[0].startsWith("Building,Moved (m),")) << lines[0].toStdString();
   EXPECT_FALSE(lines[0].contains("Off")) << "the truth is not known";
   EXPECT_TRUE(lines[1].startsWith("N1,10.000,")) << lines[1].toStdString();
-  EXPECT_TRUE(lines[2].startsWith("N0,2.000,0.000,0.200,,0.200,0.300,3,"))
+  EXPECT_TRUE(lines[2].startsWith("N0,2.000,0.000,0.000,0.200,,0.200,0.300,3,"))
       << "a wall that nobody saw has no figure: " << lines[2].toStdString();
   EXPECT_TRUE(lines[3].startsWith("\"N2 · Bar, \"\"Inn\"\"\",")) << lines[3].toStdString();
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
+#include "core/map/map_changes.h"
 
 namespace handmap {
 namespace {
@@ -20,6 +21,16 @@ TEST(Words, SayHowSureThePoseIs) {
   EXPECT_EQ(Words::certainty(report(10.0, 2.0)), "Lost: may be anywhere within 21 m");
   EXPECT_EQ(certaintyOf(report(0.1, 20.0)).kind, Certainty::Rough) << "the heading is not sure";
   EXPECT_EQ(certaintyOf(report(0.1, 90.0)).kind, Certainty::Lost) << "there is none";
+}
+
+TEST(Words, SayWhereNothingOfTheDrawingIsRecognised) {
+  FrameReport astray = report(0.14, 0.5);
+  astray.unrecognised_m = 49.0;
+  EXPECT_EQ(Words::certainty(astray), "Sure to 0.3 m; heading to 1°");
+  astray = report(10.0, 2.0);
+  astray.unrecognised_m = 200.0;
+  EXPECT_EQ(Words::certainty(astray),
+            "Lost: may be anywhere within 21 m; nothing of the drawing recognised for 200 m");
 }
 
 TEST(Words, ALongEllipseIsAsWideAsItIsLong) {
@@ -64,21 +75,61 @@ TEST(Words, SumUpWhatARunHasChanged) {
   EXPECT_TRUE(Words::changes(changesOf(drawing, refined), drawing).endsWith("L0, L1, L2, L3, …."));
 }
 
+Map mapOf(const Building& building) {
+  Map map;
+  map.uncertainty = {3.0, 1.0};
+  map.buildings = {building};
+  return map;
+}
+
 TEST(Words, SayWhatSpeaksForAndAgainstABuilding) {
-  const Building drawn = building("L3", 0.0, 0);
-  Building now = building("L3", 7.0, 12);
-  setSides(now, {{{0.1, true}, {0.2, true}, {3.0, false}, {0.2, true}}});
-  setDoubt(now, 0.4);
-  Map truth;
-  truth.buildings = {building("L3", 7.5, 0)};
-  const TrueMiddles middles(truth);
-  const QString words = Words::building(drawn, {3.0, 1.0}, now, &middles);
-  for (const char* said : {"Moved by 7.0 m", "0.5 m from where it truly is", "seen in 12",
-                           "right ±0.10 m", "nobody saw: left", "2.3 times", "40 %"}) {
+  const Map drawing = mapOf(building("L3", 0.0, 0));
+  Map refined = mapOf(building("L3", 7.0, 12));
+  setSides(refined.buildings[0], {{{0.1, true}, {0.2, true}, {3.0, false}, {0.2, true}}});
+  const TrueMiddles middles(mapOf(building("L3", 7.5, 0)));
+  const QString words = Words::building(drawing, refined, 0, &middles);
+  for (const char* said : {"moved by 7.0 m", "0.5 m from where it truly is", "seen in 12",
+                           "right ±0.10 m", "nobody saw: left", "2.3 times"}) {
     EXPECT_TRUE(words.contains(said)) << said << " in " << words.toStdString();
   }
-  EXPECT_TRUE(Words::building(drawn, {3.0, 1.0}, building("L3", 0.0, 0), nullptr)
+  EXPECT_FALSE(words.contains("Doubtful"));
+  EXPECT_TRUE(Words::building(drawing, mapOf(building("L3", 0.0, 0)), 0, nullptr)
                   .contains("Nothing that was seen is taken for it"));
+}
+
+TEST(Words, TurnedAndGrownAreToldLikeMoved) {
+  const Map drawing = mapOf(building("L3", 0.0, 0));
+  Map refined = mapOf(building("L3", 1.1, 12));
+  refined.buildings[0].shape = Rectangle{{1.1, 0.0}, 19.0, 10.0, toRadians(20.0)};
+  EXPECT_EQ(Words::change(changeOf(drawing.buildings[0], refined.buildings[0])),
+            "moved by 1.1 m, turned by 20°, grown by 9.0 m");
+  const QString summary = Words::changes(changesOf(drawing, refined), drawing);
+  EXPECT_TRUE(summary.contains("1 turned by up to 20°")) << summary.toStdString();
+  EXPECT_TRUE(summary.contains("1 grown or shrunk by up to 9.0 m")) << summary.toStdString();
+}
+
+TEST(Words, NameThoseOfWhichOneSideWasSeen) {
+  const Map drawing = mapOf(building("L3", 0.0, 0));
+  Map refined = mapOf(building("L3", 1.0, 12));
+  setSides(refined.buildings[0], {{{0.1, false}, {0.2, true}, {3.0, false}, {0.2, false}}});
+  EXPECT_TRUE(Words::changes(changesOf(drawing, refined), drawing)
+                  .contains("Of 1 (L3) only one side was seen"));
+  EXPECT_TRUE(Words::building(drawing, refined, 0, nullptr).contains("Only one side was seen"));
+}
+
+/// One sentence, with its reason, and nothing beside it that says the contrary.
+TEST(Words, ADoubtIsOneSentence) {
+  const Map drawing = mapOf(building("L3", 0.0, 0));
+  Map unmet = mapOf(building("L3", 0.3, 0));
+  setDoubt(unmet.buildings[0], 0.4);
+  const QString words = Words::building(drawing, unmet, 0, nullptr);
+  EXPECT_TRUE(
+      words.contains("nothing that it saw is taken for it. Of a hundred of which this was "
+                     "said, some 40 were wrong."))
+      << words.toStdString();
+  EXPECT_FALSE(words.contains("Against the drawing"));
+  EXPECT_FALSE(words.contains('%'));
+  EXPECT_TRUE(Words::doubt(drawing, mapOf(building("L3", 0.3, 4)), 0).isEmpty());
 }
 
 TEST(Words, DirectionsAreThoseOfAMapWithYUp) {

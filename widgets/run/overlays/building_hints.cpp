@@ -49,8 +49,7 @@ QString BuildingHints::wordsAt(QPointF viewport_position) const {
   for (std::size_t b = 0; b < count; ++b) {
     const Building& now = map->buildings[b];
     if (!now.estimate || !contains(now.footprint(), at)) continue;
-    const Building& drawn = drawing.buildings[b];
-    return Words::building(drawn, drawing.uncertaintyOf(drawn), now, truth ? &*truth : nullptr);
+    return Words::building(drawing, *map, b, truth ? &*truth : nullptr);
   }
   return {};
 }

@@ -23,9 +23,12 @@ constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Id and name in the drawing")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Moved\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "From the drawn to the corrected middle")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Turned\n(°)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Against the drawing, counter-clockwise")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Doubt\n(%)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
-                       "How probably it is another building or is not there")},
+                       "Of a hundred buildings of which the same was said so many were wrong: "
+                       "another one, or none, stood there")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ right\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
                        "Standard deviation of the wall that faces right on the map; in brackets "
@@ -82,29 +85,25 @@ BuildingsModel::Row BuildingsModel::rowOf(std::size_t building, const Building& 
   row.name = Words::nameOf(drawn);
   row.building = building;
   auto& numbers = row.numbers;
-  const Vec2 from = centroid(drawn.footprint());
-  const Vec2 to = centroid(now.footprint());
-  const Rectangle before = drawn.box();
-  const Rectangle after = now.box();
-  numbers[Moved] = (to - from).norm();
+  const BuildingChange change = changeOf(drawn, now);
+  numbers[Moved] = change.moved_m();
+  numbers[Turned] = toDegrees(change.turned);
   numbers[Doubt] = 100.0 * doubtOf(now);
   const std::array<SideEstimate, 4> sides = sidesOf(now);
   for (std::size_t facing = 0; facing < sides.size(); ++facing) {
     const Vec2 outwards = unitVector(static_cast<double>(facing) * kPi / 2.0);
-    const SideEstimate& side = sides[sideFacing(after.heading, outwards)];
+    const SideEstimate& side = sides[sideFacing(now.box().heading, outwards)];
     numbers[SigmaRight + facing] = side.sigma;
     row.seen[facing] = side.seen;
   }
   numbers[Observations] = now.estimate->observations;
   numbers[Error] = (truth_ ? truth_->errorOf(now) : std::nullopt).value_or(kUnknown);
-  numbers[DrawnX] = from.x();
-  numbers[DrawnY] = from.y();
-  numbers[NowX] = to.x();
-  numbers[NowY] = to.y();
-  // A polygon's box may be counted from another side once it has turned.
-  const bool across = sideFacing(after.heading, unitVector(before.heading)) % 2 == 1;
-  numbers[Wider] = (across ? after.depth : after.width) - before.width;
-  numbers[Deeper] = (across ? after.width : after.depth) - before.depth;
+  numbers[DrawnX] = change.drawn.x();
+  numbers[DrawnY] = change.drawn.y();
+  numbers[NowX] = change.now.x();
+  numbers[NowY] = change.now.y();
+  numbers[Wider] = change.wider_m;
+  numbers[Deeper] = change.deeper_m;
   return row;
 }
 
@@ -151,7 +150,8 @@ QString BuildingsModel::text(const Row& row, int column) const {
     return number > 0.0 ? QString::number(std::lround(number)) : QStringLiteral("–");
   }
   QString text = QString::number(number, 'f', 2);
-  if ((column == Wider || column == Deeper) && number > 0.0) text.prepend(QLatin1Char('+'));
+  if ((column == Wider || column == Deeper || column == Turned) && number > 0.0)
+    text.prepend(QLatin1Char('+'));
   const int sigma = column - SigmaRight;
   if (sigma >= 0 && sigma < 4 && !row.seen.at(static_cast<std::size_t>(sigma))) {
     text = QStringLiteral("(%1)").arg(text);
@@ -169,9 +169,7 @@ QString BuildingsModel::csvText(const Row& row, int column) {
 }
 
 QString BuildingsModel::words(const Row& row) const {
-  const Building& drawn = drawing_.buildings[row.building];
-  return Words::building(drawn, drawing_.uncertaintyOf(drawn), refined_.buildings[row.building],
-                         truth_ ? &*truth_ : nullptr);
+  return Words::building(drawing_, refined_, row.building, truth_ ? &*truth_ : nullptr);
 }
 
 QVariant BuildingsModel::data(const QModelIndex& index, int role) const {

@@ -13,11 +13,12 @@ namespace handmap {
 class BuildingsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  /// Metres and per cent. The sigmas are of the walls that face right, up, left and down on the
-  /// map.
+  /// Metres, degrees and per cent. The sigmas are of the walls that face right, up, left and down
+  /// on the map.
   enum Column {
     Name,
     Moved,
+    Turned,
     Doubt,
     SigmaRight,
     SigmaUp,

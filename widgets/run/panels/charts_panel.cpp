@@ -219,7 +219,7 @@ void ChartsPanel::redrawReports() {
   time_plot_->setRanges(first, last, greatest_ms);
   likelihood_plot_->setRanges(first, last, greatest_nats, least_nats);
   const Colours& colours = Colours::of(palette());
-  QString legend = inColour(colours[Role::Trajectory], tr("━ 1 σ as stated"));
+  QString legend = inColour(colours[Role::Trajectory], tr("━ nine of ten are within"));
   if (!errors.isEmpty()) {
     legend += QStringLiteral(" &nbsp; ") + inColour(colours[Role::Truth], tr("╍ true error"));
   }

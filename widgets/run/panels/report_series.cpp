@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/session/pose_trust.h"
+
 namespace handmap {
 
 namespace {
@@ -31,7 +33,7 @@ Point pointOf(const FrameReport& report, std::optional<double> error_m) {
   return {static_cast<double>(report.frame),
           report.time_s,
           report.effective_sample_size,
-          std::hypot(report.pose_sigma[0], report.pose_sigma[1]),
+          certainWithin(report),
           error_m.value_or(std::numeric_limits<double>::quiet_NaN()),
           report.log_likelihood.value_or(std::numeric_limits<double>::quiet_NaN()),
           report.ms};

@@ -24,7 +24,7 @@ class ReportSeries {
     double frame = 0.0;
     double time_s = 0.0;
     double effective_sample_size = 0.0;
-    double spread_m = 0.0;        ///< σ of the position, of both axes together
+    double spread_m = 0.0;        ///< certainWithin()
     double error_m = 0.0;         ///< NaN where the truth is not known
     double log_likelihood = 0.0;  ///< nats; NaN where no method tells it
     StageTimes ms;

@@ -156,7 +156,11 @@ void WhyPanel::setStory(const WallStory& story, bool kept) {
   lines << tr("It stands %1 m %2 of the drawn one; known to ±%3 m.")
                .arg(centimetres(std::abs(moved)), moved < 0.0 ? tr("inwards") : tr("outwards"),
                     centimetres(story.sigma_m));
-  if (!story.seen) lines << tr("Nobody saw it: its other walls put it there.");
+  if (!story.seen) {
+    lines << (story.witnesses.empty()
+                  ? tr("Nobody saw it: its other walls put it there.")
+                  : tr("Hardly a ray ended on it: its other walls put it there."));
+  }
   lines << tr("Drawing: %1 ±%2 m, weight %3 %.")
                .arg(signedMetres(story.drawn_m), centimetres(story.drawn_sigma_m),
                     percent(story.drawn_share));

@@ -7,6 +7,7 @@
 
 #include "core/map/certainty.h"
 #include "core/session/pose_trust.h"
+#include "core/session/recognition.h"
 
 namespace handmap {
 
@@ -23,6 +24,45 @@ QString range(double least, double most) {
   const QString from = metres(least);
   const QString to = metres(most);
   return from == to ? Words::tr("%1 m").arg(to) : Words::tr("%1 to %2 m").arg(from, to);
+}
+
+QString degrees(double turn_rad) {
+  return QString::number(std::lround(std::abs(toDegrees(turn_rad)))) + QChar(0xB0);
+}
+
+/// "L3, L4, N1, …"
+QString namesOf(const std::vector<BuildingChange>& changes, const Map& drawing) {
+  QStringList names;
+  for (const BuildingChange& change : changes) {
+    if (names.size() == kMostNamed) {
+      names << QStringLiteral("…");
+      break;
+    }
+    names << QString::fromStdString(drawing.buildings[change.building].id);
+  }
+  return names.join(Words::tr(", "));
+}
+
+/// Which sides were seen, and how sure they are; which were not.
+QStringList sidesInWords(const Building& now) {
+  const Sides sides = sidesOf(now);
+  const double heading = now.box().heading;
+  QStringList seen;
+  QStringList unseen;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const QString where = Words::direction(heading + static_cast<double>(k) * kPi / 2.0);
+    if (sides[k].seen) {
+      seen << Words::tr("%1 ±%2 m").arg(where).arg(sides[k].sigma, 0, 'f', 2);
+    } else {
+      unseen << where;
+    }
+  }
+  QStringList lines;
+  if (!seen.isEmpty()) lines << Words::tr("For: walls seen: %1").arg(seen.join(Words::tr(", ")));
+  if (!unseen.isEmpty()) {
+    lines << Words::tr("Against: walls that nobody saw: %1").arg(unseen.join(Words::tr(", ")));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -43,16 +83,23 @@ QString Words::direction(double heading_rad) {
 
 QString Words::certainty(const FrameReport& report) {
   const auto [kind, within_m, heading_rad] = certaintyOf(report);
-  const auto degrees = static_cast<int>(std::ceil(toDegrees(heading_rad)));
+  const auto heading_deg = static_cast<int>(std::ceil(toDegrees(heading_rad)));
+  QString words;
   switch (kind) {
     case Certainty::Sure:
-      return tr("Sure to %1 m; heading to %2°").arg(metres(within_m)).arg(degrees);
+      words = tr("Sure to %1 m; heading to %2°").arg(metres(within_m)).arg(heading_deg);
+      break;
     case Certainty::Rough:
-      return tr("Roughly here: within %1 m; heading to %2°").arg(metres(within_m)).arg(degrees);
+      words =
+          tr("Roughly here: within %1 m; heading to %2°").arg(metres(within_m)).arg(heading_deg);
+      break;
     case Certainty::Lost:
+      words = tr("Lost: may be anywhere within %1 m").arg(metres(within_m));
       break;
   }
-  return tr("Lost: may be anywhere within %1 m").arg(metres(within_m));
+  if (report.unrecognised_m < kUnrecognised_m) return words;
+  return words +
+         tr("; nothing of the drawing recognised for %1 m").arg(metres(report.unrecognised_m));
 }
 
 QString Words::place(const Pose2& pose, const Map& map) {
@@ -74,6 +121,15 @@ QString Words::changes(const MapChanges& changes, const Map& drawing) {
     parts << tr("%n building(s) moved by %1", nullptr, static_cast<int>(changes.moved.size()))
                  .arg(range(changes.moved.back().moved_m(), changes.moved.front().moved_m()));
   }
+  if (!changes.turned.empty()) {
+    parts << tr("%n turned by up to %1", nullptr, static_cast<int>(changes.turned.size()))
+                 .arg(degrees(changes.turned.front().turned));
+  }
+  if (!changes.resized.empty()) {
+    parts << tr("%n grown or shrunk by up to %1 m", nullptr,
+                static_cast<int>(changes.resized.size()))
+                 .arg(metres(std::abs(changes.resized.front().grown_m())));
+  }
   if (!changes.kept.empty()) {
     parts << tr("%n stand(s) as drawn", nullptr, static_cast<int>(changes.kept.size()));
   }
@@ -81,59 +137,102 @@ QString Words::changes(const MapChanges& changes, const Map& drawing) {
     parts << tr("%n was (were) not seen", nullptr, static_cast<int>(changes.unseen.size()));
   }
   QString text = parts.join(tr(", ")) + tr(".");
-  if (changes.doubtful.empty()) return text;
-  QStringList names;
-  for (const BuildingChange& change : changes.doubtful) {
-    if (names.size() == kMostNamed) {
-      names << QStringLiteral("…");
-      break;
-    }
-    names << QString::fromStdString(drawing.buildings[change.building].id);
+  if (!changes.one_sided.empty()) {
+    text +=
+        QLatin1Char(' ') + tr("Of %n (%1) only one side was seen: how deep that is, is as drawn.",
+                              nullptr, static_cast<int>(changes.one_sided.size()))
+                               .arg(namesOf(changes.one_sided, drawing));
   }
+  if (changes.doubtful.empty()) return text;
   return text + QLatin1Char(' ') +
          tr("%n is (are) doubtful: look at %1.", nullptr, static_cast<int>(changes.doubtful.size()))
-             .arg(names.join(tr(", ")));
+             .arg(namesOf(changes.doubtful, drawing));
 }
 
-QString Words::building(const Building& drawn, const Uncertainty& uncertainty, const Building& now,
+QString Words::change(const BuildingChange& change) {
+  QStringList parts;
+  if (change.moved_m() >= kLeastMove_m) parts << tr("moved by %1 m").arg(metres(change.moved_m()));
+  if (change.isTurned()) parts << tr("turned by %1").arg(degrees(change.turned));
+  if (change.isResized()) {
+    const double grown = change.grown_m();
+    parts
+        << (grown > 0.0 ? tr("grown by %1 m") : tr("shrunk by %1 m")).arg(metres(std::abs(grown)));
+  }
+  return parts.join(tr(", "));
+}
+
+QString Words::concern(const Concern& concern, const Map& drawing) {
+  const QString name = nameOf(drawing.buildings[concern.building]);
+  switch (concern.kind) {
+    case Concern::Kind::Overlaps:
+      return tr("%1 stands in %2: they share %3 % more ground than drawn")
+          .arg(name, nameOf(drawing.buildings[concern.other]))
+          .arg(std::lround(100.0 * concern.by));
+    case Concern::Kind::Moved:
+      return tr("%1 moved by %2 m, far more than the drawing says that it may be off")
+          .arg(name, metres(concern.by));
+    case Concern::Kind::Turned:
+      return tr("%1 turned by %2, more than people draw askew").arg(name, degrees(concern.by));
+    case Concern::Kind::Resized:
+      break;
+  }
+  return (concern.by > 0.0
+              ? tr("%1 grew by %2 m, far more than the drawing says that it may be off")
+              : tr("%1 shrank by %2 m, far more than the drawing says that it may be off"))
+      .arg(name, metres(std::abs(concern.by)));
+}
+
+QString Words::doubt(const Map& drawing, const Map& refined, std::size_t building) {
+  const double doubt = doubtOf(refined.buildings[building]);
+  if (doubt <= 0.0) return {};
+  const auto& estimate = refined.buildings[building].estimate;
+  QStringList reasons;
+  if (!estimate || estimate->observations == 0) {
+    reasons << tr("the robot came by, and nothing that it saw is taken for it");
+  } else {
+    for (const Concern& concern : concernsOf(drawing, refined)) {
+      if (concern.building == building) reasons << Words::concern(concern, drawing);
+    }
+    if (reasons.isEmpty()) reasons << tr("what was seen may as well be another building");
+  }
+  return tr("Doubtful: %1. Of a hundred of which this was said, some %2 were wrong.")
+      .arg(reasons.join(tr("; ")))
+      .arg(std::lround(100.0 * doubt));
+}
+
+QString Words::building(const Map& drawing, const Map& refined, std::size_t b,
                         const TrueMiddles* truth) {
+  const Building& drawn = drawing.buildings[b];
+  const Building& now = refined.buildings[b];
   QStringList lines = {nameOf(drawn)};
-  const double moved = (centroid(now.footprint()) - centroid(drawn.footprint())).norm();
-  lines << tr("Moved by %1 m from where it was drawn").arg(metres(moved));
+  const bool recognised = now.estimate && now.estimate->observations > 0;
+  const BuildingChange changed = changeOf(drawn, now);
+  const QString words = change(changed);
+  if (now.estimate && !recognised) {
+    lines << (words.isEmpty() ? tr("Nothing that was seen is taken for it: it is shown where the "
+                                   "drawing has it")
+                              : tr("Nothing that was seen is taken for it: it is shown where the "
+                                   "drawing has it, %1 with the buildings beside it")
+                                    .arg(words));
+  } else {
+    lines << (words.isEmpty() ? tr("As drawn") : tr("Against the drawing: %1").arg(words));
+  }
   if (const auto error = truth ? truth->errorOf(now) : std::nullopt) {
     lines << tr("%1 m from where it truly is").arg(metres(*error));
   }
   if (!now.estimate) return lines.join(QLatin1Char('\n'));
-  if (now.estimate->observations == 0) {
-    lines << tr("Nothing that was seen is taken for it: it is shown where the drawing has it");
-  } else {
+  if (recognised) {
     lines << tr("For: seen in %n observation(s)", nullptr, now.estimate->observations);
-  }
-  const std::array<SideEstimate, 4> sides = sidesOf(now);
-  const double heading = now.box().heading;
-  QStringList seen;
-  QStringList unseen;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const QString where = direction(heading + static_cast<double>(k) * kPi / 2.0);
-    if (sides[k].seen) {
-      seen << tr("%1 ±%2 m").arg(where).arg(sides[k].sigma, 0, 'f', 2);
-    } else {
-      unseen << where;
+    lines << sidesInWords(now);
+    if (changed.one_sided) lines << tr("Only one side was seen: how deep it is, is as drawn");
+    const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
+    if (changed.moved_m() > kSurprising * uncertainty.position) {
+      lines << tr("Against: it moved %1 times as far as the drawing says that it may be off (%2 m)")
+                   .arg(changed.moved_m() / uncertainty.position, 0, 'f', 1)
+                   .arg(metres(uncertainty.position));
     }
   }
-  if (!seen.isEmpty()) lines << tr("For: walls seen: %1").arg(seen.join(tr(", ")));
-  if (!unseen.isEmpty()) {
-    lines << tr("Against: walls that nobody saw: %1").arg(unseen.join(tr(", ")));
-  }
-  if (moved > kSurprising * uncertainty.position && uncertainty.position > 0.0) {
-    lines << tr("Against: it moved %1 times as far as the drawing says that it may be off (%2 m)")
-                 .arg(moved / uncertainty.position, 0, 'f', 1)
-                 .arg(metres(uncertainty.position));
-  }
-  if (const double doubt = doubtOf(now); doubt > 0.0) {
-    lines << tr("Doubtful: %1 % that it is another building, or is not there")
-                 .arg(static_cast<int>(std::lround(100.0 * doubt)));
-  }
+  if (const QString doubtful = doubt(drawing, refined, b); !doubtful.isEmpty()) lines << doubtful;
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -5,6 +5,7 @@
 #include <QString>
 #include <optional>
 
+#include "core/map/concerns.h"
 #include "core/map/map_changes.h"
 #include "core/session/pose_trust.h"
 #include "core/session/snapshot.h"
@@ -22,12 +23,19 @@ class Words {
   static QString certainty(const FrameReport& report);
   /// "4 m from L3", of the nearest building within 50 m; else coordinates.
   static QString place(const Pose2& pose, const Map& map);
-  /// "12 buildings moved by 0.3 to 4.1 m, 2 stand as drawn, 5 were not seen. 3 are doubtful: look
-  /// at L3, L4, N1."
+  /// "12 buildings moved by 0.3 to 4.1 m, 1 turned by 20°, 2 stand as drawn, 5 were not seen. Of 3
+  /// only one side was seen: how deep they are is as drawn. 3 are doubtful: look at L3, L4, N1."
   static QString changes(const MapChanges& changes, const Map& drawing);
-  /// What speaks for a corrected building and what against; lines.
-  static QString building(const Building& drawn, const Uncertainty& uncertainty,
-                          const Building& now, const TrueMiddles* truth);
+  /// What speaks for a corrected building and what against; lines. `refined`: of a run on
+  /// `drawing`.
+  static QString building(const Map& drawing, const Map& refined, std::size_t building,
+                          const TrueMiddles* truth);
+  /// "moved by 1.1 m, turned by 20°, grown by 9.0 m"; empty: none of these.
+  static QString change(const BuildingChange& change);
+  /// Why it is doubtful, and how often such buildings prove to be wrong; empty: it is not.
+  static QString doubt(const Map& drawing, const Map& refined, std::size_t building);
+  /// "L3 stands in L4"
+  static QString concern(const Concern& concern, const Map& drawing);
 };
 
 }  // namespace handmap
