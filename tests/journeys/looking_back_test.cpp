@@ -1,12 +1,14 @@
 // The past of a run in the window: looked at, played again, and changed.
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include "core/map/map_io.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"
 #include "widgets/run/overlays/run_strip.h"
+#include "widgets/run/panels/said_panel.h"
 #include "widgets/run/panels/timeline.h"
 #include "widgets/run/panels/why_panel.h"
 #include "widgets/run/words/phase_words.h"
@@ -213,6 +215,60 @@ TEST_F(LookingBack, ABuildingIsRightOrNotThere) {
   action(*window_, "run.not_there")->trigger();
   ASSERT_TRUE(waitForRevision());
   EXPECT_EQ(window_->run().result()->map().buildings.size(), count - 1);
+}
+
+TEST_F(LookingBack, WhatWasSaidIsUndoneWithTheRun) {
+  ASSERT_TRUE(waitDone());
+  const Building drawn = document_.map().buildings[0];
+  const std::string before = formatMap(window_->run().result()->map());
+  document_.setSelection({QString::fromStdString(drawn.id)});
+  action(*window_, "run.right")->trigger();
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_EQ(window_->runPanels().said.count(), 1);
+  document_.undoStack().undo();
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_EQ(document_.map().buildings[0], drawn);
+  EXPECT_FALSE(window_->run().drawing().buildings[0].fixed);
+  EXPECT_EQ(formatMap(window_->run().result()->map()), before);
+  EXPECT_EQ(window_->runPanels().said.count(), 0);
+  document_.undoStack().redo();
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_TRUE(window_->run().drawing().buildings[0].fixed);
+  EXPECT_EQ(window_->runPanels().said.count(), 1);
+}
+
+TEST_F(LookingBack, APoseThatWasGivenIsUndone) {
+  ASSERT_TRUE(waitDone());
+  Q_EMIT window_->tools().robotPoseGiven({40.0, 1.0, 0.1});
+  ASSERT_TRUE(waitForRevision());
+  ASSERT_EQ(window_->run().settings().given_poses.size(), 1U);
+  document_.undoStack().undo();
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_TRUE(window_->run().settings().given_poses.empty());
+}
+
+TEST_F(LookingBack, EachActHasACrossThatTakesItBackAlone) {
+  ASSERT_TRUE(waitDone());
+  const std::vector<Building> drawn = document_.map().buildings;
+  document_.setSelection({QString::fromStdString(drawn[1].id)});
+  action(*window_, "run.not_there")->trigger();
+  ASSERT_TRUE(waitForRevision());
+  document_.setSelection({QString::fromStdString(drawn[0].id)});
+  action(*window_, "run.right")->trigger();
+  ASSERT_TRUE(waitForRevision());
+  SaidPanel& said = window_->runPanels().said;
+  ASSERT_EQ(said.count(), 2);
+  QSignalSpy revised(&window_->run(), &RunController::revised);
+  said.findChildren<QToolButton*>().front()->click();  // of what is not there
+  ASSERT_TRUE(revised.wait(kPatienceMs));
+  EXPECT_EQ(said.count(), 1);
+  EXPECT_TRUE(document_.map().find(drawn[0].id)->fixed);
+  ASSERT_NE(document_.map().find(drawn[1].id), nullptr);
+  EXPECT_EQ(window_->run().result()->map().buildings.size(), drawn.size());
+  document_.undoStack().undo();  // it is not there after all
+  ASSERT_TRUE(waitForRevision());
+  EXPECT_EQ(document_.map().find(drawn[1].id), nullptr);
+  EXPECT_EQ(said.count(), 2);
 }
 
 TEST_F(LookingBack, ARevisionThatIsLeftIsForgotten) {

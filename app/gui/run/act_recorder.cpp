@@ -5,9 +5,9 @@ namespace handmap {
 namespace {
 
 /// What went wrong; empty: nothing.
-QString writing(const std::filesystem::path& folder, const Act& act) {
+QString writing(const std::function<void()>& job) {
   try {
-    appendAct(folder, act);
+    job();
     return {};
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
@@ -23,21 +23,29 @@ ActRecorder::ActRecorder(QObject* parent)
 ActRecorder::~ActRecorder() {
   self_->cut();
   if (waiting_.empty()) return;
-  startInBackground([lines = std::move(waiting_)] {
-    for (const Line& line : lines) writing(line.folder, line.act);
+  startInBackground([jobs = std::move(waiting_)] {
+    for (const Job& job : jobs) writing(job);
   });
 }
 
 void ActRecorder::add(const std::filesystem::path& folder, const Act& act) {
-  waiting_.push_back({folder, act});
+  add([folder, act] { appendAct(folder, act); });
+}
+
+void ActRecorder::replace(const std::filesystem::path& folder, const std::vector<Act>& acts) {
+  add([folder, acts] { writeActs(folder, acts); });
+}
+
+void ActRecorder::add(Job job) {
+  waiting_.push_back(std::move(job));
   if (!busy_) write();
 }
 
 void ActRecorder::write() {
   busy_ = !waiting_.empty();
   if (!busy_) return;
-  startInBackground([self = self_, line = waiting_.front()] {
-    self->post([message = writing(line.folder, line.act)](ActRecorder& recorder) {
+  startInBackground([self = self_, job = waiting_.front()] {
+    self->post([message = writing(job)](ActRecorder& recorder) {
       if (!message.isEmpty()) Q_EMIT recorder.failed(message);
       recorder.write();
     });

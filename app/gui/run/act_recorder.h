@@ -5,7 +5,9 @@
 #include <QObject>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/session/acts.h"
 #include "widgets/background/background.h"
@@ -20,18 +22,19 @@ class ActRecorder : public QObject {
   ~ActRecorder() override;
 
   void add(const std::filesystem::path& folder, const Act& act);
+  /// These in place of all that were said on that drive.
+  void replace(const std::filesystem::path& folder, const std::vector<Act>& acts);
 
  Q_SIGNALS:
   void failed(const QString& message);
 
  private:
-  struct Line {
-    std::filesystem::path folder;
-    Act act;
-  };
+  using Job = std::function<void()>;  ///< throws what went wrong
   void write();
 
-  std::deque<Line> waiting_;
+  void add(Job job);
+
+  std::deque<Job> waiting_;
   bool busy_ = false;
   std::shared_ptr<Lifeline<ActRecorder>> self_;  ///< shared with the thread
 };

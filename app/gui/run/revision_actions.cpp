@@ -6,6 +6,7 @@
 #include "app/gui/run/live_robot.h"
 #include "app/gui/run/playback_actions.h"
 #include "app/gui/run/run_controller.h"
+#include "app/gui/shell/docks.h"
 #include "core/map/places.h"
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
@@ -13,6 +14,7 @@
 #include "widgets/document/map_document.h"
 #include "widgets/messages/message_bar.h"
 #include "widgets/run/overlays/path_item.h"
+#include "widgets/run/panels/said_panel.h"
 #include "widgets/tools/toolbox.h"
 
 namespace handmap {
@@ -45,26 +47,30 @@ QString differenceInWords(const Snapshot& before, const Snapshot& after) {
 }
 
 RevisionActions::RevisionActions(const Shell& shell, MapDocument& document, RunController& run,
-                                 MapCanvas& canvas, Toolbox& tools, PlaybackActions& past)
+                                 MapCanvas& canvas, Toolbox& tools, PlaybackActions& past,
+                                 SaidPanel& panel)
     : shell_(shell),
       document_(document),
       run_(run),
       canvas_(canvas),
       tools_(tools),
       past_(past),
+      panel_(panel),
+      acts_(document),
       outcome_(std::make_unique<PathItem>(Role::Preview)) {
   outcome_->setZValue(kOverlayZ + 50.0);
   canvas_.scene()->addItem(outcome_.get());
   const ActionSet& actions = shell_.actions;
   actions.on("run.recompute", this, [this] {
-    revise(run_.settings().given_poses, Then::Ask, tr("Recomputing with the drawing as it is"));
+    revise(acts_.poses(), Then::Ask, tr("Recomputing with the drawing as it is"));
   });
   actions.on("run.right", this, [this] { setRight(); });
   actions.on("run.not_there", this, [this] { removeNotThere(); });
   actions.on("run.forget_poses", this, [this] {
-    keep({shownTime(), Act::Kind::ForgetPoses, {}, {}, {}});
-    revise({}, Then::Take, tr("Recomputing without the poses that were given"));
+    say({{{shownTime(), Act::Kind::ForgetPoses, {}, {}, {}}}}, tr("Forget given poses"),
+        tr("Recomputing without the poses that were given"));
   });
+  connectSaid();
   connect(&tools_, &Toolbox::robotPoseGiven, this, [this](const Pose2& pose) {
     if (run_.history() && !run_.history()->empty()) give(shownTime(), pose);
   });
@@ -125,14 +131,72 @@ void RevisionActions::revise(const std::vector<StampedPose>& given, Then then,
 }
 
 void RevisionActions::give(double time_s, const Pose2& pose) {
-  std::vector<StampedPose> given = run_.settings().given_poses;
-  handmap::give(given, {time_s, pose});
-  keep({time_s, Act::Kind::RobotIsHere, pose, {}, {}});
-  revise(given, Then::Take, tr("Recomputing with the pose that you gave"));
+  say({{{time_s, Act::Kind::RobotIsHere, pose, {}, {}}}}, tr("Robot is here"),
+      tr("Recomputing with the pose that you gave"));
+}
+
+/// What is said counts at once: the run is done again with it.
+void RevisionActions::say(const std::vector<Said>& said, const QString& text, const QString& doing,
+                          const std::function<void()>& change) {
+  if (const auto folder = recordingFolder(); !folder.empty()) {
+    for (const Said& one : said) recorder_.add(folder, one.act);
+  }
+  acts_.say(said, text, change);
+  revise(acts_.poses(), Then::Take, doing);
+}
+
+void RevisionActions::connectSaid() {
+  connect(&run_, &RunController::begun, this, [this] { acts_.begin(run_.settings().given_poses); });
+  connect(&acts_, &SaidActs::wanted, this, &RevisionActions::onWanted);
+  connect(&acts_, &SaidActs::changed, this, [this] {
+    QStringList rows;
+    for (const Said& said : acts_.all()) rows << inWords(said);
+    panel_.setRows(rows);
+  });
+  connect(
+      &panel_, &SaidPanel::takeBackWanted, &acts_,
+      [this](int row) { acts_.takeBack(static_cast<std::size_t>(row)); },
+      Qt::QueuedConnection);  // the row that was clicked goes
+}
+
+/// Something is no longer said, or is again.
+void RevisionActions::onWanted() {
+  if (!run_.history()) return;  // it is gone
+  if (const auto folder = recordingFolder(); !folder.empty()) {
+    std::vector<Act> acts;
+    for (const Said& said : acts_.all()) acts.push_back(said.act);
+    recorder_.replace(folder, acts);
+  }
+  revise(acts_.poses(), Then::Take, tr("Recomputing with what is still said"));
+}
+
+QString RevisionActions::inWords(const Said& said) const {
+  const auto of_building = [&](const QString& words) {
+    return words.arg(QString::fromStdString(said.act.building));
+  };
+  QString words;
+  switch (said.act.kind) {
+    case Act::Kind::RobotIsHere:
+      words = tr("The robot was at %1, %2 m")
+                  .arg(said.act.pose.x, 0, 'f', 1)
+                  .arg(said.act.pose.y, 0, 'f', 1);
+      break;
+    case Act::Kind::BuildingIsRight:
+      words = of_building(tr("%1 is right"));
+      break;
+    case Act::Kind::BuildingIsNotThere:
+      words = of_building(tr("%1 is not there"));
+      break;
+    case Act::Kind::ForgetPoses:
+      words = tr("The poses given before do not count");
+      break;
+  }
+  return tr("%1 s: %2").arg(said.act.time_s, 0, 'f', 1).arg(words);
 }
 
 void RevisionActions::takePoses(const std::vector<StampedPose>& poses) {
-  revise(poses, Then::Take, tr("Recomputing with the poses of the file"));
+  acts_.givePoses(poses, tr("Open given poses"));
+  revise(acts_.poses(), Then::Take, tr("Recomputing with the poses of the file"));
 }
 
 double RevisionActions::shownTime() const {
@@ -141,12 +205,12 @@ double RevisionActions::shownTime() const {
   return snapshot ? snapshot->report.time_s : 0.0;
 }
 
-void RevisionActions::keep(const Act& act) {
+std::filesystem::path RevisionActions::recordingFolder() const {
   const auto live = run_.live();
   const auto monitor = live ? live->monitor() : nullptr;
   const RecordingStatus recording = monitor ? monitor->status().recording : RecordingStatus();
-  if (recording.folder.empty() || !recording.error.empty()) return;
-  recorder_.add(recording.folder, act);
+  if (!recording.error.empty()) return {};
+  return recording.folder;
 }
 
 /// As it is shown, which is corrected.
@@ -154,26 +218,38 @@ void RevisionActions::setRight() {
   const auto result = run_.result();
   if (!result) return;
   MapChange change;
+  std::vector<Said> said;
   const auto snapshot = run_.history()->at(past_.playback().index());
   const auto places = placesOf(snapshot->map->buildings);
   for (Building& right : selected(document_.map(), document_.selection()).buildings) {
     const auto shown = places.find(right.id);
     if (shown == places.end()) continue;
+    const Building before = right;
     right.shape = snapshot->map->buildings[shown->second].shape;
     right.fixed = true;
-    keep({snapshot->report.time_s, Act::Kind::BuildingIsRight, {}, right.id, right.shape});
+    said.push_back(
+        {{snapshot->report.time_s, Act::Kind::BuildingIsRight, {}, right.id, right.shape}, before});
     change.buildings.push_back(right);
   }
   if (change.buildings.empty()) return;
-  document_.apply(change, tr("Building is right"));
-  revise(run_.settings().given_poses, Then::Take, tr("Recomputing with what is right"));
+  const QString text = tr("Building is right");
+  say(said, text, tr("Recomputing with what is right"), [&] { document_.apply(change, text); });
 }
 
 void RevisionActions::removeNotThere() {
-  for (const Building& gone : selected(document_.map(), document_.selection()).buildings)
-    keep({shownTime(), Act::Kind::BuildingIsNotThere, {}, gone.id, {}});
-  document_.removeSelected();
-  revise(run_.settings().given_poses, Then::Take, tr("Recomputing without what is not there"));
+  std::vector<Said> said;
+  QStringList keys;
+  for (const Building& gone : selected(document_.map(), document_.selection()).buildings) {
+    if (isLocked(document_.map(), gone)) continue;
+    said.push_back({{shownTime(), Act::Kind::BuildingIsNotThere, {}, gone.id, {}}, gone});
+    keys << QString::fromStdString(gone.id);
+  }
+  if (said.empty()) {
+    shell_.messages.show(MessageBar::Kind::Info, tr("It is locked: unlock it first."));
+    return;
+  }
+  say(said, tr("Building is not there"), tr("Recomputing without what is not there"),
+      [&] { document_.remove(keys); });
 }
 
 void RevisionActions::onReady() {
@@ -183,8 +259,11 @@ void RevisionActions::onReady() {
   shell_.messages.withdraw(kRevisionActionsTopic);
   if (then_ == Then::Take) {
     run_.takeRevision();
-    shell_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words), {},
-                         kRevisionActionsTopic);
+    shell_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words),
+                         tr("Undo (Ctrl+Z) takes it back."), kRevisionActionsTopic);
+    if (!acts_.all().empty()) {
+      shell_.messages.addAction(tr("What you said"), [this] { shell_.docks.show(panel_); });
+    }
     return;
   }
   outcome_->setPoses(after->trajectory.all());
@@ -205,7 +284,7 @@ void RevisionActions::updateActions() {
   actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()));
   actions.setEnabled({"run.give_pose"}, can);
   actions.setEnabled({"run.right", "run.not_there"}, can && has_building());
-  actions.setEnabled({"run.forget_poses"}, can && !run_.settings().given_poses.empty());
+  actions.setEnabled({"run.forget_poses"}, can && !acts_.poses().empty());
 }
 
 }  // namespace handmap

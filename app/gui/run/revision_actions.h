@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/gui/run/act_recorder.h"
+#include "app/gui/run/said_acts.h"
 #include "app/gui/shell/shell.h"
 #include "core/recording/trajectory.h"
 #include "core/session/snapshot.h"
@@ -23,6 +24,7 @@ class MapDocument;
 class PathItem;
 class PlaybackActions;
 class RunController;
+class SaidPanel;
 class Toolbox;
 
 /// How the results of two runs over the same observations differ, in plain words.
@@ -34,7 +36,7 @@ class RevisionActions : public QObject {
  public:
   /// What it is given must outlive it.
   RevisionActions(const Shell& shell, MapDocument& document, RunController& run, MapCanvas& canvas,
-                  Toolbox& tools, PlaybackActions& past);
+                  Toolbox& tools, PlaybackActions& past, SaidPanel& panel);
   ~RevisionActions() override;
 
   void updateActions();
@@ -46,13 +48,18 @@ class RevisionActions : public QObject {
 
   /// With the drawing as it is now.
   void revise(const std::vector<StampedPose>& given, Then then, const QString& text);
+  void say(const std::vector<Said>& said, const QString& text, const QString& doing,
+           const std::function<void()>& change = {});
   void give(double time_s, const Pose2& pose);
-  /// Beside the recording of a live drive, where there is one.
-  void keep(const Act& act);
+  /// Where the recording of a live drive lies; empty: there is none, or it is broken.
+  std::filesystem::path recordingFolder() const;
+  QString inWords(const Said& said) const;
   double shownTime() const;
   void setRight();
   void removeNotThere();
   void onReady();
+  void onWanted();
+  void connectSaid();
   void forget();
 
   const Shell& shell_;
@@ -61,6 +68,8 @@ class RevisionActions : public QObject {
   MapCanvas& canvas_;
   Toolbox& tools_;
   PlaybackActions& past_;
+  SaidPanel& panel_;
+  SaidActs acts_;
   std::unique_ptr<PathItem> outcome_;  ///< of a revision that is not taken yet
   Then then_ = Then::Ask;
   QString text_;

@@ -7,13 +7,14 @@
 #include "widgets/run/panels/layers_panel.h"
 #include "widgets/run/panels/log_panel.h"
 #include "widgets/run/panels/run_setup_panel.h"
+#include "widgets/run/panels/said_panel.h"
 #include "widgets/run/panels/why_panel.h"
 
 namespace handmap {
 
 RunPanels RunPanels::make() {
   return {*new LayersPanel,    *new RunSetupPanel, *new ChartsPanel, *new CameraPanel,
-          *new BuildingsPanel, *new LogPanel,      *new WhyPanel};
+          *new BuildingsPanel, *new LogPanel,      *new WhyPanel,    *new SaidPanel};
 }
 
 void RunPanels::addTo(Docks& docks) const {
@@ -24,6 +25,7 @@ void RunPanels::addTo(Docks& docks) const {
   docks.add({"charts", tr("Charts"), Group::Run, When::Run}, &charts);
   docks.add({"log", tr("Log"), Group::Run, When::Run}, &log);
   docks.add({"why", tr("Why"), Group::Run, When::RunAsked}, &why);
+  docks.add({"said", tr("What you said"), Group::Run, When::RunAsked}, &said);
   docks.add({"setup", tr("Run settings"), Group::Drawing, When::Asked}, Docks::scrolled(&setup));
 }
 

@@ -12,6 +12,7 @@ class Docks;
 class LayersPanel;
 class LogPanel;
 class RunSetupPanel;
+class SaidPanel;
 class WhyPanel;
 
 struct RunPanels {
@@ -24,6 +25,7 @@ struct RunPanels {
   BuildingsPanel& buildings;
   LogPanel& log;
   WhyPanel& why;
+  SaidPanel& said;
 
   static RunPanels make();
   /// All but the layers, in docks of their own.

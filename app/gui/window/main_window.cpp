@@ -129,8 +129,8 @@ void MainWindow::makeRun() {
   results_ = new ResultActions(shell_, document_, *files_, *sources_, run_, run_panels_.buildings);
   rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
   live_watch_ = new LiveWatch(shell_, run_, *sources_, this);
-  revisions_ =
-      std::make_unique<RevisionActions>(shell_, document_, run_, *canvas_, *tools_, runs_->past());
+  revisions_ = std::make_unique<RevisionActions>(shell_, document_, run_, *canvas_, *tools_,
+                                                 runs_->past(), run_panels_.said);
   connect(sources_, &SourceActions::posesGiven, this,
           [this](const std::vector<StampedPose>& poses) { revisions_->takePoses(poses); });
 }
