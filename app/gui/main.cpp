@@ -53,7 +53,6 @@ bool choosePlatform() {
 void applySetup(MainWindow& window, const CommandLine& line) {
   RunSetupPanel& panel = window.runPanels().setup;
   RunSetup setup = panel.setup();
-  setup.replay = line.replay;
   if (line.seed) setup.settings.seed = static_cast<std::uint64_t>(*line.seed);
   panel.setSetup(setup);
 }
@@ -79,8 +78,9 @@ void openRobot(MainWindow& window, const CommandLine& line, bool first_start) {
   if (demo) window.sources().openDemonstration();
   if (line.virtual_rig) window.sources().openVirtualRig(*line.virtual_rig);
   if (!line.rig.isEmpty()) window.rigs().openRig(line.rig);
-  if (!line.recording.isEmpty()) window.sources().openRecording(line.recording);
+  if (!line.recording.isEmpty()) window.sources().openRecording(line.recording, line.replay);
   if (line.isBatch()) window.transport().setSpeed(0.0);
+  if (line.speed) window.transport().setSpeed(*line.speed);
 }
 
 int runProgram(Application& app, const CommandLine& line) {
@@ -101,10 +101,9 @@ int runProgram(Application& app, const CommandLine& line) {
                    [&window](const QString& message, const QString& hint) {
                      window.messages().show(MessageBar::Kind::Error, message, hint);
                    });
-  window.files().setWindowOpener([](const QString& path) {
+  window.files().setWindowOpener([](const QStringList& arguments) {
     // A window is a process of its own: what one of them meets does not touch the others.
-    QProcess::startDetached(QApplication::applicationFilePath(),
-                            path.isEmpty() ? QStringList() : QStringList{path});
+    QProcess::startDetached(QApplication::applicationFilePath(), arguments);
   });
   applySetup(window, line);
   if (line.verbose) new Narrator(window);

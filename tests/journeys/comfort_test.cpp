@@ -125,7 +125,9 @@ TEST_F(Comfortable, LightAndDarkAreChosenAndKept) {
 
 TEST_F(Comfortable, AnotherLanguageStartsAgainWithTheSameDrawing) {
   QStringList opened;
-  window_->files().setWindowOpener([&](const QString& path) { opened << path; });
+  window_->files().setWindowOpener([&](const QStringList& arguments) {
+    opened << (arguments.isEmpty() ? QStringList{QString()} : arguments);
+  });
   write("m.handmap", mapNamed("first"));
   ASSERT_TRUE(window_->files().open(path("m.handmap")));
   document_.setName("mine");
@@ -147,7 +149,9 @@ TEST_F(Comfortable, AnotherLanguageStartsAgainWithTheSameDrawing) {
 
 TEST_F(Comfortable, StartingAgainEndsARunAndForgetsWhatWasNeverSaved) {
   QStringList opened;
-  window_->files().setWindowOpener([&](const QString& path) { opened << path; });
+  window_->files().setWindowOpener([&](const QStringList& arguments) {
+    opened << (arguments.isEmpty() ? QStringList{QString()} : arguments);
+  });
   runSimulator(*window_);
   EXPECT_TRUE(waitFor(*window_, RunState::Running));
   document_.setName("never saved");
@@ -161,7 +165,9 @@ TEST_F(Comfortable, StartingAgainEndsARunAndForgetsWhatWasNeverSaved) {
 
 TEST_F(Comfortable, AnotherWindowIsOpenedByWhoeverKnowsHow) {
   QStringList opened;
-  window_->files().setWindowOpener([&](const QString& path) { opened << path; });
+  window_->files().setWindowOpener([&](const QStringList& arguments) {
+    opened << (arguments.isEmpty() ? QStringList{QString()} : arguments);
+  });
   trigger("file.new_window");
   EXPECT_EQ(opened, QStringList{QString()});
 }

@@ -33,8 +33,8 @@ TEST(CommandLine, TakesEveryOption) {
                                    "points", "--seed", "7", "--run", "--exit-after-run"});
   EXPECT_EQ(line.map, "m.handmap");
   EXPECT_EQ(line.recording, "r");
-  EXPECT_EQ(line.replay.from, 40);
-  EXPECT_EQ(line.replay.kind, SourceKind::Points);
+  EXPECT_EQ(line.replay->from, 40);
+  EXPECT_EQ(line.replay->kind, SourceKind::Points);
   EXPECT_EQ(line.seed, 7);
   EXPECT_TRUE(line.run);
   EXPECT_TRUE(line.isBatch());

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QUrl>
 
@@ -70,12 +71,17 @@ void FileActions::connectActions() {
 }
 
 void FileActions::startAgain() {
+  QStringList robot = coming_back_();
+  const QScopedValueRollback leaving(is_coming_back_, true);
   if (!shell_.window.close()) return;
   shell_.settings.sync();  // the other one reads what this one has just left
-  openWindow(document_.filePath());
+  const QString path = document_.filePath();
+  if (path.isEmpty()) robot.removeAll(QStringLiteral("--run"));  // there is nothing to run on
+  openWindow((path.isEmpty() ? QStringList() : QStringList{path}) + robot);
 }
 
 bool FileActions::mayLeave() {
+  if (!mayLeaveRun()) return false;
   if (!document_.isModified()) return true;
   constexpr int kSave = 0;
   constexpr int kDiscard = 1;

@@ -21,8 +21,15 @@ class FileActions : public QObject {
   /// What it is given must outlive it.
   FileActions(const Shell& shell, MapDocument& document, MapCanvas& canvas);
 
-  /// Asks when there are unsaved changes. False: the user wants to stay.
+  /// Asks when there are unsaved changes, or a run that would be lost. False: the user wants to
+  /// stay.
   bool mayLeave();
+  /// The same about the run alone.
+  bool mayLeaveRun() { return may_leave_run_(is_coming_back_); }
+  /// `coming_back`: the program starts again, with what may_come_back brings.
+  void setMayLeaveRun(std::function<bool(bool coming_back)> may) {
+    may_leave_run_ = std::move(may);
+  }
   /// Opens after mayLeave(); errors go to the message bar.
   bool open(const QString& path);
   bool save();
@@ -37,12 +44,16 @@ class FileActions : public QObject {
     before_save_ = std::move(work);
   }
   /// Opens another window of the program, with the drawing of that path where there is one.
-  void setWindowOpener(std::function<void(const QString& path)> open) {
+  void setWindowOpener(std::function<void(const QStringList& arguments)> open) {
     open_window_ = std::move(open);
   }
-  void openWindow(const QString& path = {}) const { open_window_(path); }
-  /// Closes this window, which may ask, and opens another one with the same drawing.
+  void openWindow(const QStringList& arguments = {}) const { open_window_(arguments); }
+  /// Closes this window, which may ask, and opens another one with the same drawing and robot.
   void startAgain();
+  /// What else the other window is to be told, e.g. the recording and that it is to run.
+  void setComingBack(std::function<QStringList()> arguments) {
+    coming_back_ = std::move(arguments);
+  }
   /// What the drawing was corrected to, where there is such a map: exports offer it too.
   void setCorrected(std::function<std::optional<Map>()> corrected) {
     corrected_ = std::move(corrected);
@@ -91,7 +102,10 @@ class FileActions : public QObject {
   QMenu* recent_;
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
   std::function<std::optional<Map>()> corrected_ = [] { return std::nullopt; };
-  std::function<void(const QString& path)> open_window_ = [](const QString&) {};
+  std::function<void(const QStringList& arguments)> open_window_ = [](const QStringList&) {};
+  std::function<bool(bool coming_back)> may_leave_run_ = [](bool) { return true; };
+  std::function<QStringList()> coming_back_ = [] { return QStringList(); };
+  bool is_coming_back_ = false;
 };
 
 }  // namespace handmap

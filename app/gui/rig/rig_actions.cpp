@@ -26,7 +26,12 @@ constexpr auto kRigKey = "files/rig";
 
 RigActions::RigActions(const Shell& shell, RunController& run, SourceActions& sources,
                        FileActions& files, QObject* parent)
-    : QObject(parent), shell_(shell), run_(run), sources_(sources), panel_(new LivePanel) {
+    : QObject(parent),
+      shell_(shell),
+      run_(run),
+      sources_(sources),
+      files_(files),
+      panel_(new LivePanel) {
   shell_.docks.add({"live", tr("Robot"), Docks::Group::Run, Docks::When::Robot}, panel_);
   shell_.actions.on("run.connect", this, [this] { showDialog(); });
   shell_.actions.on("run.calibrate", this, [this] { showCalibration(); });
@@ -78,7 +83,9 @@ void RigActions::openRig(const QString& path) {
   }
 }
 
-void RigActions::use(const Rig& rig) { sources_.useLive(liveRobot(rig, connectedDevices())); }
+void RigActions::use(const Rig& rig) {
+  if (files_.mayLeaveRun()) sources_.useLive(liveRobot(rig, connectedDevices()));
+}
 
 /// Its devices are looked at while the run goes on; what they said last stays.
 void RigActions::followRun() {

@@ -37,6 +37,7 @@ class RigActions : public QObject {
   const Shell& shell_;
   RunController& run_;
   SourceActions& sources_;
+  FileActions& files_;
   LivePanel* panel_;
   QPointer<RigDialog> dialog_;
   QPointer<CalibrationDialog> calibration_;

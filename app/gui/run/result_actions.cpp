@@ -6,15 +6,18 @@
 #include <span>
 
 #include "app/gui/files/file_actions.h"
+#include "app/gui/run/live_robot.h"
 #include "app/gui/run/run_controller.h"
 #include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
 #include "core/base/text.h"
+#include "core/map/concerns.h"
 #include "core/map/map_changes.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/dialogs.h"
 #include "widgets/messages/message_bar.h"
 #include "widgets/run/panels/buildings_panel.h"
 #include "widgets/run/words/words.h"
@@ -27,6 +30,8 @@ constexpr auto kAcceptTopic = "accept";
 constexpr auto kSummaryTopic = "summary";
 constexpr std::size_t kMostDoubtfulOffered = 3;
 constexpr qsizetype kMostEditedNamed = 8;
+constexpr auto kConcernsTopic = "concerns";
+constexpr qsizetype kMostConcernsTold = 3;
 
 }  // namespace
 
@@ -45,6 +50,7 @@ ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActi
   actions.on("file.export_map", this, [this] { exportMap(); });
   actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
   files_.setCorrected([this] { return refinedMap(); });
+  files_.setMayLeaveRun([this](bool coming_back) { return mayLeave(coming_back); });
   connect(&files_, &FileActions::drawingReplaced, this,
           [this] { shell_.messages.withdraw(kAcceptTopic); });
   connect(&run_, &RunController::begun, this, [this] { skipped_ = 0; });
@@ -70,8 +76,36 @@ void ResultActions::onFrameSkipped(int frame, const QString& reason) {
 }
 
 void ResultActions::onFinished(bool cancelled) {
-  if (cancelled || warn() || skipped_ > 0) return;
-  if (const auto result = score()) summarize(*result);
+  if (cancelled) return;
+  if (!warn() && skipped_ == 0) {
+    if (const auto result = score()) summarize(*result);
+  }
+  alarm();
+}
+
+/// Buildings that stand in each other, or are far from where the drawing says that they may be.
+void ResultActions::alarm() {
+  const auto result = run_.result();
+  if (!result) return;
+  const Map& drawing = run_.drawing();
+  QStringList lines;
+  QStringList ids;
+  for (const Concern& concern : concernsOf(drawing, result->map())) {
+    const bool told_from_the_other =
+        concern.kind == Concern::Kind::Overlaps && concern.other < concern.building;
+    if (told_from_the_other) continue;
+    lines << Words::concern(concern, drawing);
+    const QString id = QString::fromStdString(drawing.buildings[concern.building].id);
+    if (!ids.contains(id)) ids << id;
+  }
+  if (lines.isEmpty()) return;
+  const qsizetype more = lines.size() - kMostConcernsTold;
+  QString text = lines.mid(0, kMostConcernsTold).join(tr("; "));
+  if (more > 0) text += tr("; and %n more", nullptr, static_cast<int>(more));
+  shell_.messages.show(MessageBar::Kind::Warning, tr("Look before you accept: %1.").arg(text),
+                       tr("They are hatched."), kConcernsTopic);
+  for (const QString& id : ids.mid(0, static_cast<qsizetype>(kMostDoubtfulOffered)))
+    shell_.messages.addAction(id, [this, id] { Q_EMIT buildings_.showRequested(id); });
 }
 
 bool ResultActions::warn() {
@@ -117,16 +151,73 @@ std::optional<RunScore> ResultActions::score() const {
 void ResultActions::accept() {
   const auto result = run_.result();
   if (!result) return;
+  const int number = run_.number();
   const QStringList edited = document_.editedSince(run_.drawing());
-  if (edited.isEmpty()) return document_.acceptRefinement(result->map());
+  if (edited.isEmpty()) return take();
   Message& question =
       shell_.messages.ask(tr("%n building(s) were edited since the run began: %1", nullptr,
                              static_cast<int>(edited.size()))
                               .arg(edited.mid(0, kMostEditedNamed).join(QStringLiteral(", "))),
                           tr("Their corrected shapes are of the drawing before."), kAcceptTopic);
-  question.addAction(tr("Take all others"),
-                     [this, result, edited] { document_.acceptRefinement(result->map(), edited); });
-  question.addAction(tr("Take all"), [this, result] { document_.acceptRefinement(result->map()); });
+  question.addAction(tr("Take all others"), [this, number, edited] {
+    if (number == run_.number()) take(edited);
+  });
+  question.addAction(tr("Take all"), [this, number] {
+    if (number == run_.number()) take();
+  });
+}
+
+void ResultActions::take(const QStringList& kept) {
+  document_.acceptRefinement(run_.result()->map(), kept);
+  accepted_ = run_.number();
+  shell_.messages.withdraw(kConcernsTopic);
+}
+
+// --- Leaving
+
+/// What a simulator gave can be had again.
+bool ResultActions::isSimulated() const {
+  const auto& robot = sources_.robot();
+  return !robot || robot->truth_map.has_value();
+}
+
+bool ResultActions::isUnrecorded() const {
+  const auto live = run_.live();
+  if (!live || isSimulated() || left_ == run_.number()) return false;
+  if (!run_.history() || run_.history()->empty()) return false;
+  const auto monitor = live->monitor();
+  if (!monitor) return false;
+  const RecordingStatus recording = monitor->status().recording;
+  return recording.folder.empty() || !recording.error.empty();
+}
+
+bool ResultActions::isUnaccepted() const {
+  const auto result = run_.result();
+  if (!result || run_.isActive() || isSimulated()) return false;
+  if (accepted_ == run_.number() || left_ == run_.number()) return false;
+  const Map& map = result->map();
+  return std::ranges::any_of(map.buildings, [](const Building& building) {
+    return !building.fixed && building.estimate && building.estimate->observations > 0;
+  });
+}
+
+bool ResultActions::mayLeave(bool coming_back) {
+  const bool unrecorded = isUnrecorded();
+  const bool unaccepted = isUnaccepted();
+  if (!unrecorded && (!unaccepted || (coming_back && !run_.live()))) return true;
+  const QString text = !unaccepted ? tr("The drive was not recorded: it cannot be run again.")
+                       : unrecorded
+                           ? tr("The drive was not recorded: it cannot be run again. What it came "
+                                "to is not in the drawing.")
+                           : tr("What the run came to is not in the drawing.");
+  const QStringList answers = unaccepted
+                                  ? QStringList{tr("&Accept refinement"), tr("&Leave it behind")}
+                                  : QStringList{tr("&Leave it behind")};
+  const int answer = shell_.dialogs.choose({tr("Leave this run?"), text, answers});
+  if (answer < 0) return false;
+  if (unaccepted && answer == 0) take(document_.editedSince(run_.drawing()));
+  left_ = run_.number();
+  return true;
 }
 
 std::optional<Map> ResultActions::refinedMap() const {

@@ -26,8 +26,18 @@ class ResultActions : public QObject {
 
   /// The latest run against the truth. nullopt before its first step.
   std::optional<RunScore> score() const;
+  /// Asks where something of the latest run would be lost: a live drive that was not recorded, or
+  /// what a run came to and nobody has accepted. `coming_back`: a recording will be run again.
+  /// False: the user wants to stay.
+  bool mayLeave(bool coming_back);
 
  private:
+  bool isSimulated() const;
+  bool isUnrecorded() const;
+  bool isUnaccepted() const;
+  void take(const QStringList& kept = {});
+  /// Before somebody takes it over: what should be looked at first.
+  void alarm();
   void onFinished(bool cancelled);
   void onFrameSkipped(int frame, const QString& reason);
   /// Of a run at its end; true: there was something to tell.
@@ -46,7 +56,9 @@ class ResultActions : public QObject {
   const SourceActions& sources_;
   RunController& run_;
   BuildingsPanel& buildings_;
-  int skipped_ = 0;  ///< frames of the latest run
+  int skipped_ = 0;   ///< frames of the latest run
+  int accepted_ = 0;  ///< number() of the run that was accepted last
+  int left_ = 0;      ///< and of the one of which it was said that it may go
 };
 
 }  // namespace handmap

@@ -11,6 +11,11 @@ Robot recordedRobot(std::shared_ptr<const Recording> recording) {
   Robot robot;
   robot.name = QString::fromStdString(recording->name);
   robot.truth = recording->truth.poses();
+  robot.folder = QString::fromStdString(recording->folder.string());
+  if (!recording->rows.empty()) {
+    robot.first_frame = recording->rows.front().frame;
+    robot.last_frame = recording->rows.back().frame;
+  }
   robot.connect = [recording = std::move(recording)](const ReplayOptions& options,
                                                      const std::stop_token&,
                                                      const std::function<void(double)>&) {

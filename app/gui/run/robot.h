@@ -25,6 +25,9 @@ struct Robot {
   std::shared_ptr<LiveLink> live = {};
   /// What a person said while it was recorded: a run does it again.
   std::vector<Act> acts = {};
+  QString folder = {};  ///< of a recording; empty: it is none
+  int first_frame = 0;  ///< of a recording
+  int last_frame = 0;
   /// Called in the thread of the run. The options are those of recordings. Tells the share done of
   /// opening. nullptr when the stop was requested before it was done.
   std::function<std::unique_ptr<ObservationSource>(const ReplayOptions&, const std::stop_token&,

@@ -6,6 +6,7 @@
 #include <QSettings>
 
 #include "app/gui/files/file_actions.h"
+#include "app/gui/run/recording_settings.h"
 #include "app/gui/run/run_controller.h"
 #include "core/map/places.h"
 #include "core/session/redone_acts.h"
@@ -52,6 +53,11 @@ SourceActions::SourceActions(const Shell& shell, MapDocument& document, FileActi
   connect(&document_, &MapDocument::mapChanged, this, [this] {
     if (document_.map().start) shell_.messages.withdraw(kStartTopic);
   });
+  connect(&setup_, &RunSetupPanel::replayChanged, this, [this] {
+    if (robot_ && !robot_->folder.isEmpty())
+      keepSettingsOfRecording(shell_.settings, robot_->folder, setup_.replay());
+    Q_EMIT trimChanged();
+  });
   updateActions();
 }
 
@@ -86,8 +92,35 @@ void SourceActions::setRobot(Robot robot) {
   opener_.forget();
   robot_ = std::move(robot);
   given_poses_.clear();
+  const QString& folder = robot_->folder;
+  if (!folder.isEmpty() && !asked_replay_)
+    setup_.setReplay(settingsOfRecording(shell_.settings, folder));
+  else if (!robot_->live)
+    setup_.setReplay(asked_replay_.value_or(ReplayOptions()));
+  asked_replay_.reset();
   updateActions();
   Q_EMIT robotChanged();
+  Q_EMIT trimChanged();
+}
+
+std::optional<TimelineTrim> SourceActions::trim() const {
+  if (!robot_ || robot_->first_frame >= robot_->last_frame) return std::nullopt;
+  const ReplayOptions replay = setup_.replay();
+  const auto frame = [this](int wanted) {
+    return std::clamp(wanted, robot_->first_frame, robot_->last_frame);
+  };
+  return TimelineTrim{robot_->first_frame, robot_->last_frame, frame(replay.from),
+                      frame(replay.to.value_or(robot_->last_frame))};
+}
+
+/// What is not trimmed is told as that, so that a recording that grows is taken to its end.
+void SourceActions::setTrim(int from, int to) {
+  if (!robot_) return;
+  ReplayOptions replay = setup_.replay();
+  replay.from = from > robot_->first_frame ? from : 0;
+  replay.to = to < robot_->last_frame ? std::optional(to) : std::nullopt;
+  setup_.setReplay(replay);
+  Q_EMIT setup_.replayChanged();
 }
 
 void SourceActions::onDrawingReplaced() {
@@ -136,7 +169,11 @@ void SourceActions::importLog(const QString& file) {
   dialog->open();
 }
 
-void SourceActions::openRecording(const QString& folder) { opener_.open(folder); }
+void SourceActions::openRecording(const QString& folder, std::optional<ReplayOptions> replay) {
+  if (!files_.mayLeaveRun()) return;
+  opener_.open(folder);
+  asked_replay_ = std::move(replay);
+}
 
 void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
                              const std::vector<Act>& acts, const Doubts& doubts) {
@@ -219,7 +256,7 @@ void SourceActions::openSimulator() {
 bool SourceActions::openTwoRows() { return openSimulation(twoRowSimulation(seed())); }
 
 void SourceActions::simulateDrawing() {
-  if (isReady(true)) opener_.simulate(document_.map(), seed());
+  if (isReady(true) && files_.mayLeaveRun()) opener_.simulate(document_.map(), seed());
 }
 
 // --- Poses that are given

@@ -9,6 +9,7 @@
 #include "app/gui/run/recording_opener.h"
 #include "app/gui/shell/shell.h"
 #include "widgets/run/panels/run_setup_panel.h"
+#include "widgets/run/panels/timeline.h"
 
 namespace handmap {
 
@@ -23,7 +24,8 @@ class SourceActions : public QObject {
   SourceActions(const Shell& shell, MapDocument& document, FileActions& files, RunController& run,
                 RunSetupPanel& setup);
 
-  void openRecording(const QString& folder);
+  /// With what was asked for of it the last time, or with `replay`.
+  void openRecording(const QString& folder, std::optional<ReplayOptions> replay = {});
   /// False: the user wants to keep the drawing.
   bool openDemonstration();
   bool openTwoRows();
@@ -37,6 +39,9 @@ class SourceActions : public QObject {
   void setRobot(Robot robot);
   /// The same of a live one, and says what is to be done.
   void useLive(Robot robot);
+  /// The part of the recording that the next run takes. nullopt: there is no recording.
+  std::optional<TimelineTrim> trim() const;
+  void setTrim(int from, int to);
 
   /// nullopt: none is chosen yet.
   const std::optional<Robot>& robot() const { return robot_; }
@@ -50,6 +55,7 @@ class SourceActions : public QObject {
 
  Q_SIGNALS:
   void robotChanged();
+  void trimChanged();
   /// The demonstration is best watched at this speed, times the clock of the robot.
   void speedWanted(double speed);
   /// The run is to be done again with them.
@@ -90,7 +96,8 @@ class SourceActions : public QObject {
   RunSetupPanel& setup_;
   RecordingOpener opener_;
   std::optional<Robot> robot_;
-  std::vector<StampedPose> given_poses_;  ///< of the runs that begin with this robot
+  std::optional<ReplayOptions> asked_replay_;  ///< of the recording that is being opened
+  std::vector<StampedPose> given_poses_;       ///< of the runs that begin with this robot
 };
 
 }  // namespace handmap

@@ -1,32 +1,17 @@
 #include "app/gui/run/transport_actions.h"
 
-#include <cmath>
-
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_views.h"
 #include "app/gui/run/source_actions.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
 #include "widgets/messages/message_bar.h"
+#include "widgets/run/panels/timeline.h"
 #include "widgets/run/panels/transport_bar.h"
 #include "widgets/run/words/phase_words.h"
+#include "widgets/run/words/words.h"
 
 namespace handmap {
-
-namespace {
-
-/// How probably the shown pose is right.
-QString trustInWords(const FrameReport& report) {
-  QStringList parts;
-  for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
-    parts.push_back(handmap::TransportActions::tr("%1 m: %2 %")
-                        .arg(kWithin_m[i])
-                        .arg(static_cast<int>(std::floor(100.0 * report.within[i]))));
-  }
-  return handmap::TransportActions::tr("pose within %1").arg(parts.join(", "));
-}
-
-}  // namespace
 
 TransportActions::TransportActions(const Shell& shell, MapDocument& document, FileActions& files,
                                    SourceActions& sources, RunController& run, RunViews& views,
@@ -49,6 +34,10 @@ TransportActions::TransportActions(const Shell& shell, MapDocument& document, Fi
   connect(&sources_, &SourceActions::speedWanted, &transport_, &TransportBar::setSpeed);
   connect(&views_, &RunViews::timeChosen, &past_, &PlaybackActions::seekTime);
   connect(this, &TransportActions::phaseShown, &views_, &RunViews::showPhase);
+  connect(&sources_, &SourceActions::trimChanged, this,
+          [this] { transport_.timeline().setTrim(sources_.trim()); });
+  connect(&transport_.timeline(), &Timeline::trimWanted, &sources_, &SourceActions::setTrim);
+  files.setComingBack([this] { return comingBack(); });
   connect(&past_, &PlaybackActions::noted, &views_, &RunViews::note);
   update();
 }
@@ -123,6 +112,19 @@ void TransportActions::start(RunController::Begin begin) {
   const RunSetup setup = sources_.nextSetup();
   run_.start(document_.map(), *sources_.robot(), setup, begin);
   past_.begin();
+  transport_.timeline().beginTrimmed();
+}
+
+/// The recording, and the run of it where there was one.
+QStringList TransportActions::comingBack() const {
+  const auto& robot = sources_.robot();
+  if (!robot || robot->folder.isEmpty()) return {};
+  QStringList arguments{QStringLiteral("--recording"), robot->folder};
+  if (run_.result()) {
+    arguments << QStringLiteral("--run") << QStringLiteral("--fast") << QStringLiteral("--seed")
+              << QString::number(run_.settings().seed);
+  }
+  return arguments;
 }
 
 void TransportActions::onNews(const RunNews& news) {
@@ -199,7 +201,7 @@ QString TransportActions::whereInWords() const {
   if (!shown_) return {};
   const QString where = shown_->count > 0 ? tr(", %1 of %2").arg(shown_->index).arg(shown_->count)
                                           : tr(", %1").arg(shown_->index);
-  return where + QStringLiteral("; ") + trustInWords(shown_->report);
+  return where + QStringLiteral("; ") + Words::certainty(shown_->report);
 }
 
 QString TransportActions::stateInWords() const {

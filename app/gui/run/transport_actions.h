@@ -38,6 +38,7 @@ class TransportActions : public QObject {
   void connectActions();
   void connectRun();
   void start(RunController::Begin begin);
+  QStringList comingBack() const;
   void onNews(const RunNews& news);
   void onRevised();
   void show(const std::shared_ptr<const Snapshot>& snapshot);

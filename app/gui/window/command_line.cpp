@@ -68,6 +68,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
       {"seed", "Seed of the run.", "N"},
       {"demo", "Open the demonstration and run it."},
       {"run", "Begin to run at once."},
+      {"fast", "As fast as possible, not by the recording's clock."},
       {"exit-after-run", "Leave when the run has ended."},
       {"verbose", "Say on stderr what the run does."},
       {"offscreen-report",
@@ -88,13 +89,18 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   line.recording = parser.value("recording");
   line.rig = parser.value("rig");
   if (parser.isSet("virtual-rig")) line.virtual_rig = virtualRig(parser.value("virtual-rig"));
-  line.replay.from = wholeNumber(parser, "from");
-  line.replay.kind = sourceKind(parser.value("source"));
+  line.exit_after_run = parser.isSet("exit-after-run");
+  line.report_folder = parser.value("offscreen-report");
+  const bool asked = parser.isSet("from") || parser.isSet("source");
+  if (asked || line.isBatch()) {
+    line.replay.emplace();
+    line.replay->from = wholeNumber(parser, "from");
+    line.replay->kind = sourceKind(parser.value("source"));
+  }
+  if (parser.isSet("fast")) line.speed = 0.0;
   if (parser.isSet("seed")) line.seed = wholeNumber(parser, "seed");
   line.demo = parser.isSet("demo");
-  line.report_folder = parser.value("offscreen-report");
   line.guide_folder = parser.value("guide-pictures");
-  line.exit_after_run = parser.isSet("exit-after-run");
   line.verbose = parser.isSet("verbose");
   if (!line.guide_folder.isEmpty()) return line;
   line.run = parser.isSet("run") || line.demo || line.isBatch();

@@ -14,7 +14,8 @@ struct CommandLine {
   QString recording;  ///< empty: none
   QString rig;        ///< of a live robot; empty: none
   std::optional<VirtualRigKind> virtual_rig;
-  ReplayOptions replay;
+  std::optional<ReplayOptions> replay;  ///< nullopt: as the last time
+  std::optional<double> speed;          ///< times the clock of the recording; 0: as fast as can be
   std::optional<int> seed;
   bool demo = false;
   bool run = false;

@@ -132,6 +132,35 @@ TEST_F(TimelineTest, TheKeysSeekWithinWhatIsDone) {
   EXPECT_EQ(wanted_, (std::vector{60, 60, 59, 40, 1, 60}));
 }
 
+/// A recording of frames 100 to 300, of which a run took 200 to 300: the right half of the strip.
+TEST_F(TimelineTest, ItsHandlesTrimTheRecording) {
+  std::vector<std::pair<int, int>> trims;
+  QObject::connect(&timeline_, &Timeline::trimWanted, &timeline_,
+                   [&](int from, int to) { trims.emplace_back(from, to); });
+  timeline_.setTrim(TimelineTrim{100, 300, 200, 300});
+  timeline_.beginTrimmed();
+  const auto below = [](int x) { return QPoint(8 + x, 18); };
+  QTest::mousePress(&timeline_, Qt::LeftButton, {}, below(100));
+  QTest::mouseMove(&timeline_, below(50));
+  QTest::mouseRelease(&timeline_, Qt::LeftButton, {}, below(50));
+  QTest::mousePress(&timeline_, Qt::LeftButton, {}, below(200));
+  QTest::mouseRelease(&timeline_, Qt::LeftButton, {}, below(10));  // not before its beginning
+  EXPECT_EQ(trims, (std::vector<std::pair<int, int>>{{150, 300}, {150, 151}}));
+  EXPECT_TRUE(wanted_.empty());
+  QTest::mouseClick(&timeline_, Qt::LeftButton, {}, {8 + 100 + 50, 10});
+  EXPECT_EQ(wanted_, std::vector{50}) << "the strip is that of the run";
+}
+
+TEST_F(TimelineTest, BeforeARunThereIsNothingToSeek) {
+  timeline_.clear();
+  EXPECT_FALSE(timeline_.isEnabled());
+  timeline_.setTrim(TimelineTrim{0, 100, 0, 100});
+  EXPECT_TRUE(timeline_.isEnabled());
+  QTest::mouseClick(&timeline_, Qt::LeftButton, {}, at(30));
+  QTest::keyClick(&timeline_, Qt::Key_Right);
+  EXPECT_TRUE(wanted_.empty());
+}
+
 TEST_F(TimelineTest, ShiftAndDragChooseALoop) {
   std::vector<std::optional<PlayRange>> loops;
   QObject::connect(&timeline_, &Timeline::loopWanted, &timeline_,

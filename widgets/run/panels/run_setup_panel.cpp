@@ -62,6 +62,9 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   to_->setSpecialValueText(tr("end"));
   every_ = addNumber(tr("Every"), 1, 10'000, tr("Takes each Nth observation"));
   setSetup({});
+  for (QSpinBox* box : {from_, to_, every_})
+    connect(box, &QSpinBox::valueChanged, this, &RunSetupPanel::replayChanged);
+  connect(source_, &QComboBox::currentIndexChanged, this, &RunSetupPanel::replayChanged);
 }
 
 QSpinBox* RunSetupPanel::addNumber(const QString& label, int low, int high, const QString& hint) {
@@ -124,10 +127,15 @@ void RunSetupPanel::setSetup(const RunSetup& setup) {
     const ToldBy told_by = perception.classify ? ToldBy::Program : ToldBy::Nothing;
     buildings_->setCurrentIndex(buildings_->findData(static_cast<int>(told_by)));
   }
-  source_->setCurrentIndex(source_->findData(static_cast<int>(setup.replay.kind)));
-  from_->setValue(setup.replay.from);
-  to_->setValue(setup.replay.to.value_or(kToTheEnd));
-  every_->setValue(setup.replay.every);
+  setReplay(setup.replay);
+}
+
+void RunSetupPanel::setReplay(const ReplayOptions& replay) {
+  const QSignalBlocker silent(this);
+  source_->setCurrentIndex(source_->findData(static_cast<int>(replay.kind)));
+  from_->setValue(replay.from);
+  to_->setValue(replay.to.value_or(kToTheEnd));
+  every_->setValue(replay.every);
 }
 
 void RunSetupPanel::save(QSettings& settings) const {

@@ -29,9 +29,16 @@ class RunSetupPanel : public QWidget {
 
   RunSetup setup() const;
   void setSetup(const RunSetup& setup);
+  ReplayOptions replay() const { return setup().replay; }
+  /// Those of another recording: nobody is told.
+  void setReplay(const ReplayOptions& replay);
 
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
+
+ Q_SIGNALS:
+  /// Somebody asks for another part of the recording.
+  void replayChanged();
 
  private:
   QSpinBox* addNumber(const QString& label, int low, int high, const QString& hint);

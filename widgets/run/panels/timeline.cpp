@@ -12,7 +12,9 @@ namespace handmap {
 namespace {
 
 constexpr double kMarginPx = 8.0;
-constexpr int kNearPx = 4;  // of a mark
+constexpr int kNearPx = 4;               // of a mark
+constexpr double kHandlesBelowPx = 4.0;  // the middle of the strip
+constexpr double kHandlePx = 8.0;        // of a handle, to either side
 
 QColor colourOf(TimelineMark mark) {
   switch (mark) {
@@ -50,7 +52,7 @@ void Timeline::setExtent(int done, int count) {
   count_ = count;
   share_ = 0.0;
   setRange(0, this->count());
-  setEnabled(done > 0);
+  setEnabled(done > 0 || trim_);
   update();
 }
 
@@ -107,13 +109,73 @@ void Timeline::setLoop(std::optional<PlayRange> loop) {
 }
 
 double Timeline::xOf(double index) const {
-  const double share = index / std::max(count(), 1);
-  return kMarginPx + share * (width() - 2.0 * kMarginPx);
+  const auto [from, to] = ends();
+  return from + index / std::max(count(), 1) * (to - from);
 }
 
 int Timeline::indexAt(double x) const {
-  const double share = (x - kMarginPx) / std::max(1.0, width() - 2.0 * kMarginPx);
+  const auto [from, to] = ends();
+  const double share = (x - from) / std::max(1.0, to - from);
   return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * count()));
+}
+
+void Timeline::setTrim(const std::optional<TimelineTrim>& trim) {
+  const bool other = !trim || !shown_ || trim->first != shown_->first || trim->last != shown_->last;
+  trim_ = trim;
+  dragged_ = Handle::None;
+  if (other || done_ == 0) shown_ = trim_;
+  setEnabled(done_ > 0 || trim_);
+  update();
+}
+
+void Timeline::beginTrimmed() {
+  shown_ = trim_;
+  update();
+}
+
+double Timeline::xOfFrame(int frame) const {
+  const double share =
+      trim_ ? static_cast<double>(frame - trim_->first) / (trim_->last - trim_->first) : 0.0;
+  return kMarginPx + share * (width() - 2.0 * kMarginPx);
+}
+
+int Timeline::frameAt(double x) const {
+  const double share = (x - kMarginPx) / std::max(1.0, width() - 2.0 * kMarginPx);
+  return trim_->first +
+         static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * (trim_->last - trim_->first)));
+}
+
+std::pair<double, double> Timeline::ends() const {
+  if (trim_ && shown_) return {xOfFrame(shown_->from), xOfFrame(shown_->to)};
+  return {kMarginPx, width() - kMarginPx};
+}
+
+/// Below the strip, so that the knob at its end is not in their way.
+Timeline::Handle Timeline::handleAt(const QPointF& at) const {
+  if (!trim_ || at.y() < 0.5 * height() + kHandlesBelowPx) return Handle::None;
+  const double to_from = std::abs(at.x() - xOfFrame(trim_->from));
+  const double to_to = std::abs(at.x() - xOfFrame(trim_->to));
+  if (std::min(to_from, to_to) > kHandlePx) return Handle::None;
+  return to_from < to_to ? Handle::From : Handle::To;
+}
+
+void Timeline::dragHandle(double x) {
+  const int frame = frameAt(x);
+  if (dragged_ == Handle::From) trim_->from = std::min(frame, trim_->to - 1);
+  if (dragged_ == Handle::To) trim_->to = std::max(frame, trim_->from + 1);
+  if (done_ == 0) shown_ = trim_;
+  update();
+}
+
+void Timeline::paintHandles(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette().color(QPalette::Text));
+  const double top = 0.5 * height() + kHandlesBelowPx;
+  for (const int frame : {trim_->from, trim_->to}) {
+    const double x = xOfFrame(frame);
+    painter.drawPolygon(QPolygonF(
+        {QPointF(x, top), QPointF(x + 5.0, height() - 1.0), QPointF(x - 5.0, height() - 1.0)}));
+  }
 }
 
 void Timeline::paintEvent(QPaintEvent* /*event*/) {
@@ -135,6 +197,7 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
     band.setAlphaF(0.35F);
     strip(loop_->first, loop_->last, 0.5 * height() - 1.0, band);
   }
+  if (trim_) paintHandles(painter);
   if (!isEnabled()) done = still_open;
   strip(0, std::min(done_ + share_, static_cast<double>(count())), 3.0, done);
   for (const Mark& mark : marks_) {
@@ -158,6 +221,8 @@ void Timeline::toMouse(double x) {
 
 void Timeline::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  dragged_ = handleAt(event->position());
+  if (dragged_ != Handle::None || done_ == 0) return;
   if (event->modifiers() & Qt::ShiftModifier) {
     loop_begin_ = std::min(indexAt(event->position().x()), done_);
     return setLoop(std::nullopt);
@@ -167,7 +232,9 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
-  if (loop_begin_) {
+  if (dragged_ != Handle::None) {
+    dragHandle(event->position().x());
+  } else if (loop_begin_) {
     const int here = std::min(indexAt(event->position().x()), done_);
     setLoop(PlayRange{std::min(*loop_begin_, here), std::max(*loop_begin_, here)});
   } else if (isSliderDown()) {
@@ -177,6 +244,12 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
 
 void Timeline::mouseReleaseEvent(QMouseEvent* event) {
   setSliderDown(false);
+  if (dragged_ != Handle::None) {
+    dragHandle(event->position().x());
+    dragged_ = Handle::None;
+    Q_EMIT trimWanted(trim_->from, trim_->to);
+    return;
+  }
   if (!loop_begin_) return;
   mouseMoveEvent(event);
   loop_begin_.reset();
@@ -186,7 +259,9 @@ void Timeline::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
-  const auto seek = [this](int index) { Q_EMIT seekWanted(std::clamp(index, 1, done_)); };
+  const auto seek = [this](int index) {
+    if (done_ > 0) Q_EMIT seekWanted(std::clamp(index, 1, done_));
+  };
   switch (event->key()) {
     case Qt::Key_Left:
       return seek(value() - 1);
@@ -219,7 +294,12 @@ QString Timeline::textAt(int index) const {
 bool Timeline::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QAbstractSlider::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  QToolTip::showText(help->globalPos(), textAt(indexAt(help->pos().x())), this);
+  const Handle handle = handleAt(help->pos());
+  QString text = textAt(indexAt(help->pos().x()));
+  if (handle == Handle::From)
+    text = tr("The next run begins with frame %1 · drag it").arg(trim_->from);
+  if (handle == Handle::To) text = tr("The next run ends with frame %1 · drag it").arg(trim_->to);
+  QToolTip::showText(help->globalPos(), text, this);
   return true;
 }
 

@@ -14,6 +14,15 @@ namespace handmap {
 /// What is marked on it.
 enum class TimelineMark { Skipped, Gap, Guessed, Given, Bookmark };
 
+/// The part of a recording that the next run takes, by its frame numbers.
+struct TimelineTrim {
+  int first = 0;  ///< of the recording
+  int last = 0;
+  int from = 0;  ///< of the part
+  int to = 0;
+  bool operator==(const TimelineTrim&) const = default;
+};
+
 class Timeline : public QAbstractSlider {
   Q_OBJECT
  public:
@@ -36,6 +45,11 @@ class Timeline : public QAbstractSlider {
   /// Drawn as a band; chosen by dragging with Shift.
   void setLoop(std::optional<PlayRange> loop);
   const std::optional<PlayRange>& loop() const { return loop_; }
+  /// With handles below the strip; the strip is then as long as the part that the run took which
+  /// it shows. nullopt: nothing can be trimmed.
+  void setTrim(const std::optional<TimelineTrim>& trim);
+  /// A run begins that takes that part.
+  void beginTrimmed();
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -43,6 +57,7 @@ class Timeline : public QAbstractSlider {
  Q_SIGNALS:
   void seekWanted(int index);
   void loopWanted(std::optional<handmap::PlayRange> loop);
+  void trimWanted(int from, int to);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -62,6 +77,14 @@ class Timeline : public QAbstractSlider {
   int count() const { return count_ > 0 ? count_ : done_; }
   double xOf(double index) const;
   int indexAt(double x) const;
+  double xOfFrame(int frame) const;
+  int frameAt(double x) const;
+  /// Where the strip begins and ends.
+  std::pair<double, double> ends() const;
+  enum class Handle { None, From, To };
+  Handle handleAt(const QPointF& at) const;
+  void dragHandle(double x);
+  void paintHandles(QPainter& painter) const;
   QString textAt(int index) const;
   void toMouse(double x);
 
@@ -70,7 +93,10 @@ class Timeline : public QAbstractSlider {
   double share_ = 0.0;
   std::vector<Mark> marks_;
   std::optional<PlayRange> loop_;
-  std::optional<int> loop_begin_;  ///< while it is dragged
+  std::optional<int> loop_begin_;      ///< while it is dragged
+  std::optional<TimelineTrim> trim_;   ///< of the next run
+  std::optional<TimelineTrim> shown_;  ///< of the run that is shown
+  Handle dragged_ = Handle::None;
 };
 
 }  // namespace handmap
