@@ -101,6 +101,13 @@
             <numerusform>%n buildings were edited since the run began: %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>; and %n more</source>
+        <translation>
+            <numerusform>; and %n more</numerusform>
+            <numerusform>; and %n more</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handmap::RevisionActions</name>
@@ -198,6 +205,27 @@
         <translation>
             <numerusform>For: seen in %n observation</numerusform>
             <numerusform>For: seen in %n observations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned by up to %1</source>
+        <translation>
+            <numerusform>%n turned by %1</numerusform>
+            <numerusform>%n turned by up to %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n grown or shrunk by up to %1 m</source>
+        <translation>
+            <numerusform>%n grown or shrunk by %1 m</numerusform>
+            <numerusform>%n grown or shrunk by up to %1 m</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n (%1) only one side was seen: how deep that is, is as drawn.</source>
+        <translation>
+            <numerusform>Of %n (%1) only one side was seen: how deep it is, is as drawn.</numerusform>
+            <numerusform>Of %n (%1) only one side was seen: how deep they are, is as drawn.</numerusform>
         </translation>
     </message>
 </context>
