@@ -16,6 +16,7 @@ void addPerturbCommand(CLI::App& app, ChosenCommand& chosen);
 void addOdometryCommand(CLI::App& app, ChosenCommand& chosen);
 void addCalibrateCommand(CLI::App& app, ChosenCommand& chosen);
 void addCompareCommand(CLI::App& app, ChosenCommand& chosen);
+void addConvertCommand(CLI::App& app, ChosenCommand& chosen);
 void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen);
 void addImportCommand(CLI::App& app, ChosenCommand& chosen);
 void addTryCommand(CLI::App& app, ChosenCommand& chosen);

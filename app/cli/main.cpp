@@ -75,6 +75,7 @@ int runProgram(int argc, char** argv) {
   addOdometryCommand(app, chosen);
   addCalibrateCommand(app, chosen);
   addCompareCommand(app, chosen);
+  addConvertCommand(app, chosen);
   addEvaluateCommand(app, chosen);
   addValidateCommand(app, chosen);
   addTryCommand(app, chosen);

@@ -11,8 +11,8 @@ TEST_F(Help, OfTheProgramAndOfEveryCommand) {
   const std::filesystem::path expected = HANDMAP_CLI_EXPECTED;
   expectDone(run({"--help"}), contentOf(expected / "help.txt"));
   for (const std::string command :
-       {"run", "odometry", "calibrate", "simulate", "perturb", "compare", "evaluate", "validate",
-        "train", "classify", "import", "try"}) {
+       {"run", "odometry", "calibrate", "simulate", "perturb", "compare", "convert", "evaluate",
+        "validate", "train", "classify", "import", "try"}) {
     expectDone(run({command, "--help"}), contentOf(expected / ("help-" + command + ".txt")));
   }
 }

@@ -14,6 +14,7 @@
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/run/panels/buildings_panel.h"
 #include "widgets/teach/teach_panel.h"
 
 namespace handmap {
@@ -86,6 +87,13 @@ TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
        {"refined.handmap", "refined.geojson", "drawn.geojson", "canvas.png", "way.tum"}) {
     EXPECT_GT(QFileInfo(path(name)).size(), 0) << name;
   }
+  const auto count = document_.map().buildings.size();
+  document_.undoStack().setClean();
+  ASSERT_TRUE(window_->files().open(path("drawn.geojson"))) << texts().first().toStdString();
+  EXPECT_EQ(document_.map().buildings.size(), count);
+  EXPECT_TRUE(document_.filePath().isEmpty()) << "it is saved as a drawing, not over the GeoJSON";
+  EXPECT_NEAR(document_.map().georeference->latitude, 34.7, 0.01);
+  document_.setGeoreference(Georeference{34.7, 137.4, 0.0, {}});
   const Map refined = readMap(path("refined.handmap").toStdString());
   EXPECT_FALSE(refined.refinement.empty());
   EXPECT_EQ(refined.georeference, document_.map().georeference);
@@ -110,6 +118,7 @@ TEST_F(DocumentWindow, GeoJsonWithoutAPlaceLeadsToWhereItIsSaid) {
 
 TEST_F(DocumentWindow, AcceptingAsksForWhatWasEditedDuringTheRun) {
   runALittle();
+  window_->runPanels().buildings.model().setAllTaken(true);
   const QString id = QString::fromStdString(document_.map().buildings.front().id);
   const Building edited = moved(document_.map().buildings.front(), Vec2(0.0, 3.0));
   document_.changeBuilding(id, edited, "Move");
@@ -257,6 +266,7 @@ TEST_F(DocumentWindow, EveryKeyOfTheSheetReachesItsAction) {
     QObject::disconnect(action, &QAction::triggered, nullptr, nullptr);  // whatever it would do
     QObject::connect(action, &QAction::triggered, window_.get(), [&times] { ++times; });
     action->setEnabled(true);
+    action->setVisible(true);
     for (const QKeySequence& keys : QKeySequence::listFromString(QLatin1String(spec.keys))) {
       times = 0;
       QTest::keySequence(window_->windowHandle(), keys);

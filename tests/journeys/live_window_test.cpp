@@ -71,6 +71,7 @@ class LiveWindow : public WindowTest {
 
 TEST_F(LiveWindow, ALiveRobotRunsUntilThePersonEndsTheDrive) {
   const auto window = open();
+  window->docks().setOpen(true);
   runVirtualRig(*window);
   EXPECT_TRUE(window->rigs().panel().isVisible());
   ASSERT_TRUE(waitForSteps(*window));

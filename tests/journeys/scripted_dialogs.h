@@ -3,6 +3,7 @@
 
 #include <QList>
 #include <QStringList>
+#include <utility>
 
 #include "widgets/messages/dialogs.h"
 
@@ -12,6 +13,7 @@ class ScriptedDialogs : public Dialogs {
  public:
   QStringList paths;
   QList<int> choices;
+  QList<double> figures;
   QStringList asked;  ///< titles of dialogs
 
   QString fileToOpen(const File& file) override { return nextPath(file.title); }
@@ -20,6 +22,11 @@ class ScriptedDialogs : public Dialogs {
   int choose(const Question& question) override {
     asked << question.title;
     return choices.isEmpty() ? -1 : choices.takeFirst();
+  }
+
+  QList<double> numbers(const QString& title, const QList<Number>&) override {
+    asked << title;
+    return std::exchange(figures, {});
   }
 
  private:

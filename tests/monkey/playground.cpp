@@ -88,6 +88,12 @@ class Playground::Answers : public Dialogs {
     const auto answers = static_cast<std::uint32_t>(question.answers.size());
     return static_cast<int>(playground_.value_ % (answers + 1)) - 1;
   }
+  QList<double> numbers(const QString&, const QList<Number>& lines) override {
+    QList<double> values;
+    if (playground_.value_ % 3 == 0) return values;
+    for (const Number& line : lines) values << line.value;
+    return values;
+  }
 
  private:
   QString choose(const QStringList& names) const {

@@ -124,6 +124,10 @@ class ActionsTest : public QObject {
     QTest::keyClicks(typed, "zofit");
     auto* list = window.findChild<QListWidget*>();
     QVERIFY(list->item(0)->text().contains("there is nothing") || list->count() > 1);
+    typed->clear();
+    QTest::keyClicks(typed, "qqqqzz");
+    QCOMPARE(list->count(), 1);
+    QVERIFY(list->item(0)->text().contains("qqqqzz"));
     QTest::keyClick(typed, Qt::Key_Escape);
     QVERIFY(!palette.isVisible());
     QCOMPARE(fitted, 1);

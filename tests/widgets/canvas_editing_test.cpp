@@ -52,15 +52,18 @@ class CanvasEditingTest : public QObject {
   void drawingOnKeepsTheNameAndEscapeDropsIt() {
     canvas_->setTool(ToolId::Rectangle);
     drag({-20, -10}, {0, 0});
-    QTest::keyClicks(canvas_.get(), "a");
+    QTest::keyClicks(canvas_.get(), "A");
     drag({10, -10}, {20, 0});
-    QCOMPARE(document_->map().buildings[0].name, std::string("a"));
-    QTest::keyClicks(canvas_.get(), "b");
+    QCOMPARE(document_->map().buildings[0].name, std::string("A"));
+    QVERIFY(editor()->isVisible() && !editor()->hasFocus());
+    QTest::keyClick(canvas_.get(), Qt::Key_Return);
+    QVERIFY(editor()->hasFocus());
+    QTest::keyClicks(editor(), "b");
     QTest::keyClick(editor(), Qt::Key_Escape);
     QCOMPARE(document_->map().buildings[1].name, std::string());
     drag({-40, -40}, {-30, -30});
     QTest::keyClick(canvas_.get(), Qt::Key_Escape);
-    QTest::keyClicks(canvas_.get(), "c");
+    QTest::keyClicks(canvas_.get(), "C");
     QVERIFY(!editor()->isVisible());
   }
 
@@ -77,8 +80,8 @@ class CanvasEditingTest : public QObject {
     QVERIFY(!is_taken(Qt::Key_R, "r"));
     QVERIFY(!is_taken(Qt::Key_Minus, "-"));
     drag({-20, -10}, {0, 0});
-    QVERIFY(is_taken(Qt::Key_R, "r"));
-    QVERIFY(is_taken(Qt::Key_L, "l"));
+    QVERIFY(!is_taken(Qt::Key_R, "r"));  // the next tool key is a tool key
+    QVERIFY(is_taken(Qt::Key_L, "L"));
     QVERIFY(!is_taken(Qt::Key_Plus, "+"));
   }
 

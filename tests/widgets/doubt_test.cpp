@@ -2,6 +2,7 @@
 #include <QTest>
 #include <memory>
 
+#include "core/map/certainty.h"
 #include "widgets/canvas/hit_test.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/tools/toolbox.h"
@@ -42,6 +43,19 @@ class DoubtTest : public QObject {
     QVERIFY(at(15.0) != ground);
     canvas_->setDoubtVisible(false);
     QCOMPARE(at(15.0), ground);
+  }
+
+  void whatWasTakenOverIsAsSureAsTheRunMadeIt() {
+    const QRgb ground = at(17.0);
+    QVERIFY(at(13.0) != ground);
+    Map refined = document_->map();
+    refined.buildings[0].estimate = Estimate{0.5, 0.5, 0.5, 7};
+    setSides(refined.buildings[0], {{{0.5, true}, {0.5, true}, {4.0, false}, {0.5, true}}});
+    document_->acceptRefinement(refined);
+    QCOMPARE(at(13.0), ground);    // seen: now sure to 0.5 m
+    QVERIFY(at(-13.0) != ground);  // nobody saw that wall
+    document_->undoStack().undo();
+    QVERIFY(at(13.0) != ground);
   }
 
   void whatMayNotExistIsMarked() {

@@ -222,7 +222,39 @@ class EditingTest : public QObject {
     QCOMPARE(squared.buildings[2].box().heading, toRadians(30));  // meant so
     const MapChange parallel = madeParallel(map, {"C"});
     QVERIFY(std::abs(parallel.buildings[0].box().heading - toRadians(4)) < 1e-9);
-    QVERIFY(madeParallel(map, {"L", "A", "B", "C"}).buildings[1] == map.buildings[1]);
+    // Of several the largest leads, or what is locked.
+    const MapChange all = madeParallel(map, {"A", "B", "C"});
+    for (const Building& building : all.buildings) QCOMPARE(building.box().heading, 0.0);
+    map.buildings[3].fixed = true;
+    const MapChange led = madeParallel(map, {"A", "C"});
+    QCOMPARE(led.buildings.size(), std::size_t(1));
+    QVERIFY(std::abs(led.buildings[0].box().heading - toRadians(30)) < 1e-9);
+  }
+
+  void turnsMirrorsAndRepeats() {
+    const Map map = town();
+    const QStringList keys = {"L", "A", "gate"};
+    const auto turned = [&](const MapChange& change) {
+      Map other = map;
+      for (const Building& building : change.buildings)
+        *std::ranges::find(other.buildings, building.id, &Building::id) = building;
+      if (!change.landmarks.empty()) other.landmarks = change.landmarks;
+      return other;
+    };
+    Map now = turned(turnedByQuarter(map, keys, true));
+    QVERIFY(now.buildings[1].box().heading != map.buildings[1].box().heading);
+    now = turned(turnedByQuarter(now, keys, false));
+    QVERIFY((now.buildings[1].box().centre - map.buildings[1].box().centre).norm() < 1e-9);
+    QVERIFY((now.landmarks[0].position - map.landmarks[0].position).norm() < 1e-9);
+    now = turned(mirrored(map, {"L"}, Along::X));
+    const auto& l = std::get<Polygon>(now.buildings[0].shape);
+    QVERIFY(signedArea(l) > 0.0);
+    QVERIFY(!contains(l, Vec2(5.0, 13.0)) && contains(l, Vec2(15.0, 13.0)));
+    const Building c = mirrored(map, {"C"}, Along::Y).buildings[0];
+    QVERIFY(std::abs(c.box().heading + toRadians(30)) < 1e-9);
+    const MapChange copies = arrayed(map, {"A"}, 3, 2, {25.0, 15.0});
+    QCOMPARE(copies.buildings.size(), std::size_t(5));
+    QCOMPARE(copies.buildings[4].box().centre, Vec2(110.0, 20.0));
   }
 
   void locksAndUnlocks() {

@@ -97,6 +97,10 @@ void CommandPalette::fill() {
     item->setToolTip(action.toolTip());
     if (!action.isEnabled()) item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
   }
+  if (matches.empty()) {
+    auto* item = new QListWidgetItem(tr("No command is called “%1”.").arg(typed_->text()), list_);
+    item->setFlags(Qt::NoItemFlags);
+  }
   list_->setCurrentRow(0);
 }
 

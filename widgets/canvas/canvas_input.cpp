@@ -53,8 +53,19 @@ void MapCanvas::press(const ToolEvent& event) {
   fitted_ = false;  // whoever works on it keeps it where it is
   menu_at_.reset();
   name_->commit();
-  name_->disarm();
+  if (selectCorrected(event)) return;
   tool_->press(event);
+}
+
+/// Where nothing drawn lies, a corrected building is the thing that is clicked.
+bool MapCanvas::selectCorrected(const ToolEvent& event) {
+  const bool free = tool() == ToolId::Select && tool_->cursor() == Qt::ArrowCursor &&
+                    objectAt(document_, event.position, kHitPx * event.metres_per_pixel).isEmpty();
+  const QString id = free ? corrected_at_(event.position) : QString();
+  if (id.isEmpty() || !document_.map().find(id.toStdString())) return false;
+  const bool adds = event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
+  document_.setSelection(adds ? document_.selection() + QStringList{id} : QStringList{id});
+  return true;
 }
 
 void MapCanvas::updateCursor() {
@@ -141,7 +152,8 @@ void MapCanvas::showMenuAt(QPointF viewport_position) {
   const ToolEvent at = toolEvent(viewport_position, Qt::NoModifier);
   Tool* select = toolOf(ToolId::Select);
   if (select == nullptr || !select->chooseAt(at)) {
-    const QString key = objectAt(document_, at.position, kHitPx * at.metres_per_pixel);
+    QString key = objectAt(document_, at.position, kHitPx * at.metres_per_pixel);
+    if (key.isEmpty()) key = corrected_at_(at.position);
     if (!document_.selection().contains(key))
       document_.setSelection(key.isEmpty() ? QStringList() : QStringList{key});
   }
@@ -191,8 +203,11 @@ void MapCanvas::keyPressEvent(QKeyEvent* event) {
     name_->disarm();
     escape();
   } else if (plain && event->text().size() == 1 && name_->wants(event->text().front())) {
-    name_->begin(QString(name_->armedKey()), event->text());
+    name_->beginArmed(event->text());
     layOut();
+  } else if (name_->isArmed() &&
+             (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
+    name_->beginArmed();
   } else if (event->key() != Qt::Key_Space) {
     event->setAccepted(giveKey(*event));
   }

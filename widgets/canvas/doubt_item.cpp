@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/map/certainty.h"
+
 namespace handmap {
 
 namespace {
@@ -67,8 +69,20 @@ void DoubtItem::include(std::size_t place) {
   const Bounds& box = document_.buildingIndex().box(place);
   const Vec2 size = box.high - box.low;
   buildings_ |= QRectF(box.low.x(), box.low.y(), size.x(), size.y());
-  reach_ = std::max(reach_, sigmaOfWall(document_.map().uncertaintyOf(building)));
+  for (const double sigma : sigmasOf(building)) reach_ = std::max(reach_, sigma);
   any_may_not_exist_ |= building.may_not_exist;
+}
+
+/// Of what a run has seen: the certainty that was won. Else what the drawing says of itself.
+std::vector<double> DoubtItem::sigmasOf(const Building& building) const {
+  std::vector<double> sigmas;
+  if (building.estimate && building.estimate->observations > 0) {
+    for (const SideEstimate& wall : wallsOf(building)) sigmas.push_back(wall.sigma);
+  } else {
+    sigmas.assign(building.footprint().size(),
+                  sigmaOfWall(document_.map().uncertaintyOf(building)));
+  }
+  return sigmas;
 }
 
 QRectF DoubtItem::boundingRect() const {
@@ -87,8 +101,9 @@ std::vector<DoubtItem::Edge> DoubtItem::edgesIn(const QRectF& exposed,
                     {exposed.right() + reach_, exposed.bottom() + reach_}};
   for (const std::size_t i : document_.buildingIndex().touching(area)) {
     const Building& building = map.buildings[i];
-    Edge edge{{}, sigmaOfWall(map.uncertaintyOf(building)), building.may_not_exist};
-    const bool is_soft = edge.sigma * pixels_per_metre >= kLeastPx || edge.may_not_exist;
+    Edge edge{{}, sigmasOf(building), building.may_not_exist};
+    const bool is_soft =
+        std::ranges::max(edge.sigmas) * pixels_per_metre >= kLeastPx || edge.may_not_exist;
     if (!is_soft || building.flags.hidden) continue;
     if (edges.size() == kMostEdges) return {};  // from so far away it would only be fog
     for (const Vec2& corner : building.footprint()) edge.outline << QPointF(corner.x(), corner.y());
@@ -154,10 +169,22 @@ void DoubtItem::paintEdges(QPainter& painter, const QTransform& to_device,
   ink.setAlpha(kRingAlpha);
   for (const Edge& edge : seen) {
     const QPolygonF outline = to_device.map(edge.outline);
+    const bool all_alike = std::ranges::all_of(
+        edge.sigmas, [&edge](double sigma) { return sigma == edge.sigmas.front(); });
     for (int ring = 1; ring <= kRings; ++ring) {
-      painter.setPen(QPen(ink, 2.0 * edge.sigma * pixels_per_metre * ring / kRings, Qt::SolidLine,
-                          Qt::SquareCap, Qt::RoundJoin));
-      painter.drawPolygon(outline);
+      const auto pen_of = [&](double sigma) {
+        return QPen(ink, 2.0 * sigma * pixels_per_metre * ring / kRings, Qt::SolidLine,
+                    all_alike ? Qt::SquareCap : Qt::FlatCap, Qt::RoundJoin);
+      };
+      if (all_alike) {
+        painter.setPen(pen_of(edge.sigmas.front()));
+        painter.drawPolygon(outline);
+        continue;
+      }
+      for (qsizetype wall = 0; wall < outline.size(); ++wall) {
+        painter.setPen(pen_of(edge.sigmas[static_cast<std::size_t>(wall)]));
+        painter.drawLine(outline[wall], outline[(wall + 1) % outline.size()]);
+      }
     }
   }
   painter.setPen((*colours_)[Role::Doubtful]);

@@ -1,4 +1,5 @@
-// How unsure the drawing is: a soft edge as wide as what a run takes for the error of each wall,
+// How unsure the drawing is: a soft edge as wide as what a run takes for the error of each wall, or
+// as what a run whose correction was taken over has left of it;
 // a question mark on what may not exist, and where the robot may start and look.
 #pragma once
 
@@ -23,12 +24,13 @@ class DoubtItem : public QGraphicsItem {
 
  private:
   struct Edge {
-    QPolygonF outline;  ///< metres
-    double sigma;       ///< of a wall, metres
+    QPolygonF outline;           ///< metres
+    std::vector<double> sigmas;  ///< of each wall, metres
     bool may_not_exist;
   };
 
   void include(std::size_t place);
+  std::vector<double> sigmasOf(const Building& building) const;
   void paintEdges(QPainter& painter, const QTransform& to_device, const QRectF& exposed) const;
   void paintStart(QPainter& painter, const QTransform& to_device) const;
   std::vector<Edge> edgesIn(const QRectF& exposed, double pixels_per_metre) const;

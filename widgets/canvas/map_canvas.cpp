@@ -94,7 +94,10 @@ MapCanvas::~MapCanvas() = default;
 
 void MapCanvas::addTool(std::unique_ptr<Tool> tool) {
   connect(tool.get(), &Tool::changed, this, &MapCanvas::onToolChanged);
-  connect(tool.get(), &Tool::created, name_, &NameEditor::arm);
+  connect(tool.get(), &Tool::created, this, [this](const QString& key) {
+    name_->arm(key);
+    layOut();
+  });
   connect(tool.get(), &Tool::finished, this, [this] { setTool(ToolId::Select); });
   const bool is_first = tools_.size() == 1;
   tools_.push_back(std::move(tool));
@@ -123,7 +126,7 @@ void MapCanvas::layOut() {
   chips_->place();
   if (!name_->isOpen()) return;
   if (const auto bounds = boundsOf(document_.map(), name_->key()))
-    name_->placeAt(viewportTransform().map(toRect(*bounds).center()));
+    name_->placeAt(viewportTransform().mapRect(toRect(*bounds)));
 }
 
 void MapCanvas::applyPalette() {
@@ -195,6 +198,7 @@ void MapCanvas::onToolChanged() {
   drawing_->setPreview(tool_->preview());
   underlays_->setPreview(tool_->preview());
   chips_->show(*tool_);
+  if (tool_->isBusy()) name_->disarm();
   if (const auto cursor = tool_->keyboardCursor()) keepInSight(*cursor);
   updateCursor();
   viewport()->update();
@@ -278,12 +282,14 @@ void MapCanvas::zoomToObject(const QString& key) {
       picture && *picture < document_.map().underlays.size())
     return zoomToRect(underlays_->boundsOf(*picture));
   const auto bounds = boundsOf(document_.map(), key);
-  if (!bounds) return;
+  if (bounds) zoomToArea(toRect(*bounds));
+}
+
+void MapCanvas::zoomToArea(const QRectF& metres) {
   Q_EMIT movedByHand();
   setTurn(0.0);
-  const QRectF box = toRect(*bounds);
-  const double around = std::max(5.0, 0.5 * std::max(box.width(), box.height()));
-  zoomToRect(box.adjusted(-around, -around, around, around));
+  const double around = std::max(5.0, 0.5 * std::max(metres.width(), metres.height()));
+  zoomToRect(metres.adjusted(-around, -around, around, around));
 }
 
 QRectF MapCanvas::visibleMetres() const {

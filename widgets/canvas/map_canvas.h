@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QGraphicsView>
 #include <QLineF>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -56,6 +57,11 @@ class MapCanvas : public QGraphicsView {
   /// Where something that is pasted goes: under the pointer, or in the middle of what is shown.
   Vec2 pastePosition() const;
 
+  /// Asked where nothing drawn lies: the id of the corrected building there; empty: none.
+  void setCorrectedAt(std::function<QString(const Vec2& metres)> at) {
+    corrected_at_ = std::move(at);
+  }
+
   // --- View
   double pixelsPerMetre() const;
   void zoomAt(QPointF viewport_position, double factor);
@@ -64,6 +70,7 @@ class MapCanvas : public QGraphicsView {
   void zoomToFit();                       ///< everything drawn, or 100 m around the origin
   void zoomToRect(const QRectF& metres);  ///< with a margin
   void zoomToObject(const QString& key);  ///< of the document; nothing when it is not there
+  void zoomToArea(const QRectF& metres);  ///< with what is around it
   QRectF visibleMetres() const;
   /// How the map is turned on the screen, radians, counter-clockwise; where the middle is it stays.
   double turn() const { return turn_; }
@@ -124,6 +131,7 @@ class MapCanvas : public QGraphicsView {
   ToolEvent toolEvent(QPointF viewport_position, Qt::KeyboardModifiers modifiers);
   ToolEvent toolEvent(const QMouseEvent& event);
   void press(const ToolEvent& event);
+  bool selectCorrected(const ToolEvent& event);
   void showMenuAt(QPointF viewport_position);
   bool takeTouch(QTouchEvent& event);
   void beginTouch(const ToolEvent& event, QPointF at);
@@ -148,6 +156,7 @@ class MapCanvas : public QGraphicsView {
   Tool* before_eraser_ = nullptr;  ///< while the other end of a pen erases
   CanvasChips* chips_ = nullptr;
   NameEditor* name_ = nullptr;
+  std::function<QString(const Vec2& metres)> corrected_at_ = [](const Vec2&) { return QString(); };
   CanvasSnapping snapping_;
   Snap snap_;  ///< of the last event
   const Colours* colours_;

@@ -33,22 +33,38 @@ NameEditor::NameEditor(MapDocument& document, QWidget* canvas)
   setAlignment(Qt::AlignCenter);
   setMaxLength(static_cast<int>(kMaxTextBytes / 4));  // of UTF-8
   setFixedWidth(kWidth);
+  setFocusPolicy(Qt::ClickFocus);
   hide();
   connect(&document_, &MapDocument::mapChanged, this, [this] {
-    if (!armed_.isEmpty() && !nameOf(document_.map(), armed_)) disarm();
     if (isOpen() && !nameOf(document_.map(), key_)) dismiss();
   });
 }
 
+void NameEditor::arm(const QString& key) {
+  if (isOpen()) commit();
+  if (!nameOf(document_.map(), key)) return;
+  key_ = key;
+  clear();
+  setPlaceholderText(tr("Name: Enter"));
+  show();
+  raise();
+}
+
+void NameEditor::disarm() {
+  if (isArmed()) close();
+}
+
+/// A capital, or a letter of a script that has none: the others are keys of tools.
 bool NameEditor::wants(QChar character) const {
-  return !armed_.isEmpty() && character.isLetterOrNumber();
+  return isArmed() && character.isLetter() && !character.isLower();
 }
 
 void NameEditor::begin(const QString& key, const QString& typed) {
   const auto name = nameOf(document_.map(), key);
   if (!name) return;
-  disarm();
   key_ = key;
+  typing_ = true;
+  setAttribute(Qt::WA_TransparentForMouseEvents, false);
   setText(typed.isEmpty() ? *name : typed);
   setPlaceholderText(key);
   show();
@@ -59,6 +75,7 @@ void NameEditor::begin(const QString& key, const QString& typed) {
 
 void NameEditor::commit() {
   if (!isOpen()) return;
+  if (!typing_) return close();
   const QString key = key_;
   const std::string name = text().trimmed().toStdString();
   close();
@@ -80,13 +97,16 @@ void NameEditor::dismiss() {
 
 void NameEditor::close() {
   key_.clear();
-  const bool had_focus = hasFocus();
+  typing_ = false;
+  // Before it is hidden: who hides with the focus hands it on as Tab does, to the next object.
+  if (hasFocus()) parentWidget()->setFocus(Qt::OtherFocusReason);
   hide();
-  if (had_focus) parentWidget()->setFocus(Qt::OtherFocusReason);
 }
 
-void NameEditor::placeAt(const QPointF& centre) {
-  move((centre - QPointF(width() / 2.0, height() / 2.0)).toPoint());
+void NameEditor::placeAt(const QRectF& object) {
+  move((object.center() - QPointF(width() / 2.0, height() / 2.0)).toPoint());
+  setAttribute(Qt::WA_TransparentForMouseEvents,
+               isArmed() && !object.contains(geometry().toRectF()));
 }
 
 bool NameEditor::event(QEvent* event) {
@@ -111,9 +131,14 @@ void NameEditor::keyPressEvent(QKeyEvent* event) {
   }
 }
 
+void NameEditor::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  if (isArmed()) beginArmed();
+}
+
 void NameEditor::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
-  if (event->reason() != Qt::PopupFocusReason) commit();
+  if (typing_ && event->reason() != Qt::PopupFocusReason) commit();
 }
 
 }  // namespace handmap

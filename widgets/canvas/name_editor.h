@@ -1,4 +1,5 @@
-// The name of an object, typed where the object is.
+// The name of an object, typed where the object is. Of what was just drawn it is shown and waits:
+// keys are those of the tools until Enter, a click or a capital letter begins the name.
 #pragma once
 
 #include <QLineEdit>
@@ -12,23 +13,27 @@ class NameEditor : public QLineEdit {
  public:
   NameEditor(MapDocument& document, QWidget* canvas);
 
-  /// What is typed next on the canvas is the object's name, until disarm().
-  void arm(const QString& key) { armed_ = key; }
-  void disarm() { armed_.clear(); }
-  /// Whether the character begins the name of the object that was just made.
+  /// Waits for the name of an object that was just made, until disarm().
+  void arm(const QString& key);
+  void disarm();
+  bool isArmed() const { return !key_.isEmpty() && !typing_; }
+  /// Whether the character begins the name of that object.
   bool wants(QChar character) const;
-  const QString& armedKey() const { return armed_; }
 
   /// Opens for the object with its name, or with what was typed in its place.
   void begin(const QString& key, const QString& typed = {});
+  void beginArmed(const QString& typed = {}) { begin(QString(key_), typed); }
   bool isOpen() const { return !key_.isEmpty(); }
   const QString& key() const { return key_; }
   void commit();
   void dismiss();
-  void placeAt(const QPointF& centre);  ///< in pixels of the canvas
+  /// In the middle of the object, in pixels of the canvas. While it only waits, a click on it
+  /// begins the name where the object is larger; else the click is the tool's.
+  void placeAt(const QRectF& object);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   bool event(QEvent* event) override;
 
@@ -36,8 +41,8 @@ class NameEditor : public QLineEdit {
   void close();
 
   MapDocument& document_;
-  QString armed_;
   QString key_;
+  bool typing_ = false;
 };
 
 /// The name of a building or a landmark; nothing for what has none.

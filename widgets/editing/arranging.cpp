@@ -105,6 +105,35 @@ const Building* nearestOf(const std::vector<Other>& others, const Building& to) 
   return nearest;
 }
 
+using MovePoint = std::function<Vec2(const Vec2& from_middle)>;
+
+/// What is not locked, about the middle of the boxes of all; tidy numbers stay tidy.
+MapChange transformed(const Map& map, const QStringList& keys, const MovePoint& move,
+                      const std::function<double(double)>& turn) {
+  MapChange change = movable(map, keys);
+  const std::vector<Part> parts = partsOf(map, keys);
+  if (parts.empty()) return {};
+  const Vec2 middle = middleOf(aroundAll(parts));
+  const auto point = [&](const Vec2& from) { return Vec2(middle + move(from - middle)); };
+  for (Building& building : change.buildings) {
+    if (auto* box = std::get_if<Rectangle>(&building.shape)) {
+      box->centre = point(box->centre);
+      box->heading = turn(box->heading);
+      continue;
+    }
+    auto& outline = std::get<Polygon>(building.shape);
+    std::ranges::transform(outline, outline.begin(), point);
+    if (signedArea(outline) < 0.0) std::ranges::reverse(outline);
+  }
+  for (Landmark& landmark : change.landmarks) landmark.position = point(landmark.position);
+  if (change.start) {
+    const Vec2 at = point(change.start->position());
+    change.start = Pose2{at.x(), at.y(), turn(change.start->heading)};
+  }
+  if (change.route) std::ranges::transform(*change.route, change.route->begin(), point);
+  return change;
+}
+
 }  // namespace
 
 MapChange aligned(const Map& map, const QStringList& keys, Alignment alignment) {
@@ -157,11 +186,58 @@ MapChange squaredUp(const Map& map, const QStringList& keys) {
 
 MapChange madeParallel(const Map& map, const QStringList& keys) {
   MapChange change = movable(map, keys);
+  const std::vector<Building> chosen = selected(map, keys).buildings;
+  const Building* guide = nullptr;
+  if (chosen.size() > 1)
+    guide = &*std::ranges::max_element(chosen, {}, [](const Building& building) {
+      return std::pair(building.fixed, std::abs(signedArea(building.footprint())));
+    });
   const std::vector<Other> others = othersThan(map, keys);
-  for (Building& building : change.buildings)
-    if (const Building* other = nearestOf(others, building))
+  for (Building& building : change.buildings) {
+    const Building* other = guide != nullptr ? guide : nearestOf(others, building);
+    if (other != nullptr)
       building = turnedBy(building, turnToParallel(headingOf(building), headingOf(*other)));
+  }
   return {.buildings = std::move(change.buildings)};
+}
+
+MapChange turnedByQuarter(const Map& map, const QStringList& keys, bool clockwise) {
+  const double turn = clockwise ? -kPi / 2.0 : kPi / 2.0;
+  return transformed(
+      map, keys,
+      [clockwise](const Vec2& from_middle) {
+        return clockwise ? Vec2(from_middle.y(), -from_middle.x())
+                         : Vec2(-from_middle.y(), from_middle.x());
+      },
+      [turn](double heading) { return normalizedAngle(heading + turn); });
+}
+
+MapChange mirrored(const Map& map, const QStringList& keys, Along along) {
+  const bool x = along == Along::X;
+  return transformed(
+      map, keys,
+      [x](const Vec2& from_middle) {
+        return x ? Vec2(-from_middle.x(), from_middle.y())
+                 : Vec2(from_middle.x(), -from_middle.y());
+      },
+      [x](double heading) { return normalizedAngle(x ? kPi - heading : -heading); });
+}
+
+MapChange arrayed(const Map& map, const QStringList& keys, int columns, int rows,
+                  const Vec2& step) {
+  MapChange all;
+  MapChange objects = selected(map, keys);
+  objects.start.reset();
+  objects.route.reset();
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      if (row == 0 && column == 0) continue;
+      const MapChange copy = moved(objects, {column * step.x(), row * step.y()});
+      all.buildings.insert(all.buildings.end(), copy.buildings.begin(), copy.buildings.end());
+      all.landmarks.insert(all.landmarks.end(), copy.landmarks.begin(), copy.landmarks.end());
+    }
+  }
+  return all;
 }
 
 MapChange asPolygons(const Map& map, const QStringList& keys) {

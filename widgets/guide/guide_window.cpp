@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QScreen>
+#include <QShortcut>
 #include <QTextBrowser>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -59,6 +60,8 @@ GuideWindow::GuideWindow(QWidget* parent)
   forward->setEnabled(false);
   connect(browser_, &QTextBrowser::backwardAvailable, back, &QAction::setEnabled);
   connect(browser_, &QTextBrowser::forwardAvailable, forward, &QAction::setEnabled);
+  // Whatever in it has the focus.
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
   connect(search_, &QLineEdit::returnPressed, this, &GuideWindow::findNext);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins({});

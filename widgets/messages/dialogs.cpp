@@ -1,6 +1,9 @@
 #include "widgets/messages/dialogs.h"
 
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFormLayout>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -38,6 +41,31 @@ class SystemDialogs : public Dialogs {
     if (!buttons.isEmpty()) box.setDefaultButton(qobject_cast<QPushButton*>(buttons.front()));
     box.exec();
     return static_cast<int>(buttons.indexOf(box.clickedButton()));
+  }
+
+  QList<double> numbers(const QString& title, const QList<Number>& lines) override {
+    QDialog dialog(&window_);
+    dialog.setWindowTitle(title);
+    auto* form = new QFormLayout(&dialog);
+    QList<QDoubleSpinBox*> fields;
+    for (const Number& line : lines) {
+      auto* field = new QDoubleSpinBox;
+      field->setLocale(QLocale::c());
+      field->setDecimals(line.decimals);
+      field->setRange(line.low, line.high);
+      field->setValue(line.value);
+      field->setSuffix(line.suffix);
+      form->addRow(line.label, field);
+      fields << field;
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    form->addRow(buttons);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    if (dialog.exec() != QDialog::Accepted) return {};
+    QList<double> values;
+    for (const QDoubleSpinBox* field : fields) values << field->value();
+    return values;
   }
 
  private:

@@ -2,6 +2,7 @@
 // answer in the person's place.
 #pragma once
 
+#include <QList>
 #include <QString>
 #include <QStringList>
 #include <memory>
@@ -34,6 +35,17 @@ class Dialogs {
   };
   /// Index of the answer; -1: cancelled. Cancelling is always possible.
   virtual int choose(const Question& question) = 0;
+
+  struct Number {
+    QString label;
+    double value;  ///< at first
+    double low;
+    double high;
+    int decimals = 0;
+    QString suffix = {};
+  };
+  /// One number a line; empty: cancelled.
+  virtual QList<double> numbers(const QString& title, const QList<Number>& lines) = 0;
 };
 
 /// Over `window`, which must outlive them.

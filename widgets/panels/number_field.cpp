@@ -1,5 +1,6 @@
 #include "widgets/panels/number_field.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QWheelEvent>
 #include <cmath>
@@ -44,6 +45,18 @@ QString NumberField::textFromValue(double value) const {
 
 void NumberField::stepBy(int steps) {
   if (specialValueText().isEmpty() || typing_) QDoubleSpinBox::stepBy(steps);
+}
+
+/// No letter belongs to a number: it may be the key of a tool.
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const QString text = static_cast<QKeyEvent*>(event)->text();
+    if (!text.isEmpty() && text.front().isLetter()) {
+      event->ignore();
+      return false;
+    }
+  }
+  return QDoubleSpinBox::event(event);
 }
 
 void NumberField::wheelEvent(QWheelEvent* event) {

@@ -19,6 +19,7 @@ class NumberField : public QDoubleSpinBox {
 
   QString textFromValue(double value) const override;
   void stepBy(int steps) override;
+  bool event(QEvent* event) override;
 
  Q_SIGNALS:
   void edited(double value);

@@ -11,6 +11,7 @@
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/editing/arranging.h"
 #include "widgets/editing/clipboard.h"
+#include "widgets/messages/dialogs.h"
 #include "widgets/messages/message_bar.h"
 #include "widgets/tools/toolbox.h"
 
@@ -62,6 +63,17 @@ void EditActions::connectArranging() {
             [](const Map& map, const QStringList& keys) { return squaredUp(map, keys); });
   arrangeBy("arrange.parallel", madeParallel);
   arrangeBy("arrange.polygon", asPolygons);
+  for (const auto& [id, clockwise] :
+       {std::pair("edit.rotate_left", false), std::pair("edit.rotate_right", true)})
+    arrangeBy(id, [clockwise = clockwise](const Map& map, const QStringList& keys) {
+      return turnedByQuarter(map, keys, clockwise);
+    });
+  for (const auto& [id, along] :
+       {std::pair("edit.mirror_x", Along::X), std::pair("edit.mirror_y", Along::Y)})
+    arrangeBy(id, [along = along](const Map& map, const QStringList& keys) {
+      return mirrored(map, keys, along);
+    });
+  shell_.actions.on("edit.array", this, [this] { makeArray(); });
   static constexpr std::pair<const char*, Alignment> kAlignments[] = {
       {"arrange.left", Alignment::Left},        {"arrange.right", Alignment::Right},
       {"arrange.top", Alignment::Top},          {"arrange.bottom", Alignment::Bottom},
@@ -146,6 +158,31 @@ void EditActions::duplicate() {
   insert(moved(std::move(objects), {away, -away}), tr("Duplicate"));
 }
 
+/// The gap between neighbours is at first that of a row of houses.
+void EditActions::makeArray() {
+  constexpr double kGap = 5.0;     // metres
+  constexpr double kFar = 1000.0;  // metres
+  constexpr double kMost = 50.0;   // in a row: more are hardly drawn by hand
+  const MapDocument& document = document_;
+  const MapChange objects = selected(document.map(), document.selection());
+  Map only;
+  only.buildings = objects.buildings;
+  only.landmarks = objects.landmarks;
+  const auto bounds = boundsOf(only);
+  if (!bounds) return;
+  const Vec2 size = bounds->high - bounds->low;
+  const QString metres = tr(" m");
+  const QList<double> answer = shell_.dialogs.numbers(
+      tr("Array"), {{tr("Columns"), 3.0, 1.0, kMost},
+                    {tr("Rows"), 1.0, 1.0, kMost},
+                    {tr("Gap between columns"), kGap, -kFar, kFar, 2, metres},
+                    {tr("Gap between rows"), kGap, -kFar, kFar, 2, metres}});
+  if (answer.size() != 4) return;
+  insert(arrayed(document.map(), document.selection(), static_cast<int>(answer[0]),
+                 static_cast<int>(answer[1]), {size.x() + answer[2], size.y() + answer[3]}),
+         tr("Array"));
+}
+
 void EditActions::insert(MapChange objects, const QString& text) {
   MapDocument& document = document_;
   const QStringList keys = document.add(copiesFor(document.map(), std::move(objects)), text);
@@ -170,8 +207,10 @@ void EditActions::updateEnabled() {
                      tr("not one building or landmark is selected"));
   actions.setEnabled({"edit.add_corner"}, tools_.canAddCorner(),
                      tr("no building that is not locked, and no route, is selected"));
-  actions.setEnabled({"arrange.lock", "arrange.square", "arrange.parallel", "arrange.polygon"},
-                     objects > 0, nothing);
+  actions.setEnabled(
+      {"arrange.lock", "arrange.square", "arrange.parallel", "arrange.polygon", "edit.rotate_left",
+       "edit.rotate_right", "edit.mirror_x", "edit.mirror_y", "edit.array"},
+      objects > 0, nothing);
   actions.setEnabled({"arrange.left", "arrange.right", "arrange.top", "arrange.bottom",
                       "arrange.centre_x", "arrange.centre_y"},
                      objects > 1, tr("fewer than two buildings or landmarks are selected"));
@@ -191,6 +230,7 @@ void EditActions::showMenu(QPoint global) {
   auto* menu = new QMenu(&canvas_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName("canvas_menu");
+  addEnabled(*menu, {"run.why", "run.right", "run.not_there"});
   addEnabled(*menu, {"edit.rename", "edit.add_corner", "edit.delete"});
   addEnabled(*menu, {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate"});
   addEnabled(*menu, {"arrange.lock", "arrange.square", "arrange.parallel", "arrange.polygon"});

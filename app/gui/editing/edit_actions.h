@@ -33,6 +33,7 @@ class EditActions : public QObject {
   void copy();
   void paste();
   void duplicate();
+  void makeArray();
   void insert(MapChange objects, const QString& text);
   void updateEnabled();
   void showMenu(QPoint global);

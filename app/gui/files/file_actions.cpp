@@ -12,6 +12,7 @@
 #include "app/gui/files/exports.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/geodata/geo_map.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "core/recording/recording_files.h"
@@ -61,7 +62,7 @@ void FileActions::connectActions() {
   actions.on("file.new_window", this, [this] { openWindow(); });
   actions.on("file.open", this, [this] {
     const QString path = shell_.dialogs.fileToOpen(
-        {tr("Open a drawing"), shell_.settings.value(kFolderKey).toString(), mapFilter(), {}, {}});
+        {tr("Open a drawing"), shell_.settings.value(kFolderKey).toString(), openFilter(), {}, {}});
     if (!path.isEmpty()) open(path);
   });
   actions.on("file.save", this, [this] { save(); });
@@ -95,10 +96,32 @@ bool FileActions::mayLeave() {
 bool FileActions::open(const QString& path) {
   if (!mayLeave()) return false;
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  if (!guarded([&] { document_.open(absolute); })) return false;
+  const bool is_geographic = isGeoFile(QFile::encodeName(absolute).toStdString());
+  if (!guarded([&] { is_geographic ? import(absolute) : document_.open(absolute); })) return false;
   remember(absolute);
   Q_EMIT drawingReplaced();
+  if (is_geographic) tellImport(absolute);
   return true;
+}
+
+/// A public map becomes a new drawing, which has no file yet.
+void FileActions::import(const QString& path) {
+  GeoMap geo = readGeoMap(QFile::encodeName(path).toStdString());
+  geo.map.name = QFileInfo(path).completeBaseName().toStdString();
+  document_.reset(geo.map);
+  left_out_ = geo.left_out;
+}
+
+void FileActions::tellImport(const QString& path) {
+  const auto buildings = static_cast<int>(document_.map().buildings.size());
+  shell_.messages.show(
+      MessageBar::Kind::Info,
+      tr("%n building(s) of “%1” are a new drawing now, and where they lie on earth is kept.",
+         nullptr, buildings)
+          .arg(QFileInfo(path).fileName()),
+      left_out_ == 0 ? QString()
+                     : tr("%n outline(s) were left out: they cross themselves or are too large.",
+                          nullptr, static_cast<int>(left_out_)));
 }
 
 bool FileActions::reload() {
@@ -193,6 +216,16 @@ void FileActions::refuseWhatIsRead(const QString& path) const {
 }
 
 QString FileActions::mapFilter() { return tr("Handmap drawings (*.handmap)"); }
+
+QString FileActions::openFilter() {
+  QStringList endings;
+  for (const std::string& ending : geoFileEndings())
+    endings << QStringLiteral("*.") + QString::fromStdString(ending);
+  const QString geographic = endings.join(u' ');
+  return tr("Drawings and public maps (*.handmap %1)").arg(geographic) + QStringLiteral(";;") +
+         mapFilter() + QStringLiteral(";;") +
+         tr("OpenStreetMap, GeoJSON and others (%1)").arg(geographic);
+}
 
 void FileActions::exportGeoJson() {
   if (!document_.map().georeference) {

@@ -70,6 +70,7 @@ class FileActions : public QObject {
   /// Asks where, writes and tells; what `write` throws is told too.
   void exportAs(const Export& what, const std::function<void(const QString& path)>& write);
   static QString mapFilter();
+  static QString openFilter();
   QMenu& recentMenu() { return *recent_; }
 
  Q_SIGNALS:
@@ -81,6 +82,8 @@ class FileActions : public QObject {
 
  private:
   void connectActions();
+  void import(const QString& path);
+  void tellImport(const QString& path);
   void remember(const QString& path);
   void fillRecentMenu();
   bool saveTo(const QString& path);
@@ -100,6 +103,7 @@ class FileActions : public QObject {
   MapDocument& document_;
   MapCanvas& canvas_;
   QMenu* recent_;
+  std::size_t left_out_ = 0;  ///< of what was imported last
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
   std::function<std::optional<Map>()> corrected_ = [] { return std::nullopt; };
   std::function<void(const QStringList& arguments)> open_window_ = [](const QStringList&) {};

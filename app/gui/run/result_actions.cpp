@@ -47,6 +47,7 @@ ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActi
       buildings_(buildings) {
   const ActionSet& actions = shell_.actions;
   actions.on("run.accept", this, [this] { accept(); });
+  connect(&buildings_, &BuildingsPanel::acceptRequested, this, &ResultActions::accept);
   actions.on("file.export_map", this, [this] { exportMap(); });
   actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
   files_.setCorrected([this] { return refinedMap(); });
@@ -76,6 +77,7 @@ void ResultActions::onFrameSkipped(int frame, const QString& reason) {
 }
 
 void ResultActions::onFinished(bool cancelled) {
+  if (run_.result()) shell_.docks.bringForward(buildings_);
   if (cancelled) return;
   if (!warn() && skipped_ == 0) {
     if (const auto result = score()) summarize(*result);
@@ -152,18 +154,20 @@ void ResultActions::accept() {
   const auto result = run_.result();
   if (!result) return;
   const int number = run_.number();
-  const QStringList edited = document_.editedSince(run_.drawing());
-  if (edited.isEmpty()) return take();
+  const QStringList left_out = buildings_.model().leftOut();
+  QStringList edited = document_.editedSince(run_.drawing());
+  edited.removeIf([&left_out](const QString& id) { return left_out.contains(id); });
+  if (edited.isEmpty()) return take(left_out);
   Message& question =
       shell_.messages.ask(tr("%n building(s) were edited since the run began: %1", nullptr,
                              static_cast<int>(edited.size()))
                               .arg(edited.mid(0, kMostEditedNamed).join(QStringLiteral(", "))),
                           tr("Their corrected shapes are of the drawing before."), kAcceptTopic);
-  question.addAction(tr("Take all others"), [this, number, edited] {
-    if (number == run_.number()) take(edited);
+  question.addAction(tr("Take all others"), [this, number, kept = edited + left_out] {
+    if (number == run_.number()) take(kept);
   });
-  question.addAction(tr("Take all"), [this, number] {
-    if (number == run_.number()) take();
+  question.addAction(tr("Take all"), [this, number, left_out] {
+    if (number == run_.number()) take(left_out);
   });
 }
 
@@ -171,6 +175,7 @@ void ResultActions::take(const QStringList& kept) {
   document_.acceptRefinement(run_.result()->map(), kept);
   accepted_ = run_.number();
   shell_.messages.withdraw(kConcernsTopic);
+  shell_.messages.withdraw(kSummaryTopic);
 }
 
 // --- Leaving
@@ -215,7 +220,8 @@ bool ResultActions::mayLeave(bool coming_back) {
                                   : QStringList{tr("&Leave it behind")};
   const int answer = shell_.dialogs.choose({tr("Leave this run?"), text, answers});
   if (answer < 0) return false;
-  if (unaccepted && answer == 0) take(document_.editedSince(run_.drawing()));
+  if (unaccepted && answer == 0)
+    take(document_.editedSince(run_.drawing()) + buildings_.model().leftOut());
   left_ = run_.number();
   return true;
 }

@@ -282,7 +282,8 @@ void RevisionActions::updateActions() {
     return !selected(document_.map(), document_.selection()).buildings.empty();
   };
   actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()));
-  actions.setEnabled({"run.give_pose"}, can);
+  actions.setEnabled({"run.give_pose"}, can, tr("there is no run that a robot is shown of"));
+  actions["run.give_pose"].setVisible(run_.tape() != nullptr);
   actions.setEnabled({"run.right", "run.not_there"}, can && has_building());
   actions.setEnabled({"run.forget_poses"}, can && !acts_.poses().empty());
 }

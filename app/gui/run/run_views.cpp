@@ -1,6 +1,7 @@
 #include "app/gui/run/run_views.h"
 
 #include <QMainWindow>
+#include <algorithm>
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_controller.h"
@@ -117,7 +118,11 @@ void RunViews::connectFollowing() {
 void RunViews::connectTable() {
   BuildingsPanel& table = panels_.buildings;
   MapDocument& document = document_;
-  connect(&table, &BuildingsPanel::selectionChanged, &document, &MapDocument::setSelection);
+  connect(&table, &BuildingsPanel::selectionChanged, this, [this](const QStringList& ids) {
+    document_.setSelection(ids);
+    // One after the other is looked at, once the robot is not looked after any more.
+    if (ids.size() == 1 && !run_.isActive()) showBuilding(ids.first());
+  });
   connect(&document, &MapDocument::selectionChanged, &table,
           [&table, &document] { table.select(document.selection()); });
   connect(&table, &BuildingsPanel::showRequested, this, &RunViews::showBuilding);
@@ -137,7 +142,11 @@ void RunViews::connectWhy() {
   });
   connect(&why, &WhyPanel::shown, this,
           [this](bool shown) { shown ? tellStory() : forgetStory(); });
-  shell_.actions.on("run.why", this, [this] { shell_.docks.show(panels_.why); });
+  canvas_.setCorrectedAt([hints](const Vec2& metres) { return hints->buildingAt(metres); });
+  shell_.actions.on("run.why", this, [this] { askWhy(); });
+  connect(&document_, &MapDocument::selectionChanged, this,
+          [this] { overlays_.setSelected(document_.selection()); });
+  updateWhy();
 }
 
 /// With the drawing, and with the truth where it is known.
@@ -176,6 +185,7 @@ void RunViews::showPhase(const Phase& phase, int number, int count) {
 
 void RunViews::onShown(const Snapshot& snapshot) {
   const Map* map = overlays_.shownMap();
+  updateWhy();
   strip_->showPhase({});
   strip_->show(snapshot.report, map ? *map : overlays_.drawing());
   follow_->setPose(snapshot.report.pose);
@@ -193,11 +203,44 @@ void RunViews::clear() {
   story_later_.stop();
   panels_.why.clear();
   forgetStory();
+  updateWhy();
 }
 
+/// As it is drawn and as it is corrected.
 void RunViews::showBuilding(const QString& id) {
   document_.setSelection({id});
-  canvas_.zoomToObject(id);
+  const Map* corrected = overlays_.shownMap();
+  const auto drawn = boundsOf(document_.map(), id);
+  const Building* now = corrected ? corrected->find(id.toStdString()) : nullptr;
+  if (!drawn || now == nullptr) return canvas_.zoomToObject(id);
+  const Bounds after = boundsOf(*now);
+  const Vec2 low = drawn->low.cwiseMin(after.low);
+  const Vec2 size = drawn->high.cwiseMax(after.high) - low;
+  canvas_.zoomToArea(QRectF(low.x(), low.y(), size.x(), size.y()));
+}
+
+/// Of the building that is selected; where its menu was opened, of the wall that is nearest.
+void RunViews::askWhy() {
+  shell_.docks.show(panels_.why);
+  const Map* map = overlays_.shownMap();
+  const auto at = canvas_.takeMenuPlace();
+  const QStringList keys = document_.selection();
+  if (map == nullptr || keys.size() != 1) return;
+  const auto found = std::ranges::find(map->buildings, keys.first().toStdString(), &Building::id);
+  if (found == map->buildings.end()) return;
+  const Polygon outline = found->footprint();
+  std::size_t nearest = 0;
+  const auto distance = [&](std::size_t wall) {
+    return distanceTo(Segment{outline[wall], outline[(wall + 1) % outline.size()]}, *at);
+  };
+  for (std::size_t wall = 1; at && wall < outline.size(); ++wall)
+    if (distance(wall) < distance(nearest)) nearest = wall;
+  panels_.why.ask(static_cast<std::size_t>(found - map->buildings.begin()), nearest);
+}
+
+void RunViews::updateWhy() {
+  shell_.actions.setEnabled({"run.why"}, overlays_.shownMap() != nullptr,
+                            tr("no run has corrected anything yet"));
 }
 
 void RunViews::tellStory() {

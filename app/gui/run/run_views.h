@@ -55,6 +55,8 @@ class RunViews : public QObject {
   void onShown(const Snapshot& snapshot);
   void clear();
   void showBuilding(const QString& id);
+  void askWhy();
+  void updateWhy();
   void tellStory();
   void hearStory(const std::shared_ptr<const WallStory>& story, bool kept);
   void showWindows();

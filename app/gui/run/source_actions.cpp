@@ -73,7 +73,7 @@ void SourceActions::addSimulatorMenu() {
   menu->addAction(tr("A &live robot (virtual rig)"), this, [this] { openVirtualRig(); });
   menu->addAction(tr("A live robot with a &stereo head"), this,
                   [this] { openVirtualRig(VirtualRigKind::StereoHead); });
-  menu->addAction(tr("The &demonstration"), this, &SourceActions::openDemonstration);
+  menu->addAction(tr("The d&emonstration"), this, &SourceActions::openDemonstration);
   shell_.actions["run.simulator"].setMenu(menu);
   shell_.actions.on("run.simulator", this, [this, menu] {  // by its key
     menu->popup(shell_.window.mapToGlobal(shell_.window.rect().center()));

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
+#include <QShortcut>
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/shell/docks.h"
@@ -63,9 +64,12 @@ Comfort::Comfort(const Shell& shell, FileActions& files, const Sights& sights, Q
       shell, [&files] { files.startAgain(); }, this);
   auto* keys = new KeysPanel(shell.actions);
   constexpr QSize kKeysSize(640, 520);
-  shell.docks.add({"keys", tr("Keyboard shortcuts"), Docks::Group::Floating, Docks::When::Asked,
-                   false, false, kKeysSize},
-                  keys);
+  QDockWidget& sheet = shell.docks.add({"keys", tr("Keyboard shortcuts"), Docks::Group::Floating,
+                                        Docks::When::Asked, false, false, kKeysSize},
+                                       keys);
+  auto* escape = new QShortcut(Qt::Key_Escape, &sheet);
+  escape->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(escape, &QShortcut::activated, &sheet, &QDockWidget::close);
   connect(keys, &KeysPanel::keysChanged, this,
           [&shell] { shell.actions.saveKeys(shell.settings); });
   shell.actions.on("help.guide", this, [this] { openGuide(); });

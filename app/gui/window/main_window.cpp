@@ -2,10 +2,12 @@
 
 #include <QCloseEvent>
 #include <QDir>
+#include <QFile>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
@@ -30,6 +32,7 @@
 #include "app/gui/shell/docks.h"
 #include "app/gui/shell/welcome_strip.h"
 #include "app/gui/window/comfort.h"
+#include "core/geodata/geo_map.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/messages/message_bar.h"
 #include "widgets/panels/issues_panel.h"
@@ -66,8 +69,8 @@ QString draggedPath(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
   const QString path = urls.front().toLocalFile();
-  const bool is_known =
-      path.endsWith(QLatin1String(".handmap")) || isPictureName(path) || QDir(path).exists();
+  const bool is_known = path.endsWith(QLatin1String(".handmap")) || isPictureName(path) ||
+                        isGeoFile(QFile::encodeName(path).toStdString()) || QDir(path).exists();
   return is_known ? path : QString();
 }
 
@@ -188,8 +191,9 @@ QToolBar* MainWindow::makeTransport() {
   // What is next has its words beside it; on a small screen there is no room for those of others.
   const auto tell_next = [this, &buttons] {
     const bool has_robot = sources_->robot().has_value();
-    for (const auto& [id, next] : {std::pair("run.simulate", !has_robot), std::pair("run.run", true),
-                                   std::pair("run.accept", actions_["run.accept"].isEnabled())}) {
+    for (const auto& [id, next] :
+         {std::pair("run.simulate", !has_robot), std::pair("run.run", has_robot),
+          std::pair("run.accept", actions_["run.accept"].isEnabled())}) {
       auto* button = qobject_cast<QToolButton*>(buttons.widgetForAction(&actions_[id]));
       if (button != nullptr)
         button->setToolButtonStyle(next ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
@@ -274,7 +278,10 @@ void MainWindow::connectTools() {
       {"draw.picture", ToolId::Picture}};
   for (const auto& [id, tool] : kTools) {
     actions_[id].setChecked(tool == canvas_->tool());
-    actions_.on(id, canvas_, [this, tool = tool] { canvas_->setTool(tool); });
+    actions_.on(id, canvas_, [this, tool = tool] {
+      canvas_->setTool(tool);
+      canvas_->setFocus(Qt::OtherFocusReason);  // whatever had it: what is typed next is the tool's
+    });
   }
   connect(canvas_, &MapCanvas::toolChanged, this, [this](ToolId tool) {
     for (const auto& [id, its_tool] : kTools) {
@@ -458,6 +465,23 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   for (const char* source : {"run.open_recording", "run.simulator", "run.connect"}) {
     messages_->addAction(actions_[source].text(), [this, source] { actions_[source].trigger(); });
   }
+}
+
+/// Through what can be seen and be used: not into panels that others cover, nor ways in that a
+/// click takes.
+bool MainWindow::focusNextPrevChild(bool next) {
+  constexpr int kMost = 500;  // inputs of the window, by far
+  const auto is_stop = [this](const QWidget& widget) {
+    // Panels that others cover lie outside.
+    return rect().contains(widget.mapTo(this, widget.rect().center())) &&
+           !welcome_->isAncestorOf(&widget) && !widget.inherits("QScrollArea");
+  };
+  for (int i = 0; i < kMost; ++i) {
+    if (!QMainWindow::focusNextPrevChild(next)) return false;
+    const QWidget* now = focusWidget();
+    if (now == nullptr || is_stop(*now)) return true;
+  }
+  return false;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

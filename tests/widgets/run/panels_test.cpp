@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QItemSelectionModel>
+#include <QPushButton>
 #include <QSettings>
 #include <QSlider>
 #include <QSpinBox>
@@ -83,7 +84,8 @@ TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {
   };
   {
     LayersPanel panel;
-    panel.setOn(Layer::Points, false);
+    panel.setOn(Layer::Changes, false);
+    panel.setOn(Layer::Points, true);
     slider_of(panel, "Swarms")->setValue(35);
     panel.save(settings);
   }
@@ -92,8 +94,9 @@ TEST(LayersPanel, WhatIsShownAndHowStronglyOutlivesTheProgram) {
   QObject::connect(&again, &LayersPanel::opacityChanged, &again,
                    [&heard](Layer layer, double share) { heard[layer] = share; });
   again.restore(settings);
-  EXPECT_FALSE(again.isOn(Layer::Points));
-  EXPECT_TRUE(again.isOn(Layer::Sight));
+  EXPECT_FALSE(again.isOn(Layer::Changes));
+  EXPECT_TRUE(again.isOn(Layer::Points));
+  EXPECT_FALSE(again.isOn(Layer::Sight));
   EXPECT_EQ(slider_of(again, "Swarms")->value(), 35);
   EXPECT_DOUBLE_EQ(heard.at(Layer::Swarms), 0.35);
   EXPECT_EQ(heard.size(), 1U);
@@ -151,7 +154,10 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   EXPECT_EQ(text(BuildingsModel::DrawnX), "10.00");
   EXPECT_EQ(text(BuildingsModel::NowX), "12.50");
   EXPECT_EQ(text(BuildingsModel::Wider), "-2.00");
-  EXPECT_EQ(text(BuildingsModel::Deeper), "0.00");
+  EXPECT_EQ(text(BuildingsModel::Deeper), "0");
+  EXPECT_EQ(text(BuildingsModel::Turned), "0");
+  EXPECT_EQ(text(BuildingsModel::Sure), "0.40") << "the worst of those that were seen";
+  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("30 % likely another building"));
   EXPECT_EQ(text(BuildingsModel::Error), "–");
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);
@@ -223,6 +229,29 @@ TEST(BuildingsPanel, SortsByNumbersAndIsInStepWithTheSelection) {
   EXPECT_EQ(panel.table().selectionModel()->selectedRows()[0].data().toString(), "N1");
 }
 
+TEST(BuildingsPanel, TheSuspiciousComeFirstAndAreNotTicked) {
+  Row row;
+  setDoubt(row.refined.buildings[2], 0.7);
+  BuildingsPanel panel;
+  panel.model().setDrawing(row.drawing);
+  panel.model().setRefined(row.refined);
+  const auto name = [&panel](int at) { return panel.table().model()->index(at, 0).data(); };
+  EXPECT_EQ(name(0).toString(), "N2 · Bar, \"Inn\"");
+  EXPECT_EQ(name(1).toString(), "N1") << "10 m, and drawn to about 3 m";
+  EXPECT_EQ(panel.model().leftOut(), QStringList{"N2"});
+  auto* accept = panel.findChild<QPushButton*>("accept_ticked");
+  EXPECT_EQ(accept->text(), "Accept 2 of 3");
+  const QModelIndex first = panel.table().model()->index(0, 0);
+  panel.table().model()->setData(first, Qt::Checked, Qt::CheckStateRole);
+  panel.table().model()->setData(panel.table().model()->index(1, 0), Qt::Unchecked,
+                                 Qt::CheckStateRole);
+  EXPECT_EQ(panel.model().leftOut(), QStringList{"N1"});
+  panel.model().setRefined(row.refined);
+  EXPECT_EQ(panel.model().leftOut(), QStringList{"N1"}) << "what the person said stays";
+  panel.model().setAllTaken(false);
+  EXPECT_FALSE(accept->isEnabled());
+}
+
 TEST(BuildingsPanel, CopiesAsCsv) {
   const Row row;
   BuildingsPanel panel;
@@ -233,7 +262,9 @@ TEST(BuildingsPanel, CopiesAsCsv) {
   EXPECT_TRUE(lines[0].startsWith("Building,Moved (m),")) << lines[0].toStdString();
   EXPECT_FALSE(lines[0].contains("Off")) << "the truth is not known";
   EXPECT_TRUE(lines[1].startsWith("N1,10.000,")) << lines[1].toStdString();
-  EXPECT_TRUE(lines[2].startsWith("N0,2.000,0.000,0.000,0.200,,0.200,0.300,3,"))
+  EXPECT_TRUE(
+      lines[2].startsWith("N0,2.000,0.000,0.000,0.000,0.300,3 of 4 walls seen,0.000,0.200,,"
+                          "0.200,0.300,3,"))
       << "a wall that nobody saw has no figure: " << lines[2].toStdString();
   EXPECT_TRUE(lines[3].startsWith("\"N2 · Bar, \"\"Inn\"\"\",")) << lines[3].toStdString();
 }

@@ -25,6 +25,7 @@ std::shared_ptr<Snapshot> fullSnapshot() {
   Map map;
   map.buildings = {building};
   snapshot->map = Lazy<Map>([map] { return map; });
+  snapshot->report.time_s = 1.0;
   snapshot->report.pose = {20.0, 30.0, kPi / 2};
   snapshot->report.pose_sigma = {4.0, 1.0, 0.1};
   snapshot->particles = {{{10.0, 5.0, 0.0}, 1.0}};
@@ -54,6 +55,9 @@ Map drawnElsewhere() {
 
 class RunOverlaysTest : public testing::Test {
  protected:
+  RunOverlaysTest() {
+    for (const LayerSpec& spec : kLayers) overlays_.setLayerVisible(spec.layer, true);
+  }
   QImage picture() {
     QImage image((kArea.size() * kScale).toSize(), QImage::Format_RGB32);
     image.fill(Qt::white);
@@ -107,6 +111,18 @@ TEST_F(RunOverlaysTest, EverythingLiesWhereItIsInTheMap) {
   EXPECT_FALSE(isBlank(darkestNear(image, 20.0, 30.0))) << "robot";
   EXPECT_FALSE(isBlank(darkestNear(image, 50.0, 20.0))) << "true robot";
   EXPECT_TRUE(isBlank(darkestNear(image, 57.0, 5.0)));
+}
+
+TEST_F(RunOverlaysTest, NothingIsDrawnAheadOfTheRobot) {
+  auto early = fullSnapshot();
+  early->report.time_s = 0.5;
+  overlays_.setTruth({{0.0, {2.0, 10.0, 0.0}}, {1.0, {12.0, 10.0, 0.0}}});
+  overlays_.show(*early);
+  for (const double y : {10.0, 15.0, 20.0})
+    EXPECT_TRUE(isBlank(darkestNear(picture(), 9.0, y))) << "way at y = " << y;
+  overlays_.show(*fullSnapshot());
+  for (const double y : {10.0, 15.0, 20.0})
+    EXPECT_FALSE(isBlank(darkestNear(picture(), 9.0, y))) << "way at y = " << y;
 }
 
 TEST_F(RunOverlaysTest, EachLayerHasItsSwitch) {

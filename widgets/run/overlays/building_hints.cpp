@@ -3,6 +3,7 @@
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QToolTip>
+#include <algorithm>
 
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/overlays/run_overlays.h"
@@ -38,20 +39,27 @@ bool BuildingHints::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-QString BuildingHints::wordsAt(QPointF viewport_position) const {
+std::optional<std::size_t> BuildingHints::indexAt(const Vec2& metres) const {
   const Map* map = overlays_.shownMap();
-  if (map == nullptr) return {};
+  if (map == nullptr || !overlays_.isShown(Layer::Corrected)) return std::nullopt;
+  const std::size_t count = std::min(map->buildings.size(), overlays_.drawing().buildings.size());
+  for (std::size_t b = 0; b < count; ++b)
+    if (map->buildings[b].estimate && contains(map->buildings[b].footprint(), metres)) return b;
+  return std::nullopt;
+}
+
+QString BuildingHints::buildingAt(const Vec2& metres) const {
+  const auto index = indexAt(metres);
+  return index ? QString::fromStdString(overlays_.shownMap()->buildings[*index].id) : QString();
+}
+
+QString BuildingHints::wordsAt(QPointF viewport_position) const {
   const QPointF metres = canvas_.viewportTransform().inverted().map(viewport_position);
-  const Vec2 at(metres.x(), metres.y());
+  const auto index = indexAt({metres.x(), metres.y()});
+  if (!index) return {};
   const Map& drawing = overlays_.drawing();
   const auto& truth = overlays_.trueMiddles();
-  const std::size_t count = std::min(map->buildings.size(), drawing.buildings.size());
-  for (std::size_t b = 0; b < count; ++b) {
-    const Building& now = map->buildings[b];
-    if (!now.estimate || !contains(now.footprint(), at)) continue;
-    return Words::building(drawing, *map, b, truth ? &*truth : nullptr);
-  }
-  return {};
+  return Words::building(drawing, *overlays_.shownMap(), *index, truth ? &*truth : nullptr);
 }
 
 void BuildingHints::click(QPointF viewport_position) {

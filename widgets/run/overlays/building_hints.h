@@ -4,6 +4,9 @@
 
 #include <QObject>
 #include <QPointF>
+#include <optional>
+
+#include "core/geometry/polygon.h"
 
 namespace handmap {
 
@@ -15,6 +18,9 @@ class BuildingHints : public QObject {
  public:
   BuildingHints(MapCanvas& canvas, const RunOverlays& overlays, QObject* parent = nullptr);
 
+  /// The id of the corrected building that is shown there; empty: none.
+  QString buildingAt(const Vec2& metres) const;
+
  Q_SIGNALS:
   /// With the tool that selects; the tool hears of the click too. Indices of the building and of a
   /// wall of its footprint.
@@ -25,6 +31,7 @@ class BuildingHints : public QObject {
 
  private:
   void click(QPointF viewport_position);
+  std::optional<std::size_t> indexAt(const Vec2& metres) const;
   /// Empty: no building there.
   QString wordsAt(QPointF viewport_position) const;
 

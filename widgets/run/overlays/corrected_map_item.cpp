@@ -30,6 +30,7 @@ void CorrectedMapItem::setMap(const Map& map) {
   seen_.clear();
   unseen_.clear();
   doubtful_.clear();
+  outlines_.clear();
   bounds_ = {};
   for (const Building& building : map.buildings) {
     if (!building.estimate) continue;
@@ -39,6 +40,7 @@ void CorrectedMapItem::setMap(const Map& map) {
       (walls[static_cast<std::size_t>(i)].seen ? seen_ : unseen_)
           .append({outline[i], outline[(i + 1) % outline.size()]});
     }
+    outlines_.insert(QString::fromStdString(building.id), outline);
     bounds_ |= outline.boundingRect();
     if (doubtOf(building) <= 0.0) continue;
     doubtful_.addPolygon(outline);
@@ -47,12 +49,21 @@ void CorrectedMapItem::setMap(const Map& map) {
   bounds_.adjust(-2.0, -2.0, 2.0, 2.0);
 }
 
+void CorrectedMapItem::setSelected(const QStringList& ids) {
+  selected_ = ids;
+  update();
+}
+
 void CorrectedMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
   const QTransform to_device = painter->worldTransform();
   painter->setWorldTransform({});  // a hatching is of pixels
   painter->fillPath(to_device.map(doubtful_), colours_->brush(Role::Doubtful));
   painter->setWorldTransform(to_device);
+  painter->setBrush(colours_->brush(Role::CorrectedBand));
+  painter->setPen(Qt::NoPen);
+  for (const QString& id : selected_) painter->drawPolygon(outlines_.value(id));
+  painter->setBrush(Qt::NoBrush);
   QPen pen = colours_->pen(Role::Corrected);
   pen.setCapStyle(Qt::SquareCap);  // closes the corners
   painter->setPen(pen);

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QHash>
 #include <QLineF>
 #include <QList>
 #include <QPainterPath>
+#include <QPolygonF>
+#include <QStringList>
 
 #include "core/map/map.h"
 #include "widgets/style/colours.h"
@@ -18,6 +21,8 @@ class CorrectedMapItem : public QGraphicsItem {
   static QPen unseenPen(const Colours& colours);  ///< of a wall that nobody saw
   void setMap(const Map& map);                    ///< buildings without an estimate are left out
 
+  void setSelected(const QStringList& ids);
+
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
@@ -26,6 +31,8 @@ class CorrectedMapItem : public QGraphicsItem {
   QList<QLineF> seen_;     ///< walls
   QList<QLineF> unseen_;   ///< walls
   QPainterPath doubtful_;  ///< footprints
+  QHash<QString, QPolygonF> outlines_;
+  QStringList selected_;
   QRectF bounds_;
 };
 

@@ -19,6 +19,16 @@
 
 namespace handmap {
 
+namespace {
+
+/// What lies ahead of the robot would look like a way that it plans.
+std::vector<StampedPose> until(double time_s, const std::vector<StampedPose>& way) {
+  const auto ahead = std::ranges::upper_bound(way, time_s, {}, &StampedPose::time_s);
+  return {way.begin(), ahead};
+}
+
+}  // namespace
+
 RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
     : QObject(parent),
       sight_(std::make_unique<SeenItem>(SeenItem::Part::Sight)),
@@ -38,8 +48,7 @@ RunOverlays::RunOverlays(QGraphicsScene& scene, double z, QObject* parent)
       robot_(std::make_unique<RobotItem>(Role::Trajectory)),
       changes_(std::make_unique<ChangesItem>()),
       phase_(std::make_unique<PhaseItem>()) {
-  for (const LayerSpec& spec : kLayers)
-    visible_[static_cast<std::size_t>(spec.layer)] = spec.usual;
+  for (const LayerSpec& spec : kLayers) visible_[static_cast<std::size_t>(spec.layer)] = spec.usual;
   *shows_local_map_ = isOn(Layer::LocalMap);
   for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{
            sight_.get(), local_map_.get(), swarms_.get(), bands_.get(), corrected_.get(),
@@ -119,6 +128,8 @@ void RunOverlays::setLayerVisible(Layer layer, bool visible) {
   if (layer == Layer::SeenWalls && visible) showSeen();
 }
 
+void RunOverlays::setSelected(const QStringList& ids) { corrected_->setSelected(ids); }
+
 void RunOverlays::setLayerOpacity(Layer layer, double share) {
   for (QGraphicsItem* item : itemsOf(layer)) item->setOpacity(share);
 }
@@ -176,25 +187,20 @@ void RunOverlays::display(const Snapshot& snapshot) {
   local_map_->setLocalMap(snapshot.local_map, snapshot.report.pose);
   swarms_->setSwarms(snapshot.swarms);
   if (snapshot.map) showMap(*snapshot.map);
-  odometry_->setPoses(snapshot.odometry.all());
+  const double now_s = snapshot.report.time_s;
+  odometry_->setPoses(until(now_s, snapshot.odometry.all()));
   shown_trajectory_ = snapshot.trajectory.all();
-  trajectory_->setPoses(shown_trajectory_);
+  trajectory_->setPoses(until(now_s, shown_trajectory_));
   particles_->setParticles(snapshot.particles);
   pose_spread_->setReport(snapshot.report);
   robot_->setPose(snapshot.report.pose);
   if (snapshot.truth) true_robot_->setPose(*snapshot.truth);
-  showTruthUntil(snapshot.report.time_s);
+  truth_->setPoses(until(now_s, true_way_));
   seen_ = snapshot.seen.lock();
   seen_from_ = snapshot.report.pose;
   if (snapshot.local_map) seen_range_m_ = snapshot.local_map.range();
   showSeen();
   updateVisibility();
-}
-
-/// What lies ahead would look like a way that the robot plans.
-void RunOverlays::showTruthUntil(double time_s) {
-  const auto ahead = std::ranges::upper_bound(true_way_, time_s, {}, &StampedPose::time_s);
-  truth_->setPoses({true_way_.begin(), ahead});
 }
 
 void RunOverlays::showSeen() {

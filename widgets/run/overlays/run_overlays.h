@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QObject>
 #include <QPolygonF>
+#include <QStringList>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -45,6 +46,9 @@ class RunOverlays : public QObject {
 
   void setColours(const Colours& colours);
   void setLayerVisible(Layer layer, bool visible);  ///< layers that are not ours are ignored
+  bool isShown(Layer layer) const { return isOn(layer); }
+  /// By id: corrected buildings that are chosen.
+  void setSelected(const QStringList& ids);
   void setLayerOpacity(Layer layer, double share);  ///< the same
   /// The map is shown turned by so much, radians, counter-clockwise: signs of one size turn with
   /// it.
@@ -85,7 +89,6 @@ class RunOverlays : public QObject {
   void display(const Snapshot& snapshot);
   void showMap(const Map& map);
   void showSeen();
-  void showTruthUntil(double time_s);
   void tellOutlines();
   void updateVisibility();
   bool isOn(Layer layer) const { return visible_[static_cast<std::size_t>(layer)]; }

@@ -7,6 +7,7 @@
 
 #include "core/map/certainty.h"
 #include "core/map/map_changes.h"
+#include "widgets/run/words/review_words.h"
 #include "widgets/run/words/words.h"
 
 namespace handmap {
@@ -24,7 +25,17 @@ constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Moved\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "From the drawn to the corrected middle")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Turned\n(°)"),
-     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Against the drawing, counter-clockwise")},
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Counter-clockwise, against the drawing")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Wider\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "Corrected minus drawn width, along its heading")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Deeper\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected minus drawn depth")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Sure to\n(m)"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
+                       "One standard deviation of the least sure wall that was seen")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Why doubtful"),
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "What speaks against taking it over")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Doubt\n(%)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
                        "Of a hundred buildings of which the same was said so many were wrong: "
@@ -57,14 +68,17 @@ constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Middle of the corrected building")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Now y\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Middle of the corrected building")},
-    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Wider\n(m)"),
-     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
-                       "Corrected minus drawn width, along its heading")},
-    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Deeper\n(m)"),
-     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Corrected minus drawn depth")},
 }};
 
+constexpr double kRatherNot = 1.0;  // of suspicion: what is as likely wrong as right
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Nothing where it is nothing.
+QString signedText(double number, int decimals) {
+  const QString text = QString::number(number, 'f', decimals);
+  if (text.toDouble() == 0.0) return QStringLiteral("0");
+  return number > 0.0 ? QLatin1Char('+') + text : text;
+}
 
 /// Equal also where both are not known.
 bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -75,6 +89,7 @@ void BuildingsModel::setDrawing(Map drawing) {
   beginResetModel();
   drawing_ = std::move(drawing);
   rows_.clear();
+  taken_.clear();
   endResetModel();
 }
 
@@ -104,10 +119,17 @@ BuildingsModel::Row BuildingsModel::rowOf(std::size_t building, const Building& 
   numbers[NowY] = change.now.y();
   numbers[Wider] = change.wider_m;
   numbers[Deeper] = change.deeper_m;
+  numbers[Sure] = seenSigma(now).value_or(kUnknown);
+  const Suspicion suspicion = ReviewWords::suspicion(drawing_, refined_, building, concerns_);
+  numbers[Why] = suspicion.degree;
+  row.why = suspicion.reasons.join(tr("; "));
+  row.doubtful = suspicion.degree >= kRatherNot;
   return row;
 }
 
 void BuildingsModel::setRefined(const Map& refined) {
+  refined_ = refined;
+  concerns_ = concernsOf(drawing_, refined_);
   std::vector<Row> rows;
   // The buildings of a refined map stand where those of its drawing do.
   const std::size_t count = std::min(refined.buildings.size(), drawing_.buildings.size());
@@ -115,20 +137,48 @@ void BuildingsModel::setRefined(const Map& refined) {
     if (!refined.buildings[i].estimate) continue;
     rows.push_back(rowOf(i, refined.buildings[i]));
   }
-  refined_ = refined;
   const bool same_buildings = std::ranges::equal(rows, rows_, {}, &Row::id, &Row::id);
   if (!same_buildings) {
     beginResetModel();
     rows_ = std::move(rows);
     endResetModel();
+    Q_EMIT takenChanged();
     return;
   }
   const bool same = std::ranges::equal(rows, rows_, [](const Row& a, const Row& b) {
-    return a.seen == b.seen && std::ranges::equal(a.numbers, b.numbers, isSame);
+    return a.seen == b.seen && a.why == b.why && std::ranges::equal(a.numbers, b.numbers, isSame);
   });
   if (same) return;
   rows_ = std::move(rows);
   Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+  Q_EMIT takenChanged();
+}
+
+QStringList BuildingsModel::leftOut() const {
+  QStringList ids;
+  for (const Row& row : rows_)
+    if (!isTaken(row)) ids << row.id;
+  return ids;
+}
+
+void BuildingsModel::setAllTaken(bool taken) {
+  if (rows_.empty()) return;
+  for (const Row& row : rows_) taken_[row.id] = taken;
+  Q_EMIT dataChanged(index(0, Name), index(rowCount() - 1, Name), {Qt::CheckStateRole});
+  Q_EMIT takenChanged();
+}
+
+Qt::ItemFlags BuildingsModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.column() == Name ? flags | Qt::ItemIsUserCheckable : flags;
+}
+
+bool BuildingsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::CheckStateRole || index.column() != Name) return false;
+  taken_[idAt(index.row())] = value.toInt() == Qt::Checked;
+  Q_EMIT dataChanged(index, index, {Qt::CheckStateRole});
+  Q_EMIT takenChanged();
+  return true;
 }
 
 QString BuildingsModel::idAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).id; }
@@ -143,15 +193,16 @@ int BuildingsModel::columnCount(const QModelIndex& parent) const {
 
 QString BuildingsModel::text(const Row& row, int column) const {
   if (column == Name) return row.name;
+  if (column == Why) return row.why;
   const double number = row.numbers.at(static_cast<std::size_t>(column));
   if (std::isnan(number)) return QStringLiteral("–");
+  if (column == Turned) return signedText(number, 1);
   if (column == Observations) return QString::number(std::lround(number));
   if (column == Doubt) {
     return number > 0.0 ? QString::number(std::lround(number)) : QStringLiteral("–");
   }
+  if (column == Wider || column == Deeper) return signedText(number, 2);
   QString text = QString::number(number, 'f', 2);
-  if ((column == Wider || column == Deeper || column == Turned) && number > 0.0)
-    text.prepend(QLatin1Char('+'));
   const int sigma = column - SigmaRight;
   if (sigma >= 0 && sigma < 4 && !row.seen.at(static_cast<std::size_t>(sigma))) {
     text = QStringLiteral("(%1)").arg(text);
@@ -161,6 +212,7 @@ QString BuildingsModel::text(const Row& row, int column) const {
 
 QString BuildingsModel::csvText(const Row& row, int column) {
   if (column == Name) return row.name;
+  if (column == Why) return row.why;
   const double number = row.numbers.at(static_cast<std::size_t>(column));
   const int sigma = column - SigmaRight;
   const bool unseen = sigma >= 0 && sigma < 4 && !row.seen.at(static_cast<std::size_t>(sigma));
@@ -178,7 +230,10 @@ QVariant BuildingsModel::data(const QModelIndex& index, int role) const {
   const int column = index.column();
   switch (role) {
     case Qt::TextAlignmentRole:
-      return QVariant(Qt::AlignVCenter | (column == Name ? Qt::AlignLeft : Qt::AlignRight));
+      return QVariant(Qt::AlignVCenter |
+                      (column == Name || column == Why ? Qt::AlignLeft : Qt::AlignRight));
+    case Qt::CheckStateRole:
+      return column == Name ? QVariant(isTaken(row) ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DisplayRole:
       return text(row, column);
     case Qt::ToolTipRole:

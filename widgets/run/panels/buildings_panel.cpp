@@ -3,7 +3,9 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSet>
 #include <QSortFilterProxyModel>
@@ -30,14 +32,53 @@ BuildingsPanel::BuildingsPanel(QWidget* parent)
     : QWidget(parent),
       model_(new BuildingsModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
-      table_(new QTableView) {
+      table_(new QTableView),
+      details_(new QAction(tr("&All figures"), this)),
+      accept_(new QPushButton) {
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(BuildingsModel::kSortRole);
   makeTable();
   makeActions();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
   layout->addWidget(table_);
+  layout->addWidget(makeButtons());
+}
+
+QWidget* BuildingsPanel::makeButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(4, 4, 4, 4);
+  const auto add_button = [&](const QString& text, bool taken) {
+    auto* button = new QPushButton(text);
+    layout->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, taken] { model_->setAllTaken(taken); });
+  };
+  add_button(tr("All"), true);
+  add_button(tr("None"), false);
+  layout->addStretch();
+  layout->addWidget(accept_);
+  accept_->setObjectName("accept_ticked");
+  connect(accept_, &QPushButton::clicked, this, &BuildingsPanel::acceptRequested);
+  connect(model_, &BuildingsModel::takenChanged, this, &BuildingsPanel::showCount);
+  connect(model_, &QAbstractItemModel::modelReset, this, &BuildingsPanel::showCount);
+  showCount();
+  return row;
+}
+
+void BuildingsPanel::showCount() {
+  const int all = model_->rowCount();
+  const auto taken = all - static_cast<int>(model_->leftOut().size());
+  accept_->setText(tr("Accept %1 of %2").arg(taken).arg(all));
+  accept_->setEnabled(taken > 0);
+}
+
+void BuildingsPanel::hideColumns() {
+  for (int column = BuildingsModel::FirstDetail; column < BuildingsModel::ColumnCount; ++column) {
+    const bool known = column != BuildingsModel::Error || model_->hasTruth();
+    table_->setColumnHidden(column, !known || !details_->isChecked());
+  }
 }
 
 void BuildingsPanel::makeTable() {
@@ -49,7 +90,7 @@ void BuildingsPanel::makeTable() {
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(false);
   table_->setSortingEnabled(true);
-  table_->sortByColumn(BuildingsModel::Moved, Qt::DescendingOrder);
+  table_->sortByColumn(BuildingsModel::Why, Qt::DescendingOrder);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -58,12 +99,9 @@ void BuildingsPanel::makeTable() {
   small.setPointSizeF(small.pointSizeF() * 0.85);
   table_->setFont(small);
   table_->horizontalHeader()->setFont(small);
-  const auto hide_unknown = [this] {
-    table_->setColumnHidden(BuildingsModel::Error, !model_->hasTruth());
-  };
-  hide_unknown();
-  connect(model_, &QAbstractItemModel::modelReset, this, [this, hide_unknown] {
-    hide_unknown();
+  hideColumns();
+  connect(model_, &QAbstractItemModel::modelReset, this, [this] {
+    hideColumns();
     select(selected_);
   });
   connect(table_, &QTableView::activated, this,
@@ -79,6 +117,9 @@ void BuildingsPanel::makeActions() {
   connect(copy, &QAction::triggered, this,
           [this] { QGuiApplication::clipboard()->setText(csv()); });
   table_->addAction(copy);
+  details_->setCheckable(true);
+  connect(details_, &QAction::toggled, this, &BuildingsPanel::hideColumns);
+  table_->addAction(details_);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
@@ -119,7 +160,7 @@ QString BuildingsPanel::csv() const {
   for (int row = -1; row < sorted_->rowCount(); ++row) {
     QStringList fields;
     for (int column = 0; column < sorted_->columnCount(); ++column) {
-      if (table_->isColumnHidden(column)) continue;
+      if (column == BuildingsModel::Error && !model_->hasTruth()) continue;
       fields << csvField(row < 0 ? sorted_->headerData(column, Qt::Horizontal).toString()
                                  : sorted_->index(row, column).data(kCsvRole).toString());
     }

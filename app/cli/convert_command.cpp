@@ -1,0 +1,61 @@
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/messages.h"
+#include "app/cli/options.h"
+#include "core/base/text.h"
+#include "core/geodata/geo_map.h"
+#include "core/map/map_io.h"
+
+namespace handmap {
+
+namespace {
+
+struct ConvertArguments {
+  std::string in;
+  std::string out;
+};
+
+bool isDrawing(const std::filesystem::path& path) { return path.extension() == ".handmap"; }
+
+int convert(const ConvertArguments& arguments) {
+  const bool from_drawing = isDrawing(arguments.in);
+  if (from_drawing == isDrawing(arguments.out)) {
+    throw Error(ErrorCode::Usage,
+                fmt::format("{} to {}: one of them is to be a drawing (.handmap)", arguments.in,
+                            arguments.out),
+                "handmap-cli convert --help");
+  }
+  checkOutputFiles({arguments.out}, {arguments.in});
+  if (from_drawing) {
+    writeFileAtomically(arguments.out, formatGeoJson(readMap(arguments.in)));
+    return 0;
+  }
+  const GeoMap geo = readGeoMap(arguments.in);
+  if (geo.left_out > 0)
+    fmt::print(stderr, "{}: {} outlines are left out: they cross themselves or are too large\n",
+               arguments.in, geo.left_out);
+  writeMap(geo.map, arguments.out);
+  return 0;
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
+  const auto arguments = std::make_shared<ConvertArguments>();
+  ConvertArguments& a = *arguments;
+  CLI::App* command =
+      app.add_subcommand("convert", "Make a drawing of a public map, or GeoJSON of a drawing");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return convert(*arguments); }; });
+  command
+      ->add_option("in", a.in,
+                   "GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML; or a drawing that "
+                   "is georeferenced")
+      ->required()
+      ->option_text("IN");
+  command->add_option("--out", a.out, "The drawing, or the GeoJSON of one (required)")
+      ->required()
+      ->option_text("OUT.handmap");
+}
+
+}  // namespace handmap

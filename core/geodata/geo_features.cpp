@@ -1,0 +1,188 @@
+#include "core/geodata/geo_features.h"
+
+#include "core/base/error.h"
+#include "core/base/phrase.h"
+
+#ifdef HANDMAP_GDAL
+#include <memory>
+#include <mutex>
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+#include "core/map/map_limits.h"
+#endif
+
+namespace handmap {
+
+#ifdef HANDMAP_GDAL
+
+namespace {
+
+/// Those of geoFileEndings(): no other one is tried on a file that says it is one of these.
+constexpr const char* kDrivers[] = {"GeoJSON", "OSM",    "GPKG", "ESRI Shapefile",
+                                    "KML",     "LIBKML", "GML",  nullptr};
+
+struct CloseDataset {
+  void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
+};
+struct DestroyFeature {
+  void operator()(OGRFeatureH feature) const { OGR_F_Destroy(feature); }
+};
+struct DestroyTransformation {
+  void operator()(OGRCoordinateTransformationH transformation) const {
+    OCTDestroyCoordinateTransformation(transformation);
+  }
+};
+using Dataset = std::unique_ptr<void, CloseDataset>;
+using Feature = std::unique_ptr<std::remove_pointer_t<OGRFeatureH>, DestroyFeature>;
+using Transformation =
+    std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, DestroyTransformation>;
+
+/// What GDAL says is part of our message, and nothing for the terminal.
+class QuietErrors {
+ public:
+  QuietErrors() { CPLPushErrorHandler(CPLQuietErrorHandler); }
+  ~QuietErrors() { CPLPopErrorHandler(); }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+};
+
+std::string textOf(OGRFeatureH feature, std::initializer_list<const char*> fields) {
+  for (const char* field : fields) {
+    const int index = OGR_F_GetFieldIndex(feature, field);
+    if (index < 0 || !OGR_F_IsFieldSetAndNotNull(feature, index)) continue;
+    std::string text = OGR_F_GetFieldAsString(feature, index);
+    if (!text.empty()) return text.substr(0, kMaxTextBytes);
+  }
+  return {};
+}
+
+std::optional<double> numberOf(OGRFeatureH feature, const char* field) {
+  const int index = OGR_F_GetFieldIndex(feature, field);
+  if (index < 0 || !OGR_F_IsFieldSetAndNotNull(feature, index)) return std::nullopt;
+  const double number = OGR_F_GetFieldAsDouble(feature, index);
+  return number >= 0.0 && number <= kMaxSigma ? std::optional(number) : std::nullopt;
+}
+
+std::vector<Vec2> pointsOf(OGRGeometryH line) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < OGR_G_GetPointCount(line); ++i)
+    points.emplace_back(OGR_G_GetX(line, i), OGR_G_GetY(line, i));
+  return points;
+}
+
+GeoKind kindOf(OGRFeatureH feature, OGRwkbGeometryType type) {
+  const std::string own = textOf(feature, {"kind"});  // what this program exports
+  if (own == "landmark" && type == wkbPoint) return GeoKind::Landmark;
+  if (own == "route" && type == wkbLineString) return GeoKind::Route;
+  if (type != wkbPolygon) return GeoKind::Other;
+  const std::string building = textOf(feature, {"building"});
+  if (own == "building" || (!building.empty() && building != "no")) return GeoKind::Building;
+  return GeoKind::Area;
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  std::vector<GeoFeature> read() {
+    const QuietErrors quiet;
+    CPLErrorReset();
+    const Dataset dataset(
+        GDALOpenEx(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers, nullptr, nullptr));
+    if (!dataset) refuse(phrase("no geographic data"));
+    GDALDatasetResetReading(dataset.get());
+    OGRLayerH layer = nullptr;
+    while (const Feature feature{
+        GDALDatasetGetNextFeature(dataset.get(), &layer, nullptr, nullptr, nullptr)})
+      take(feature.get(), layer);
+    if (CPLGetLastErrorType() >= CE_Failure) refuse(phrase("damaged geographic data"));
+    return std::move(features_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& found) const {
+    const std::string details = CPLGetLastErrorMsg();
+    throwBadInput(file_, {}, details.empty() ? found : found + " (" + details + ")",
+                  phrase("GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML or GML"));
+  }
+
+  /// To longitude and latitude, in this order whatever the authority says.
+  void toDegrees(OGRGeometryH geometry, OGRLayerH layer) {
+    if (layer != layer_) {
+      layer_ = layer;
+      transformation_.reset();
+      const OGRSpatialReferenceH from = OGR_L_GetSpatialRef(layer);
+      OGRSpatialReferenceH wgs84 = OSRNewSpatialReference(nullptr);
+      OSRImportFromEPSG(wgs84, 4326);
+      OSRSetAxisMappingStrategy(wgs84, OAMS_TRADITIONAL_GIS_ORDER);
+      if (from != nullptr && !OSRIsSame(from, wgs84))
+        transformation_.reset(OCTNewCoordinateTransformation(from, wgs84));
+      OSRDestroySpatialReference(wgs84);
+    }
+    if (transformation_ && OGR_G_Transform(geometry, transformation_.get()) != OGRERR_NONE)
+      refuse(phrase("coordinates that lie nowhere on earth"));
+  }
+
+  void take(OGRFeatureH feature, OGRLayerH layer) {
+    OGRGeometryH geometry = OGR_F_GetGeometryRef(feature);
+    if (geometry == nullptr) return;
+    toDegrees(geometry, layer);
+    GeoFeature found;
+    found.id = textOf(feature, {"id", "osm_way_id", "osm_id", "@id"});
+    found.name = textOf(feature, {"name"});
+    const auto position = numberOf(feature, "sigma_position_m");
+    const auto size = numberOf(feature, "sigma_size_m");
+    if (position && size) found.uncertainty = Uncertainty{*position, *size};
+    const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(geometry));
+    const bool several = type == wkbMultiPolygon || type == wkbGeometryCollection;
+    if (!several) return add(feature, geometry, found);
+    for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
+      add(feature, OGR_G_GetGeometryRef(geometry, i), found);
+  }
+
+  void add(OGRFeatureH feature, OGRGeometryH geometry, GeoFeature found) {
+    const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(geometry));
+    found.kind = kindOf(feature, type);
+    const bool has_ring = type == wkbPolygon && OGR_G_GetGeometryCount(geometry) > 0;
+    if (type == wkbPolygon && !has_ring) return;
+    found.points = pointsOf(has_ring ? OGR_G_GetGeometryRef(geometry, 0) : geometry);
+    for (const Vec2& point : found.points) {
+      if (std::abs(point.x()) <= 180.0 && std::abs(point.y()) <= 90.0) continue;
+      throwBadInput(file_, {}, phrase("the coordinates {}, {}", point.x(), point.y()),
+                    phrase("longitude and latitude in degrees"));
+    }
+    features_.push_back(std::move(found));
+  }
+
+  std::string file_;
+  std::vector<GeoFeature> features_;
+  OGRLayerH layer_ = nullptr;
+  Transformation transformation_;
+};
+
+}  // namespace
+
+std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
+  static std::once_flag registered;
+  std::call_once(registered, [] { GDALAllRegister(); });
+  if (!std::filesystem::is_regular_file(path))
+    throwBadInput(path.string(), {}, phrase("no file"), phrase("a file of geographic data"));
+  return Reader(path.string()).read();
+}
+
+#else
+
+std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
+  throw Error(ErrorCode::BadInput,
+              phrase("{}: this program was built without GDAL, which reads geographic data",
+                     path.string()));
+}
+
+#endif
+
+}  // namespace handmap

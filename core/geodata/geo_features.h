@@ -1,0 +1,27 @@
+// What a geographic file holds, as far as a drawing can have it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/map/map.h"
+
+namespace handmap {
+
+/// Area: a polygon that the file does not tell the kind of.
+enum class GeoKind { Building, Area, Landmark, Route, Other };
+
+struct GeoFeature {
+  GeoKind kind = GeoKind::Other;
+  std::string id;
+  std::string name;
+  std::vector<Vec2> points;  ///< WGS 84 longitude and latitude, degrees; of an area its outer ring
+  std::optional<Uncertainty> uncertainty;
+};
+
+/// A feature for each polygon, also of several that belong together. Throws BadInput.
+std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path);
+
+}  // namespace handmap

@@ -1,0 +1,132 @@
+#include "core/geodata/geo_map.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "core/base/error.h"
+#include "core/base/phrase.h"
+#include "core/geodata/geo_features.h"
+#include "core/map/map_limits.h"
+#include "core/map/tangent_plane.h"
+
+namespace handmap {
+
+namespace {
+
+/// From a public map: as sure as a plan, true to scale and turned rightly.
+constexpr Uncertainty kPublicUncertainty{0.5, 0.5};
+
+Polygon corners(const TangentPlane& plane, const std::vector<Vec2>& ring) {
+  Polygon outline;
+  for (const Vec2& degrees : ring) outline.push_back(plane.inMap(degrees));
+  if (outline.size() > 1 && (outline.front() - outline.back()).norm() < 1e-6) outline.pop_back();
+  if (signedArea(outline) < 0.0) std::ranges::reverse(outline);
+  return outline;
+}
+
+bool canBeDrawn(const Polygon& outline) {
+  const bool near = std::ranges::all_of(outline, [](const Vec2& corner) {
+    return corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+  });
+  return near && outline.size() >= 3 && outline.size() <= kMaxPolygonVertices &&
+         signedArea(outline) > kMinPolygonArea && isSimple(outline);
+}
+
+/// The middle of what is there, degrees.
+Georeference middleOf(const std::vector<GeoFeature>& features) {
+  Vec2 low = features.front().points.front();
+  Vec2 high = low;
+  for (const GeoFeature& feature : features) {
+    for (const Vec2& point : feature.points) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+  }
+  const Vec2 middle = 0.5 * (low + high);
+  return {std::clamp(middle.y(), -kMaxLatitudeDeg, kMaxLatitudeDeg), middle.x(), 0.0, {}};
+}
+
+class Ids {
+ public:
+  /// The wanted one, or the next that is free.
+  std::string take(const std::string& wanted, char prefix) {
+    std::string id = wanted;
+    while (id.empty() || !taken_.insert(id).second) id = prefix + std::to_string(next_++);
+    return id;
+  }
+
+ private:
+  std::unordered_set<std::string> taken_{"@start", "@route"};
+  int next_ = 1;
+};
+
+void addBuilding(GeoMap& geo, const TangentPlane& plane, const GeoFeature& feature, Ids& ids) {
+  Polygon outline = corners(plane, feature.points);
+  if (!canBeDrawn(outline) || geo.map.buildings.size() == kMaxBuildings) {
+    ++geo.left_out;
+    return;
+  }
+  Building building;
+  building.id = ids.take(feature.id, 'B');
+  building.name = feature.name;
+  building.shape = std::move(outline);
+  building.uncertainty = feature.uncertainty;
+  geo.map.buildings.push_back(std::move(building));
+}
+
+}  // namespace
+
+const std::vector<std::string>& geoFileEndings() {
+  static const std::vector<std::string> kEndings = {"geojson", "json", "osm", "gpkg",
+                                                    "shp",     "kml",  "gml"};
+  return kEndings;
+}
+
+bool isGeoFile(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return std::ranges::find(geoFileEndings(), ending) != geoFileEndings().end();
+}
+
+GeoMap readGeoMap(const std::filesystem::path& path) {
+  std::vector<GeoFeature> features = readGeoFeatures(path);
+  std::erase_if(features, [](const GeoFeature& feature) { return feature.points.empty(); });
+  const bool tells_kinds = std::ranges::any_of(
+      features, [](const GeoFeature& feature) { return feature.kind == GeoKind::Building; });
+  if (!tells_kinds)
+    for (GeoFeature& feature : features)
+      if (feature.kind == GeoKind::Area) feature.kind = GeoKind::Building;
+  const std::size_t all = features.size();
+  std::erase_if(features, [](const GeoFeature& feature) {
+    return feature.kind == GeoKind::Area || feature.kind == GeoKind::Other;
+  });
+  if (std::ranges::none_of(
+          features, [](const GeoFeature& feature) { return feature.kind == GeoKind::Building; })) {
+    throwBadInput(path.string(), {}, phrase("{} features and no building among them", all),
+                  phrase("polygons of buildings"));
+  }
+  GeoMap geo;
+  geo.map.georeference = middleOf(features);
+  geo.map.uncertainty = kPublicUncertainty;
+  geo.map.whole = {0.0, 0.0};
+  const TangentPlane plane(*geo.map.georeference);
+  Ids ids;
+  for (const GeoFeature& feature : features) {
+    if (feature.kind == GeoKind::Building) {
+      addBuilding(geo, plane, feature, ids);
+    } else if (feature.kind == GeoKind::Landmark && geo.map.landmarks.size() < kMaxLandmarks) {
+      geo.map.landmarks.push_back(
+          {ids.take(feature.id, 'L'), feature.name, plane.inMap(feature.points.front())});
+    } else if (feature.kind == GeoKind::Route && geo.map.route.empty()) {
+      for (const Vec2& point : feature.points) geo.map.route.push_back(plane.inMap(point));
+    }
+  }
+  if (geo.map.buildings.empty())
+    throwBadInput(path.string(), {}, phrase("{} outlines that cross themselves", geo.left_out),
+                  phrase("polygons of buildings"));
+  return geo;
+}
+
+}  // namespace handmap

@@ -1,0 +1,35 @@
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace handmap {
+namespace {
+
+using Convert = CliTest;
+
+TEST_F(Convert, ThereAndBack) {
+  auto map = nlohmann::json::parse(contentOf("row-truth.handmap"));
+  map["georeference"] = {{"latitude", 34.7}, {"longitude", 137.4}};
+  std::ofstream("placed.handmap") << map;
+  expectDone(run({"convert", "placed.handmap", "--out", "placed.geojson"}), "");
+  expectDone(run({"convert", "placed.geojson", "--out", "back.handmap"}), "");
+  const auto back = nlohmann::json::parse(contentOf("back.handmap"));
+  EXPECT_EQ(back["buildings"].size(), map["buildings"].size());
+  EXPECT_TRUE(back.contains("georeference"));
+  EXPECT_EQ(run({"validate", "back.handmap"}).status, 0);
+}
+
+TEST_F(Convert, SaysWhatItCannotDo) {
+  expectFailed(run({"convert", "row-truth.handmap", "--out", "a.handmap"}), 1,
+               "handmap-cli: error: row-truth.handmap to a.handmap: one of them is to be a drawing "
+               "(.handmap)\nhint: handmap-cli convert --help\n");
+  std::ofstream("empty.geojson") << R"({"type":"FeatureCollection","features":[]})";
+  expectFailed(run({"convert", "empty.geojson", "--out", "a.handmap"}), 2,
+               "handmap-cli: error: empty.geojson: found 0 features and no building among them, "
+               "expected polygons of buildings\n");
+}
+
+}  // namespace
+}  // namespace handmap
