@@ -40,15 +40,6 @@ bool hasSeparatingEdge(const Polygon& a, const Polygon& b) {
   return false;
 }
 
-bool isConvex(const Polygon& polygon) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Segment first = edge(polygon, i);
-    const Segment second = edge(polygon, (i + 1) % polygon.size());
-    if (cross(first.b - first.a, second.b - second.a) < 0.0) return false;
-  }
-  return true;
-}
-
 /// The side of the line through `line` that `point` lies on: -1, 0 or 1.
 int sideOf(const Segment& line, const Vec2& point) {
   const double side = cross(line.b - line.a, point - line.a);
@@ -68,6 +59,15 @@ bool foldsBack(const Segment& wall, const Segment& next) {
 }
 
 }  // namespace
+
+bool isConvex(const Polygon& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Segment first = edge(polygon, i);
+    const Segment second = edge(polygon, (i + 1) % polygon.size());
+    if (cross(first.b - first.a, second.b - second.a) < 0.0) return false;
+  }
+  return true;
+}
 
 Polygon Rectangle::corners() const {
   const Vec2 along = unitVector(heading) * (width / 2.0);

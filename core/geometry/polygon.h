@@ -41,6 +41,7 @@ Vec2 centroid(const Polygon& polygon);
 Bounds boundsOf(const Polygon& polygon);  ///< polygon must not be empty
 /// No edge meets another but at their common corner, and the area is not zero.
 bool isSimple(const Polygon& polygon);
+bool isConvex(const Polygon& polygon);
 bool contains(const Polygon& polygon, const Vec2& point);
 double distanceTo(const Polygon& polygon, const Vec2& point);  ///< 0 inside
 double distanceTo(const Segment& segment, const Vec2& point);

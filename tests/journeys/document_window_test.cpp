@@ -71,7 +71,8 @@ TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
   runALittle();
   document_.setGeoreference(Georeference{34.7, 137.4, 0.0, {}});
   dialogs_->paths = {path("refined.handmap"), path("refined.geojson"), path("drawn.geojson"),
-                     path("canvas.png"), path("way.tum")};
+                     path("canvas.png"),      path("canvas.svg"),      path("canvas.pdf"),
+                     path("way.tum")};
   trigger("file.export_map");
   EXPECT_TRUE(texts().first().startsWith("The refined map is in “refined.handmap”"))
       << texts().first().toStdString();
@@ -80,7 +81,12 @@ TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
   EXPECT_TRUE(texts().first().startsWith("The refined map is in “refined.geojson”"));
   trigger("file.export_geojson");
   EXPECT_TRUE(texts().first().startsWith("The drawing is in “drawn.geojson”"));
-  trigger("file.export_png");
+  for (int i = 0; i < 3; ++i) trigger("file.export_png");
+  EXPECT_TRUE(contentOf("canvas.pdf").startsWith("%PDF"));
+  const QByteArray svg = contentOf("canvas.svg");
+  EXPECT_TRUE(svg.contains("Corrected map")) << "the legend";
+  EXPECT_FALSE(svg.contains("Particles")) << "they are not shown";
+  EXPECT_GT(svg.count("<path") + svg.count("<polyline"), 20) << "lines, and no picture of them";
   trigger("file.export_trajectory");
   EXPECT_TRUE(texts().first().contains(path("way.tum")));
   for (const char* name :

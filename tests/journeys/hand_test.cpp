@@ -1,5 +1,6 @@
 // What hand and eye meet in the window: room for the map, keys that go where one thinks, and the
 // corrected building as a thing.
+#include <QAbstractButton>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -245,6 +246,37 @@ TEST_F(HandAndEye, ACorrectedBuildingIsAThing) {
   action(*window_, "run.why")->trigger();
   ASSERT_TRUE(window_->runPanels().why.asked());
   EXPECT_EQ(window_->runPanels().why.asked()->building, 0u);
+}
+
+TEST_F(HandAndEye, TwoPlacesSayWhereTheDrawingLies) {
+  draw("A", 50, 0);
+  canvas_->zoomToRect({-100, -50, 250, 100});
+  action(*window_, "draw.georeference")->trigger();
+  EXPECT_EQ(canvas_->tool(), ToolId::GeoPin);
+  const auto click = [this](double x, double y, double latitude, double longitude) {
+    dialogs_->figures = {latitude, longitude};
+    const QPoint at = canvas_->viewportTransform().map(QPointF(x, y)).toPoint();
+    QTest::mouseClick(canvas_->viewport(), Qt::LeftButton, {}, at);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return dialogs_->figures.isEmpty(); }));
+  };
+  click(0, 0, 52.0, 13.0);
+  click(100, 0, 52.0009, 13.0);  // 100 m to the north
+  ASSERT_TRUE(document_.map().georeference);
+  EXPECT_NEAR(document_.map().georeference->latitude, 52.0, 1e-4);
+  EXPECT_NEAR(toDegrees(document_.map().georeference->heading), 90.0, 2.0);
+  EXPECT_EQ(canvas_->tool(), ToolId::Select);
+}
+
+TEST_F(HandAndEye, AnArrowPointsToARobotOutOfView) {
+  runSimulator(*window_);
+  auto* pointer = canvas_->findChild<QAbstractButton*>("robot_pointer");
+  ASSERT_TRUE(waitFor(*window_, RunState::Idle));
+  canvas_->zoomToFit();
+  EXPECT_FALSE(pointer->isVisible());
+  canvas_->zoomToRect({-2000, -2000, 50, 50});
+  EXPECT_TRUE(pointer->isVisible());
+  pointer->click();
+  EXPECT_FALSE(pointer->isVisible());
 }
 
 TEST_F(HandAndEye, OnlyWhatIsTickedIsAccepted) {

@@ -16,7 +16,8 @@ constexpr std::array kActions = {
                QT_TRANSLATE_NOOP("Actions", "Open another window, with a drawing of its own."),
                Menu::File},
     ActionSpec{"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", "Ctrl+O",
-               QT_TRANSLATE_NOOP("Actions", "Open a drawing."), Menu::File, ToolBar::Main},
+               QT_TRANSLATE_NOOP("Actions", "Open a drawing, OpenStreetMap or GeoJSON."),
+               Menu::File, ToolBar::Main},
     ActionSpec{"file.import_log", QT_TRANSLATE_NOOP("Actions", "&Import Log…"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Make a recording of the log of another program."),
                Menu::File},
@@ -35,7 +36,9 @@ constexpr std::array kActions = {
                                  "Save the map for geographic programs; it must be georeferenced."),
                Menu::File},
     ActionSpec{"file.export_png", QT_TRANSLATE_NOOP("Actions", "Export &Picture…"), "", "",
-               QT_TRANSLATE_NOOP("Actions", "Save what the canvas shows as PNG."), Menu::File},
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Save the plan with title, scale and legend: PNG, SVG or PDF."),
+               Menu::File},
     ActionSpec{"file.export_trajectory", QT_TRANSLATE_NOOP("Actions", "Export &Trajectory…"), "",
                "", QT_TRANSLATE_NOOP("Actions", "Save the way of the robot in TUM form."),
                Menu::File},
@@ -226,6 +229,12 @@ constexpr std::array kActions = {
         "Ctrl+Shift+U",
         QT_TRANSLATE_NOOP("Actions", "Draw upon an aerial photo, a plan or a photo of a sketch."),
         Menu::Draw, ToolBar::None, Push, true},
+
+    ActionSpec{"draw.georeference", QT_TRANSLATE_NOOP("Actions", "Georeferen&ce by Two Points"), "",
+               "",
+               QT_TRANSLATE_NOOP(
+                   "Actions", "Say where the drawing lies on earth by two places that you know."),
+               Menu::Draw, ToolBar::None, Tool},
 
     ActionSpec{"run.open_recording", QT_TRANSLATE_NOOP("Actions", "Open Re&cording…"), "record",
                "Ctrl+Shift+O",

@@ -4,6 +4,8 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -19,6 +21,26 @@ namespace {
 constexpr QSize kLargest(560, 380);
 constexpr int kBelowTop = 40;
 constexpr int kDisabled = -100;  // after those that can be done
+
+constexpr int kKeysRole = Qt::UserRole + 1;
+
+/// The keys stand in a column of their own, at the right.
+class KeysAtTheRight : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    constexpr int kGap = 8;  // pixels
+    const QString keys = index.data(kKeysRole).toString();
+    const int width = option.fontMetrics.horizontalAdvance(keys);
+    QStyledItemDelegate::paint(painter, option, index);
+    painter->setPen(option.palette.color(
+        option.state & QStyle::State_Enabled ? QPalette::Active : QPalette::Disabled,
+        option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text));
+    painter->drawText(option.rect.adjusted(option.rect.width() - width - kGap, 0, -kGap, 0),
+                      Qt::AlignVCenter | Qt::AlignRight, keys);
+  }
+};
 
 struct Match {
   const ActionSpec* spec;
@@ -50,6 +72,7 @@ CommandPalette::CommandPalette(const ActionSet& actions, QWidget& window)
   list_->setAccessibleName(tr("Commands that match"));
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setUniformItemSizes(true);
+  list_->setItemDelegate(new KeysAtTheRight(list_));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(typed_);
@@ -89,11 +112,11 @@ void CommandPalette::fill() {
     QString text =
         QStringLiteral("%1: %2").arg(plainTitleOf(match.spec->menu), plainTextOf(*match.spec));
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-    if (!keys.isEmpty()) text += QStringLiteral("   %1").arg(keys);
     if (const QString why = actions_.whyNot(id); !why.isEmpty())
       text += QStringLiteral(" — %1").arg(why);
     auto* item = new QListWidgetItem(action.icon(), text, list_);
     item->setData(Qt::UserRole, id);
+    item->setData(kKeysRole, keys);
     item->setToolTip(action.toolTip());
     if (!action.isEnabled()) item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
   }

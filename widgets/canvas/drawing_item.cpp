@@ -5,14 +5,16 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/inner_point.h"
 #include "widgets/canvas/symbols.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr double kPenPx = 4.0;  ///< around what is drawn
-constexpr double kDotPx = 3.0;  ///< smaller buildings are dots
+constexpr double kPenPx = 4.0;     ///< around what is drawn
+constexpr double kCasingPx = 2.5;  ///< around walls that lie on a picture
+constexpr double kDotPx = 3.0;     ///< smaller buildings are dots
 constexpr double kDotOfManyPx = 8.0;
 constexpr double kMarkedPx = 18.0;  ///< smaller buildings show no lock
 constexpr double kNarrowestLetterPx = 3.5;
@@ -24,7 +26,7 @@ QPointF toScene(const Vec2& point) { return {point.x(), point.y()}; }
 QPointF middleOf(const QPolygonF& outline) {
   Polygon corners;
   for (const QPointF& corner : outline) corners.emplace_back(corner.x(), corner.y());
-  return toScene(centroid(corners));
+  return toScene(innerPoint(corners));
 }
 
 /// Lines of one pixel are sharp when they run through the middle of pixels.
@@ -70,7 +72,7 @@ DrawingItem::Shape DrawingItem::shapeOf(const Building& building) const {
   const Polygon footprint = building.footprint();
   for (const Vec2& corner : footprint) shape.outline << toScene(corner);
   shape.bounds = shape.outline.boundingRect();
-  shape.middle = toScene(centroid(footprint));
+  shape.middle = toScene(innerPoint(footprint));
   shape.selected = selected_.contains(QString::fromStdString(building.id));
   return shape;
 }
@@ -234,6 +236,12 @@ void DrawingItem::paintBuildings(QPainter& painter, const Shapes& shapes,
     painter.setBrush(Qt::NoBrush);
     painter.drawLines(walls);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (!document_.map().underlays.empty()) {
+      painter.setPen(QPen((*colours_)[Role::TextHalo], pen.widthF() + kCasingPx, Qt::SolidLine,
+                          Qt::SquareCap, Qt::RoundJoin));
+      for (const QPolygonF& outline : outlines) painter.drawPolygon(outline);
+      painter.setPen(pen);
+    }
     for (const QPolygonF& outline : outlines) painter.drawPolygon(outline);
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QFont>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QPixmap>
 #include <QTransform>
@@ -17,6 +18,7 @@ class StillPicture {
   /// coordinates where there is no picture yet of this view.
   template <typename Paint>
   void show(QPainter& painter, const QTransform& to_device, const QRect& area, Paint paint) {
+    if (painter.paintEngine()->type() != QPaintEngine::Raster) return paint(painter);  // on paper
     const double ratio = painter.device()->devicePixelRatioF();
     if (pixmap_.isNull() || to_device_ != to_device || area_ != area || font_ != painter.font() ||
         pixmap_.devicePixelRatio() != ratio) {

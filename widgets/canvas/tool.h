@@ -29,7 +29,8 @@ enum class ToolId {
   Measure,
   Eraser,
   RobotPose,
-  Picture
+  Picture,
+  GeoPin
 };
 
 /// A pointer event in the map frame.

@@ -137,7 +137,7 @@ void RigForm::makeMotionRows(QFormLayout& form) {
   head_port_ = addPort(form, tr("Head"), portHint());
   odometry_ = new QComboBox;
   odometry_->setObjectName("rig_odometry");
-  form.addRow(tr("Motion told by"), odometry_);
+  form.addRow(tr("Motion from"), odometry_);
   odometry_port_ = addPort(form, tr("Wheels"), portHint());
   odometry_port_->setObjectName("rig_wheels");
   odometry_topic_ = new QLineEdit(QStringLiteral("/odom"));

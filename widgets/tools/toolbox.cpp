@@ -5,6 +5,7 @@
 #include "widgets/tools/edge_rectangle_tool.h"
 #include "widgets/tools/eraser_tool.h"
 #include "widgets/tools/freehand_tool.h"
+#include "widgets/tools/geo_pin_tool.h"
 #include "widgets/tools/landmark_tool.h"
 #include "widgets/tools/measure_tool.h"
 #include "widgets/tools/picture_tool.h"
@@ -37,6 +38,7 @@ Toolbox::Toolbox(MapDocument& document, MapCanvas& canvas, QObject* parent)
   add<MeasureTool>();
   add<EraserTool>();
   picture_ = add<PictureTool>([&canvas](std::size_t place) { return canvas.pictureSize(place); });
+  geo_pin_ = add<GeoPinTool>();
   const auto* robot_pose = add<RobotPoseTool>();
   connect(robot_pose, &RobotPoseTool::given, this, [this](const Pose2& pose) {
     canvas_.setTool(ToolId::Select);

@@ -8,6 +8,7 @@
 namespace handmap {
 
 class FreehandTool;
+class GeoPinTool;
 class PictureTool;
 class SelectTool;
 
@@ -18,6 +19,7 @@ class Toolbox : public QObject {
   Toolbox(MapDocument& document, MapCanvas& canvas, QObject* parent = nullptr);
 
   PictureTool& pictureTool() { return *picture_; }
+  GeoPinTool& geoPinTool() { return *geo_pin_; }
   /// Whether the freehand tool guesses what a stroke was meant to be.
   void setRecognizing(bool on);
   bool canAddCorner() const;
@@ -37,6 +39,7 @@ class Toolbox : public QObject {
   SelectTool* select_;
   FreehandTool* freehand_;
   PictureTool* picture_;
+  GeoPinTool* geo_pin_;
 };
 
 }  // namespace handmap

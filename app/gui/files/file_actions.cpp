@@ -9,7 +9,7 @@
 #include <QSettings>
 #include <QUrl>
 
-#include "app/gui/files/exports.h"
+#include "app/gui/files/plan_sheet.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/geodata/geo_map.h"
@@ -246,10 +246,12 @@ void FileActions::exportGeoJson() {
 }
 
 void FileActions::exportPicture() {
-  const QImage picture = pictureOf(*canvas_.viewport());
-  exportAs({tr("Export a picture"), document_.displayName(), tr("Pictures (*.png)"),
-            QStringLiteral("png"), tr("What the canvas shows")},
-           [&picture](const QString& path) { writePicture(picture, path); });
+  const QString title = QFileInfo(document_.displayName()).completeBaseName();
+  const PlanSheet sheet{title, legend_()};
+  exportAs({tr("Export a picture"), document_.displayName(),
+            tr("Pictures (*.png);;Vector graphics (*.svg);;PDF (*.pdf)"), QStringLiteral("png"),
+            tr("The plan")},
+           [this, &sheet](const QString& path) { writePlan(canvas_, sheet, path); });
 }
 
 void FileActions::remember(const QString& path) {

@@ -1,7 +1,9 @@
 // New, open, save, recent files and exports: what the File menu does.
 #pragma once
 
+#include <QList>
 #include <QObject>
+#include <QPixmap>
 #include <functional>
 #include <optional>
 
@@ -59,6 +61,11 @@ class FileActions : public QObject {
     corrected_ = std::move(corrected);
   }
 
+  /// Sample and name of what the canvas shows.
+  void setLegend(std::function<QList<std::pair<QPixmap, QString>>()> legend) {
+    legend_ = std::move(legend);
+  }
+
   /// Where an export goes, and what it is called afterwards.
   struct Export {
     QString title;       ///< of the dialog
@@ -103,6 +110,9 @@ class FileActions : public QObject {
   MapDocument& document_;
   MapCanvas& canvas_;
   QMenu* recent_;
+  std::function<QList<std::pair<QPixmap, QString>>()> legend_ = [] {
+    return QList<std::pair<QPixmap, QString>>();
+  };
   std::size_t left_out_ = 0;  ///< of what was imported last
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
   std::function<std::optional<Map>()> corrected_ = [] { return std::nullopt; };

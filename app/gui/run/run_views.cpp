@@ -14,6 +14,7 @@
 #include "widgets/document/map_document.h"
 #include "widgets/run/overlays/building_hints.h"
 #include "widgets/run/overlays/follow_robot.h"
+#include "widgets/run/overlays/robot_pointer.h"
 #include "widgets/run/overlays/run_overlays.h"
 #include "widgets/run/overlays/run_strip.h"
 #include "widgets/run/panels/buildings_panel.h"
@@ -44,7 +45,8 @@ RunViews::RunViews(const Shell& shell, MapCanvas& canvas, MapDocument& document,
       overlays_(overlays),
       panels_(panels),
       strip_(new RunStrip(canvas)),
-      follow_(new FollowRobot(canvas, this)) {
+      follow_(new FollowRobot(canvas, this)),
+      pointer_(new RobotPointer(canvas)) {
   new RunLog(run_, panels_.log.model(), this);
   story_later_.setSingleShot(true);
   story_later_.setInterval(kStoryAgain_ms);
@@ -113,6 +115,19 @@ void RunViews::connectFollowing() {
   connect(strip_, &RunStrip::followRequested, follow_, &FollowRobot::next);
   connect(follow_, &FollowRobot::modeChanged, strip_, &RunStrip::setMode);
   connect(&canvas_, &MapCanvas::turned, &overlays_, &RunOverlays::setViewTurn);
+  // While it runs one looks at the robot; a hand that moves the map ends that.
+  connect(&run_, &RunController::begun, follow_,
+          [this] { follow_->setMode(FollowRobot::Mode::Follow); });
+  connect(&run_, &RunController::finished, follow_, [this] {
+    if (follow_->mode() == FollowRobot::Mode::Follow) follow_->setMode(FollowRobot::Mode::Off);
+  });
+  connect(&document_, &MapDocument::mapChanged, this,
+          [this] { overlays_.setOnPicture(!document_.map().underlays.empty()); });
+}
+
+void RunViews::showRobotAt(const std::optional<Pose2>& pose) {
+  pose ? follow_->setPose(*pose) : follow_->forgetPose();
+  pointer_->setPose(pose);
 }
 
 void RunViews::connectTable() {
@@ -180,7 +195,7 @@ void RunViews::showPhase(const Phase& phase, int number, int count) {
                         .arg(number)
                         .arg(count)
                         .arg(PhaseWords::name(phase), PhaseWords::change(phase)));
-  follow_->setPose(phase.shown.report.pose);
+  showRobotAt(phase.shown.report.pose);
 }
 
 void RunViews::onShown(const Snapshot& snapshot) {
@@ -188,7 +203,7 @@ void RunViews::onShown(const Snapshot& snapshot) {
   updateWhy();
   strip_->showPhase({});
   strip_->show(snapshot.report, map ? *map : overlays_.drawing());
-  follow_->setPose(snapshot.report.pose);
+  showRobotAt(snapshot.report.pose);
   panels_.charts.addSnapshot(snapshot);
   panels_.charts.setCursor(snapshot.report.time_s);
   showWindows();
@@ -199,7 +214,7 @@ void RunViews::onShown(const Snapshot& snapshot) {
 
 void RunViews::clear() {
   strip_->showNothing();
-  follow_->forgetPose();
+  showRobotAt({});
   story_later_.stop();
   panels_.why.clear();
   forgetStory();

@@ -16,6 +16,7 @@ class FileActions;
 class FollowRobot;
 class MapCanvas;
 class MapDocument;
+class RobotPointer;
 class RunController;
 class RunOverlays;
 class RunStrip;
@@ -47,6 +48,7 @@ class RunViews : public QObject {
  private:
   void connectRun();
   void connectFollowing();
+  void showRobotAt(const std::optional<Pose2>& pose);
   void connectTable();
   void connectWhy();
   void compare();
@@ -71,6 +73,7 @@ class RunViews : public QObject {
   RunPanels panels_;
   RunStrip* strip_;
   FollowRobot* follow_;
+  RobotPointer* pointer_;
   StoryTeller teller_;
   std::shared_ptr<const WallStory> story_;
   QTimer story_later_;  ///< the answer to what is asked, again

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/editing/edit_actions.h"
+#include "app/gui/editing/georeference_actions.h"
 #include "app/gui/editing/picture_actions.h"
 #include "app/gui/files/disk_watch.h"
 #include "app/gui/files/file_actions.h"
@@ -99,6 +100,8 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
               true, teach_->sizeHint()},
              Docks::scrolled(teach_));
   files_ = new FileActions(shell_, document_, *canvas_);
+  files_->setLegend([this] { return run_panels_.layers.legend(); });
+  new GeoreferenceActions(shell_, document_, tools_->geoPinTool(), this);
   makeRun();
   auto* trust = new ReferenceTrust(shell_, document_, *files_, this);
   pictures_ = new PictureActions(shell_, document_, *canvas_, tools_->pictureTool(),
@@ -275,6 +278,7 @@ void MainWindow::connectTools() {
       {"draw.measure", ToolId::Measure},
       {"draw.eraser", ToolId::Eraser},
       {"run.give_pose", ToolId::RobotPose},
+      {"draw.georeference", ToolId::GeoPin},
       {"draw.picture", ToolId::Picture}};
   for (const auto& [id, tool] : kTools) {
     actions_[id].setChecked(tool == canvas_->tool());

@@ -34,7 +34,7 @@ class FollowRobotTest : public testing::Test {
   FollowRobot follow_{canvas_};
 };
 
-TEST_F(FollowRobotTest, KeepsTheRobotInTheMiddle) {
+TEST_F(FollowRobotTest, BringsTheRobotToTheMiddleWhenItLeavesTheView) {
   const QPointF before = middle();
   follow_.setPose({50.0, 10.0, 0.0});
   EXPECT_EQ(middle(), before) << "it is off at first";
@@ -43,6 +43,9 @@ TEST_F(FollowRobotTest, KeepsTheRobotInTheMiddle) {
   follow_.setPose({-30.0, 90.0, 0.0});
   EXPECT_NEAR(middle().x(), -30.0, 0.2);
   EXPECT_NEAR(middle().y(), 90.0, 0.2);
+  const QPointF here = middle();
+  follow_.setPose({-29.0, 90.5, 0.0});
+  EXPECT_EQ(middle(), here) << "what is well in sight does not move the map";
 }
 
 TEST_F(FollowRobotTest, TurnsTheMapSoThatTheRobotLooksUp) {

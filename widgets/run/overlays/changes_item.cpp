@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "core/geometry/inner_point.h"
 #include "widgets/canvas/symbols.h"
 #include "widgets/run/overlays/scene_points.h"
 
@@ -44,9 +45,11 @@ void ChangesItem::clear() {
 void ChangesItem::setChanges(const Map& drawing, const Map& refined) {
   clear();
   for (const BuildingChange& change : changesOf(drawing, refined).moved) {
-    arrows_.push_back({{toScene(change.drawn), toScene(change.now)},
+    // Inside, also of an L, whose middle is not.
+    const Vec2 from = innerPoint(drawing.buildings[change.building].footprint());
+    arrows_.push_back({{toScene(from), toScene(Vec2(from + change.now - change.drawn))},
                        tr("moved %1 m").arg(change.moved_m(), 0, 'f', 1)});
-    bounds_ |= QRectF(toScene(change.drawn), toScene(change.now)).normalized();
+    bounds_ |= QRectF(arrows_.back().line.p1(), arrows_.back().line.p2()).normalized();
   }
   if (!arrows_.empty()) bounds_.adjust(-kMarginM, -kMarginM, kMarginM, kMarginM);
 }

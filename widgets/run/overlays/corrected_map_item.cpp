@@ -9,6 +9,7 @@ namespace handmap {
 
 namespace {
 
+constexpr double kCasingPixels = 2.5;     // around walls that lie on a picture
 const QList<qreal> kDashes = {5.0, 4.0};  // pen widths
 
 }  // namespace
@@ -66,6 +67,13 @@ void CorrectedMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*,
   painter->setBrush(Qt::NoBrush);
   QPen pen = colours_->pen(Role::Corrected);
   pen.setCapStyle(Qt::SquareCap);  // closes the corners
+  if (on_picture_) {
+    QPen casing((*colours_)[Role::TextHalo], pen.widthF() + kCasingPixels);
+    casing.setCosmetic(true);
+    painter->setPen(casing);
+    painter->drawLines(seen_);
+    painter->drawLines(unseen_);
+  }
   painter->setPen(pen);
   painter->drawLines(seen_);
   painter->setPen(unseenPen(*colours_));

@@ -22,6 +22,8 @@ class CorrectedMapItem : public QGraphicsItem {
   void setMap(const Map& map);                    ///< buildings without an estimate are left out
 
   void setSelected(const QStringList& ids);
+  /// Then walls have a casing.
+  void setOnPicture(bool on) { on_picture_ = on; }
 
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -33,6 +35,7 @@ class CorrectedMapItem : public QGraphicsItem {
   QPainterPath doubtful_;  ///< footprints
   QHash<QString, QPolygonF> outlines_;
   QStringList selected_;
+  bool on_picture_ = false;
   QRectF bounds_;
 };
 

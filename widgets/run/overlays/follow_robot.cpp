@@ -38,7 +38,14 @@ void FollowRobot::follow() {
   if (mode_ == Mode::FollowAndTurn) {
     canvas_.setTurn(normalizedAngle(kPi / 2.0 - pose_->heading));
   }
-  canvas_.centreAt(toScene(pose_->position()));
+  // What is well in sight does not move the map.
+  constexpr double kMargin = 0.2;  // of the canvas
+  const QRectF shown = canvas_.viewport()->rect();
+  const QSizeF margin = shown.size() * kMargin;
+  const QRectF inner =
+      shown.adjusted(margin.width(), margin.height(), -margin.width(), -margin.height());
+  const bool in_sight = inner.contains(canvas_.viewportTransform().map(toScene(pose_->position())));
+  if (mode_ == Mode::FollowAndTurn || !in_sight) canvas_.centreAt(toScene(pose_->position()));
 }
 
 }  // namespace handmap

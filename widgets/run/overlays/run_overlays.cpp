@@ -130,6 +130,8 @@ void RunOverlays::setLayerVisible(Layer layer, bool visible) {
 
 void RunOverlays::setSelected(const QStringList& ids) { corrected_->setSelected(ids); }
 
+void RunOverlays::setOnPicture(bool on) { corrected_->setOnPicture(on); }
+
 void RunOverlays::setLayerOpacity(Layer layer, double share) {
   for (QGraphicsItem* item : itemsOf(layer)) item->setOpacity(share);
 }

@@ -49,6 +49,7 @@ class RunOverlays : public QObject {
   bool isShown(Layer layer) const { return isOn(layer); }
   /// By id: corrected buildings that are chosen.
   void setSelected(const QStringList& ids);
+  void setOnPicture(bool on);                       ///< the map lies on a picture
   void setLayerOpacity(Layer layer, double share);  ///< the same
   /// The map is shown turned by so much, radians, counter-clockwise: signs of one size turn with
   /// it.

@@ -149,6 +149,17 @@ QSlider* LayersPanel::makeSlider(const LayerSpec& spec) {
   return slider;
 }
 
+QList<std::pair<QPixmap, QString>> LayersPanel::legend() const {
+  QList<std::pair<QPixmap, QString>> entries;
+  for (const LayerSpec& spec : kLayers) {
+    const bool drawn =
+        spec.layer != Layer::Grid && spec.layer != Layer::Underlays && spec.layer != Layer::Rays;
+    if (drawn && isAvailable(spec.layer) && isOn(spec.layer))
+      entries.push_back({box(spec.layer)->icon().pixmap(kSample, 2.0), tr(spec.text)});
+  }
+  return entries;
+}
+
 bool LayersPanel::isOn(Layer layer) const { return box(layer)->isChecked(); }
 void LayersPanel::setOn(Layer layer, bool on) { box(layer)->setChecked(on); }
 bool LayersPanel::isAvailable(Layer layer) const {

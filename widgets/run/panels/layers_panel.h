@@ -2,6 +2,7 @@
 // strongly it is drawn.
 #pragma once
 
+#include <QPixmap>
 #include <QWidget>
 #include <array>
 
@@ -27,6 +28,8 @@ class LayersPanel : public QWidget {
   /// What there is nothing of is not listed: without a run its layers, and particles where the
   /// method has none.
   void setRun(bool exists, bool has_particles);
+  /// Sample and name of each layer that is there and shown.
+  QList<std::pair<QPixmap, QString>> legend() const;
   /// What is shown, and how strongly.
   void save(QSettings& settings) const;
   void restore(const QSettings& settings);
@@ -44,9 +47,9 @@ class LayersPanel : public QWidget {
   QCheckBox* box(Layer layer) const { return boxes_[static_cast<std::size_t>(layer)]; }
 
   std::array<QCheckBox*, static_cast<std::size_t>(Layer::Count)> boxes_{};
-  QLabel* unseen_sample_;    ///< of a wall that nobody saw
+  QLabel* unseen_sample_;      ///< of a wall that nobody saw
   QWidget* legend_ = nullptr;  ///< of the corrected map
-  QLabel* doubtful_sample_;  ///< of a doubtful building
+  QLabel* doubtful_sample_;    ///< of a doubtful building
   std::array<bool, static_cast<std::size_t>(Layer::Count)> available_{};
   std::array<QSlider*, static_cast<std::size_t>(Layer::Count)> sliders_{};
 };

@@ -60,7 +60,9 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   from_ = addNumber(tr("From frame"), 0, kLastFrame, tr("First frame of a recording"));
   to_ = addNumber(tr("To frame"), kToTheEnd, kLastFrame, tr("Last frame of a recording"));
   to_->setSpecialValueText(tr("end"));
-  every_ = addNumber(tr("Every"), 1, 10'000, tr("Takes each Nth observation"));
+  every_ = addNumber(tr("Observations"), 1, 10'000, tr("Takes each Nth observation"));
+  every_->setSpecialValueText(tr("all"));
+  every_->setPrefix(tr("one of "));
   setSetup({});
   for (QSpinBox* box : {from_, to_, every_})
     connect(box, &QSpinBox::valueChanged, this, &RunSetupPanel::replayChanged);
