@@ -9,61 +9,106 @@ namespace handmap {
 
 namespace {
 
-constexpr int kLeastRays = 2;    // one makes no piece
-constexpr int kLeastOfARun = 3;  // fewer may be strays
+constexpr int kLeastRays = 2;      // one makes no piece
+constexpr int kLeastOfARun = 3;    // fewer may be strays
+constexpr double kMissed_m = 1.0;  // beside the noise of the ray: it is not of the wall
+constexpr double kNear_m = 5.0;    // before a wall: what stands there may be what is taken for it
+/// Of those that end before a wall, hedges and cars have many; of a wall that is elsewhere nearly
+/// all do.
+constexpr int kMostBefore = 4;  // times those on it
+constexpr double kNoiseSigmas = 2.0;
 
-struct Return {
-  Vec2 end;
-  Vec2 direction;
+}  // namespace
+
+/// What one observation saw of walls, map frame.
+struct Returns {
+  struct Ray {
+    Vec2 end;
+    Vec2 direction;
+    double sigma_m;
+  };
+  Vec2 robot = Vec2::Zero();
+  std::vector<Ray> rays;
+
+  Bounds bounds(double margin_m) const {
+    Bounds bounds{robot, robot};
+    for (const Ray& ray : rays) {
+      bounds.low = bounds.low.cwiseMin(ray.end);
+      bounds.high = bounds.high.cwiseMax(ray.end);
+    }
+    bounds.low.array() -= margin_m;
+    bounds.high.array() += margin_m;
+    return bounds;
+  }
 };
 
-std::vector<Return> returnsOf(const Pose2& robot, const Scan& scan) {
-  std::vector<Return> returns;
+namespace {
+
+Returns returnsOf(const Pose2& robot, const Scan& scan) {
+  Returns returns;
+  returns.robot = robot.position();
   for (const Ray& ray : scan.rays) {
     if (!ray.returned || static_cast<double>(ray.wall) < kLeastWall) continue;
     const Vec2 direction = unitVector(robot.heading + static_cast<double>(ray.bearing));
-    returns.push_back({robot.position() + static_cast<double>(ray.range) * direction, direction});
+    returns.rays.push_back({robot.position() + static_cast<double>(ray.range) * direction,
+                            direction, static_cast<double>(ray.sigma)});
   }
   return returns;
 }
 
-Bounds boundsOf(const std::vector<Return>& returns, double margin_m) {
-  Bounds bounds{returns.front().end, returns.front().end};
-  for (const Return& ray : returns) {
-    bounds.low = bounds.low.cwiseMin(ray.end);
-    bounds.high = bounds.high.cwiseMax(ray.end);
-  }
-  bounds.low.array() -= margin_m;
-  bounds.high.array() += margin_m;
-  return bounds;
+enum class Missed { No, Through, Before };
+
+/// Of a ray that would meet the wall: whether it ended well behind or, near by, well before it.
+Missed missed(const Segment& wall, const Vec2& robot, const Returns::Ray& ray) {
+  const double length = wall.length();
+  if (length <= 0.0) return Missed::No;
+  const Vec2 along = (wall.b - wall.a) / length;
+  const Vec2 outwards = -perpendicular(along);
+  const double cosine = -ray.direction.dot(outwards);
+  const double away = (robot - wall.a).dot(outwards);
+  if (cosine < kLeastCosine || away <= 0.0) return Missed::No;
+  const double at = (robot + away / cosine * ray.direction - wall.a).dot(along);
+  if (at < 0.0 || at > length) return Missed::No;
+  const double before = (ray.end - wall.a).dot(outwards);
+  const double least = kMissed_m + kNoiseSigmas * ray.sigma_m * cosine;
+  if (before < -least) return Missed::Through;
+  return before > least && before < kNear_m ? Missed::Before : Missed::No;
 }
 
-std::optional<SeenWall> seenPart(const Segment& wall, const Bounds& bounds,
-                                 const std::vector<Return>& returns, double tolerance_m) {
+std::optional<SeenWall> seenPart(const Segment& wall, const Bounds& bounds, const Returns& returns,
+                                 double tolerance_m) {
   if (!Bounds{wall.a.cwiseMin(wall.b), wall.a.cwiseMax(wall.b)}.overlaps(bounds)) {
     return std::nullopt;
   }
   double first = std::numeric_limits<double>::infinity();
   double last = -first;
-  int rays = 0;
-  for (const Return& seen : returns) {
-    const auto on = onWall(wall, seen.end, seen.direction, tolerance_m);
-    if (!on) continue;
+  SeenWall seen{0, 0, wall, 0, 0, 0};
+  for (const Returns::Ray& ray : returns.rays) {
+    const auto on = onWall(wall, ray.end, ray.direction, tolerance_m);
+    if (!on) {
+      const Missed how = missed(wall, returns.robot, ray);
+      if (how == Missed::Through) ++seen.through;
+      if (how == Missed::Before) ++seen.before;
+      continue;
+    }
     first = std::min(first, on->at_m);
     last = std::max(last, on->at_m);
-    ++rays;
+    ++seen.rays;
   }
-  if (rays == 0) return std::nullopt;
+  if (seen.rays == 0) {
+    return seen.through + seen.before > 0 ? std::optional(seen) : std::nullopt;
+  }
   const Vec2 along = (wall.b - wall.a).normalized();
-  return SeenWall{0, 0, {wall.a + first * along, wall.a + last * along}, rays};
+  seen.piece = {wall.a + first * along, wall.a + last * along};
+  return seen;
 }
 
-/// Walls that have returns.
+/// Walls that rays ended on or went through.
 template <typename Use>
-void forSeen(const std::vector<FoundOutline>& outlines, const std::vector<Return>& returns,
-             double tolerance_m, Use use) {
-  if (returns.empty()) return;
-  const Bounds bounds = boundsOf(returns, tolerance_m);
+void forSeen(const std::vector<FoundOutline>& outlines, const Returns& returns, double tolerance_m,
+             Use use) {
+  if (returns.rays.empty()) return;
+  const Bounds bounds = returns.bounds(std::max(tolerance_m, kNear_m));
   for (const auto& [building, outline] : outlines) {
     for (std::size_t w = 0; w < outline.size(); ++w) {
       auto part =
@@ -78,19 +123,6 @@ void forSeen(const std::vector<FoundOutline>& outlines, const std::vector<Return
 
 bool wasFound(const Building& building) {
   return building.estimate && building.estimate->observations > 0;
-}
-
-/// Returns how many; one at a corner counts twice.
-int count(const std::vector<FoundOutline>& outlines, const std::vector<Return>& returns,
-          std::map<std::size_t, std::vector<int>>& rays) {
-  int all = 0;
-  forSeen(outlines, returns, kOnWall_m, [&](const SeenWall& seen, std::size_t walls) {
-    auto& of_walls = rays[seen.building];
-    of_walls.resize(walls);
-    of_walls[seen.wall] += seen.rays;
-    all += seen.rays;
-  });
-  return all;
 }
 
 }  // namespace
@@ -115,33 +147,51 @@ std::vector<SeenWall> seenWalls(const Map& map, const Pose2& robot, const Scan& 
   return seen;
 }
 
+/// Returns how many ended on walls; one at a corner counts twice.
+int WallRays::count(const std::vector<FoundOutline>& outlines, const Returns& returns,
+                    Counts& counts) {
+  int all = 0;
+  forSeen(outlines, returns, kOnWall_m, [&](const SeenWall& seen, std::size_t walls) {
+    auto& of_walls = counts[seen.building];
+    of_walls.resize(walls);
+    of_walls[seen.wall].on += seen.rays;
+    of_walls[seen.wall].through += seen.through;
+    of_walls[seen.wall].before += seen.before;
+    all += seen.rays;
+  });
+  return all;
+}
+
 WallRays::Share WallRays::add(const std::vector<FoundOutline>& found, const Pose2& robot,
                               const Scan& scan) {
-  const std::vector<Return> returns = returnsOf(robot, scan);
-  return {static_cast<int>(returns.size()), count(found, returns, rays_)};
+  const Returns returns = returnsOf(robot, scan);
+  return {static_cast<int>(returns.rays.size()), count(found, returns, counts_)};
 }
 
 WallRays WallRays::of(const Map& refined, const PlacedRays& placed, const Pose2& onto_map) {
   WallRays all;
   const std::vector<FoundOutline> outlines = foundOutlines(refined);
-  std::vector<Return> returns;
   for (std::size_t f = 0; f + 1 < placed.frame_begin.size(); ++f) {
-    returns.clear();
+    Returns returns;
     for (std::size_t i = placed.frame_begin[f]; i < placed.frame_begin[f + 1]; ++i) {
       const PlacedRay& ray = placed.rays[i];
       if (ray.echo != Echo::Tall) continue;
-      const Vec2 direction(ray.dx, ray.dy);
-      returns.push_back(
-          {onto_map.toOuter(ray.end()), onto_map.toOuter(direction) - onto_map.position()});
+      returns.robot = onto_map.toOuter(Vec2(ray.x, ray.y));
+      returns.rays.push_back({onto_map.toOuter(ray.end()),
+                              onto_map.toOuter(Vec2(ray.dx, ray.dy)) - onto_map.position(),
+                              placed.noise.at(static_cast<double>(ray.range))});
     }
-    count(outlines, returns, all.rays_);
+    count(outlines, returns, all.counts_);
   }
   return all;
 }
 
-int WallRays::at(std::size_t building, std::size_t wall) const {
-  const auto of_walls = rays_.find(building);
-  return of_walls == rays_.end() || wall >= of_walls->second.size() ? 0 : of_walls->second[wall];
+bool WallRays::wasSeen(std::size_t building, std::size_t wall) const {
+  const auto of_walls = counts_.find(building);
+  if (of_walls == counts_.end() || wall >= of_walls->second.size()) return false;
+  const Count& count = of_walls->second[wall];
+  return count.on >= kLeastOfARun && count.on >= count.through &&
+         kMostBefore * count.on >= count.before;
 }
 
 void WallRays::state(const Map& drawing, Map& refined) const {
@@ -156,7 +206,7 @@ void WallRays::state(const Map& drawing, Map& refined) const {
     for (std::size_t w = 0; w < outline.size(); ++w) {
       const Vec2 along = outline[(w + 1) % outline.size()] - outline[w];
       const std::size_t side = sideFacing(heading, -perpendicular(along));
-      walls.push_back(sides[side].seen && at(b, w) >= kLeastOfARun);
+      walls.push_back(sides[side].seen && wasSeen(b, w));
       if (walls.back()) met[side] = true;
     }
     const double drawn = drawing.uncertaintyOf(drawing.buildings[b]).size;

@@ -17,11 +17,15 @@ struct SeenWall {
   std::size_t wall;  ///< from corner `wall` of the footprint to the next
   Segment piece;
   int rays;
+  int through;  ///< rays that would meet it and ended well behind it
+  int before;   ///< and a few metres before it
 };
 
 /// Walls that face the robot and have returns, taken for walls, within `tolerance_m`.
 std::vector<SeenWall> seenWalls(const Map& map, const Pose2& robot, const Scan& scan,
                                 double tolerance_m = kOnWall_m);
+
+struct Returns;
 
 /// A building that was found, as it is placed now.
 struct FoundOutline {
@@ -31,7 +35,8 @@ struct FoundOutline {
 /// Those of a corrected map.
 std::vector<FoundOutline> foundOutlines(const Map& refined);
 
-/// How many rays of a run ended on each wall: by building, by wall of its footprint.
+/// How many rays of a run ended on each wall, and how many went through where it is said to stand:
+/// by building, by wall of its footprint.
 class WallRays {
  public:
   struct Share {
@@ -43,14 +48,23 @@ class WallRays {
   /// Of all that was seen. `onto_map`: from the frame of `placed` to that of the map.
   static WallRays of(const Map& refined, const PlacedRays& placed, const Pose2& onto_map);
 
-  /// What is stated as seen of buildings that were, and no ray ended on, is so no longer, and no
-  /// surer than the drawing says its sizes are: what is known of it was reckoned from other walls.
+  /// What is stated as seen of buildings that were, and hardly a ray ended on or more went through,
+  /// is so no longer, and no surer than the drawing says its sizes are: what is known of it was
+  /// reckoned from other walls.
   void state(const Map& drawing, Map& refined) const;
 
  private:
-  int at(std::size_t building, std::size_t wall) const;
+  struct Count {
+    int on = 0;
+    int through = 0;
+    int before = 0;
+  };
+  using Counts = std::map<std::size_t, std::vector<Count>>;
+  static int count(const std::vector<FoundOutline>& outlines, const Returns& returns,
+                   Counts& counts);
+  bool wasSeen(std::size_t building, std::size_t wall) const;
 
-  std::map<std::size_t, std::vector<int>> rays_;
+  Counts counts_;
 };
 
 }  // namespace handmap

@@ -109,6 +109,30 @@ TEST_F(WallRaysTest, NoWallIsStatedAsSeenThatNoRayEndedOn) {
   EXPECT_FALSE(block[0].seen);
 }
 
+/// A few of many rays that end by chance where a wall is said to stand do not make it seen.
+TEST_F(WallRaysTest, AWallThatRaysGoThroughIsNotSeen) {
+  const auto pass = [this](double x, double range) {
+    Scan scan;
+    Ray ray;
+    ray.wall = 1.0F;
+    ray.returned = true;
+    ray.range = static_cast<float>(range);
+    scan.rays.push_back(ray);
+    rays_.add(foundOutlines(refined_), {x, 20.0, -kPi / 2.0}, scan);
+  };
+  for (double x = -2.5; x < 3.0; x += 0.5) pass(x, 22.0);  // to 4 m behind the kiosk's upper wall
+  for (double x = -2.5; x < -0.5; x += 0.5) pass(x, 18.0);
+  for (double x = 34.5; x < 44.0; x += 0.5) pass(x, 7.0);  // 3 m before the block's wing
+  for (double x = 34.5; x < 36.0; x += 0.5) pass(x, 10.0);
+  rays_.state(drawing_, refined_);
+  EXPECT_FALSE(wallsOf(refined_.buildings[0])[2].seen);
+  EXPECT_FALSE(wallsOf(refined_.buildings[1])[2].seen);
+  for (double x = 36.0; x < 40.0; x += 0.5) pass(x, 10.0);  // a hedge before a part of it
+  setSides(refined_.buildings[1], {{{0.2, true}, {0.2, true}, {0.2, true}, {0.2, true}}});
+  rays_.state(drawing_, refined_);
+  EXPECT_TRUE(wallsOf(refined_.buildings[1])[2].seen);
+}
+
 TEST_F(WallRaysTest, ItIsKeptWithTheMapAndForgottenWithItsShape) {
   look();
   rays_.state(drawing_, refined_);
