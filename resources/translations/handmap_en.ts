@@ -187,10 +187,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n was (were) not seen</source>
+        <source>%n was (were) not recognised</source>
         <translation>
-            <numerusform>%n was not seen</numerusform>
-            <numerusform>%n were not seen</numerusform>
+            <numerusform>%n was not recognised</numerusform>
+            <numerusform>%n were not recognised</numerusform>
         </translation>
     </message>
     <message numerus="yes">

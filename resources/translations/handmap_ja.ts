@@ -8012,9 +8012,9 @@ Corrected by a run.</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n was (were) not seen</source>
+        <source>%n was (were) not recognised</source>
         <translation>
-            <numerusform>%n 棟は見えませんでした</numerusform>
+            <numerusform>%n 棟は認識されませんでした</numerusform>
         </translation>
     </message>
     <message>

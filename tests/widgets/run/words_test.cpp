@@ -65,7 +65,7 @@ TEST(Words, SumUpWhatARunHasChanged) {
     refined.buildings.push_back(building(id.c_str(), 0.3 + 0.5 * i, i < 8 ? 3 : 0));
   }
   EXPECT_EQ(Words::changes(changesOf(drawing, refined), drawing),
-            "8 building(s) moved by 0.3 to 3.8 m, 1 was (were) not seen.");
+            "8 building(s) moved by 0.3 to 3.8 m, 1 was (were) not recognised.");
   setDoubt(refined.buildings[3], 0.6);
   setDoubt(refined.buildings[5], 0.7);
   const QString with_doubt = Words::changes(changesOf(drawing, refined), drawing);

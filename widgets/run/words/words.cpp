@@ -134,7 +134,7 @@ QString Words::changes(const MapChanges& changes, const Map& drawing) {
     parts << tr("%n stand(s) as drawn", nullptr, static_cast<int>(changes.kept.size()));
   }
   if (!changes.unseen.empty()) {
-    parts << tr("%n was (were) not seen", nullptr, static_cast<int>(changes.unseen.size()));
+    parts << tr("%n was (were) not recognised", nullptr, static_cast<int>(changes.unseen.size()));
   }
   QString text = parts.join(tr(", ")) + tr(".");
   if (!changes.one_sided.empty()) {

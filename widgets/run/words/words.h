@@ -23,8 +23,9 @@ class Words {
   static QString certainty(const FrameReport& report);
   /// "4 m from L3", of the nearest building within 50 m; else coordinates.
   static QString place(const Pose2& pose, const Map& map);
-  /// "12 buildings moved by 0.3 to 4.1 m, 1 turned by 20°, 2 stand as drawn, 5 were not seen. Of 3
-  /// only one side was seen: how deep they are is as drawn. 3 are doubtful: look at L3, L4, N1."
+  /// "12 buildings moved by 0.3 to 4.1 m, 1 turned by 20°, 2 stand as drawn, 5 were not recognised.
+  /// Of 3 only one side was seen: how deep they are is as drawn. 3 are doubtful: look at L3, L4,
+  /// N1."
   static QString changes(const MapChanges& changes, const Map& drawing);
   /// What speaks for a corrected building and what against; lines. `refined`: of a run on
   /// `drawing`.
