@@ -39,6 +39,23 @@
     </message>
 </context>
 <context>
+    <name>handmap::FileActions</name>
+    <message numerus="yes">
+        <source>%n building(s) of “%1” are a new drawing now, and where they lie on earth is kept.</source>
+        <translation>
+            <numerusform>%n building of “%1” is a new drawing now, and where it lies on earth is kept.</numerusform>
+            <numerusform>%n buildings of “%1” are a new drawing now, and where they lie on earth is kept.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outline(s) were left out: they cross themselves or are too large.</source>
+        <translation>
+            <numerusform>%n outline was left out: it crosses itself or is too large.</numerusform>
+            <numerusform>%n outlines were left out: they cross themselves or are too large.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::ImportDialog</name>
     <message numerus="yes">
         <source>%n scan(s)</source>
@@ -72,6 +89,16 @@
         <translation>
             <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its only observation.</numerusform>
             <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handmap::MessageBar</name>
+    <message numerus="yes">
+        <source>%n earlier message(s)</source>
+        <translation>
+            <numerusform>%n earlier message</numerusform>
+            <numerusform>%n earlier messages</numerusform>
         </translation>
     </message>
 </context>

@@ -28,10 +28,6 @@
         <translation>開く(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open a drawing.</source>
-        <translation>図面を開きます。</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
     </message>
@@ -70,10 +66,6 @@
     <message>
         <source>Export &amp;Picture…</source>
         <translation>画像を書き出す(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Save what the canvas shows as PNG.</source>
-        <translation>キャンバスの表示を PNG で保存します。</translation>
     </message>
     <message>
         <source>Export &amp;Trajectory…</source>
@@ -544,10 +536,6 @@
         <translation>ロック(&amp;L)</translation>
     </message>
     <message>
-        <source>Neither a hand nor a run moves it; again unlocks it.</source>
-        <translation>手でも実行でも動かなくします。もう一度で解除します。</translation>
-    </message>
-    <message>
         <source>&amp;Square Up</source>
         <translation>直角に整える(&amp;S)</translation>
     </message>
@@ -558,10 +546,6 @@
     <message>
         <source>Make &amp;Parallel</source>
         <translation>平行にする(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Turn it to the direction of the nearest building.</source>
-        <translation>最も近い建物の向きに合わせます。</translation>
     </message>
     <message>
         <source>Make P&amp;olygon</source>
@@ -750,6 +734,86 @@
     <message>
         <source>Make a recording of the log of another program.</source>
         <translation>ほかのプログラムのログから記録を作ります。</translation>
+    </message>
+    <message>
+        <source>Open a drawing, OpenStreetMap or GeoJSON.</source>
+        <translation>図面、OpenStreetMap、GeoJSON を開きます。</translation>
+    </message>
+    <message>
+        <source>Save the plan with title, scale and legend: PNG, SVG or PDF.</source>
+        <translation>表題・縮尺・凡例を付けて平面図を保存します（PNG、SVG、PDF）。</translation>
+    </message>
+    <message>
+        <source>Turn by 90° L&amp;eft</source>
+        <translation>左に 90° 回す(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Turn what is selected counter-clockwise.</source>
+        <translation>選択したものを反時計回りに回します。</translation>
+    </message>
+    <message>
+        <source>Turn by 90° Ri&amp;ght</source>
+        <translation>右に 90° 回す(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Turn what is selected clockwise.</source>
+        <translation>選択したものを時計回りに回します。</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror Left and Right</source>
+        <translation>左右を反転(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Exchange left and right.</source>
+        <translation>左と右を入れ替えます。</translation>
+    </message>
+    <message>
+        <source>Mirror Top and &amp;Bottom</source>
+        <translation>上下を反転(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Exchange top and bottom.</source>
+        <translation>上と下を入れ替えます。</translation>
+    </message>
+    <message>
+        <source>Arra&amp;y…</source>
+        <translation>並べて複製(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Copy what is selected in columns and rows.</source>
+        <translation>選択したものを列と行に並べて複製します。</translation>
+    </message>
+    <message>
+        <source>Nobody moves, resizes or deletes it by hand; again unlocks it.</source>
+        <translation>手では動かず、大きさも変わらず、消えなくなります。もう一度で解除します。</translation>
+    </message>
+    <message>
+        <source>Turn the selected to the direction of the largest of them; one alone to that of the nearest.</source>
+        <translation>選択したものを、その中で最も大きい建物の向きにそろえます。一つだけなら最も近い建物の向きにします。</translation>
+    </message>
+    <message>
+        <source>Side &amp;Panel</source>
+        <translation>サイドパネル(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show objects, layers and results beside the map.</source>
+        <translation>オブジェクト、レイヤー、結果を地図の横に表示します。</translation>
+    </message>
+    <message>
+        <source>Georeferen&amp;ce by Two Points</source>
+        <translation>二点で地理座標を決める(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Say where the drawing lies on earth by two places that you know.</source>
+        <translation>知っている二つの場所で、図面が地球上のどこにあるかを示します。</translation>
+    </message>
+    <message>
+        <source>Simulate This &amp;Drawing</source>
+        <translation>この図面でシミュレーション(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Let a simulated robot drive through what you have drawn.</source>
+        <translation>描いた図面の中をシミュレーターのロボットに走らせます。</translation>
     </message>
 </context>
 <context>
@@ -3826,6 +3890,78 @@
         <source>--angles: found &quot;{}&quot;, expected FIRST:STEP in degrees</source>
         <translation>--angles: 「{}」がありました。最初:刻み（度）が必要です</translation>
     </message>
+    <message>
+        <source>no geographic data</source>
+        <translation>地理データではないもの</translation>
+    </message>
+    <message>
+        <source>damaged geographic data</source>
+        <translation>壊れた地理データ</translation>
+    </message>
+    <message>
+        <source>GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML or GML</source>
+        <translation>GeoJSON、OpenStreetMap の XML、GeoPackage、Shapefile、KML、GML のいずれか</translation>
+    </message>
+    <message>
+        <source>coordinates that lie nowhere on earth</source>
+        <translation>地球上にない座標</translation>
+    </message>
+    <message>
+        <source>the coordinates {}, {}</source>
+        <translation>座標 {}, {}</translation>
+    </message>
+    <message>
+        <source>longitude and latitude in degrees</source>
+        <translation>度で表した経度と緯度</translation>
+    </message>
+    <message>
+        <source>a file of geographic data</source>
+        <translation>地理データのファイル</translation>
+    </message>
+    <message>
+        <source>{}: this program was built without GDAL, which reads geographic data</source>
+        <translation>{}：このプログラムは、地理データを読む GDAL なしで作られています</translation>
+    </message>
+    <message>
+        <source>{} features and no building among them</source>
+        <translation>{} 個の地物があり、建物は一つもない</translation>
+    </message>
+    <message>
+        <source>polygons of buildings</source>
+        <translation>建物の多角形</translation>
+    </message>
+    <message>
+        <source>{} outlines that cross themselves</source>
+        <translation>自分自身と交わる {} 個の輪郭</translation>
+    </message>
+    <message>
+        <source>the other side closed the connection</source>
+        <translation>相手が接続を閉じました</translation>
+    </message>
+    <message>
+        <source>no odometry came: it is not known where</source>
+        <translation>オドメトリが来ません: どこなのか分かりません</translation>
+    </message>
+    <message>
+        <source>nothing was observed yet</source>
+        <translation>まだ何も観測されていません</translation>
+    </message>
+    <message>
+        <source>the drive has ended</source>
+        <translation>走行は終わりました</translation>
+    </message>
+    <message>
+        <source>nothing was observed for {:.0f} s</source>
+        <translation>{:.0f} 秒間何も観測されていません</translation>
+    </message>
+    <message>
+        <source>nine times of ten within {:.1f} m and {:.0f}°</source>
+        <translation>十のうち九は {:.1f} m と {:.0f}° 以内</translation>
+    </message>
+    <message>
+        <source>{} does not take what it is sent</source>
+        <translation>{} は送ったものを受け取りません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -4037,6 +4173,14 @@ Observations: %4</source>
         <translation>σ x %1 m、y %2 m、幅 %3 m
 観測: %4</translation>
     </message>
+    <message>
+        <source>Locked: not moved, resized or deleted by hand</source>
+        <translation>ロック: 手では動かず、大きさも変わらず、消えない</translation>
+    </message>
+    <message>
+        <source>Lock Building</source>
+        <translation>建物をロック</translation>
+    </message>
 </context>
 <context>
     <name>handmap::BuildingsModel</name>
@@ -4063,10 +4207,6 @@ Observations: %4</source>
 (%)</source>
         <translation>疑い
 (%)</translation>
-    </message>
-    <message>
-        <source>How probably it is another building or is not there</source>
-        <translation>別の建物である、または存在しない確率</translation>
     </message>
     <message>
         <source>σ right
@@ -4180,6 +4320,42 @@ Observations: %4</source>
         <source>Corrected minus drawn depth</source>
         <translation>補正後の奥行きと描いた奥行きの差</translation>
     </message>
+    <message>
+        <source>Turned
+(°)</source>
+        <translation>回転
+(°)</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise, against the drawing</source>
+        <translation>図面に対して反時計回り</translation>
+    </message>
+    <message>
+        <source>Sure to
+(m)</source>
+        <translation>確かさ
+(m)</translation>
+    </message>
+    <message>
+        <source>One standard deviation of the least sure wall that was seen</source>
+        <translation>見えた壁のうち最も不確かなものの標準偏差</translation>
+    </message>
+    <message>
+        <source>Why doubtful</source>
+        <translation>疑わしい理由</translation>
+    </message>
+    <message>
+        <source>What speaks against taking it over</source>
+        <translation>取り込まないほうがよい理由</translation>
+    </message>
+    <message>
+        <source>Of a hundred buildings of which the same was said so many were wrong: another one, or none, stood there</source>
+        <translation>同じことを述べた建物百のうち、誤りだった数: 別の建物が立っていたか、何もなかった</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>；</translation>
+    </message>
 </context>
 <context>
     <name>handmap::BuildingsPanel</name>
@@ -4190,6 +4366,22 @@ Observations: %4</source>
     <message>
         <source>&amp;Copy as CSV</source>
         <translation>CSV としてコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;All figures</source>
+        <translation>すべての数値(&amp;A)</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Accept %1 of %2</source>
+        <translation>%2 件中 %1 件を取り込む</translation>
     </message>
 </context>
 <context>
@@ -4378,12 +4570,8 @@ Observations: %4</source>
 <context>
     <name>handmap::ChangesItem</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>%1 m, %2 m off</source>
-        <translation>%1 m、誤差 %2 m</translation>
+        <source>moved %1 m</source>
+        <translation>%1 m 移動</translation>
     </message>
 </context>
 <context>
@@ -4409,16 +4597,16 @@ Observations: %4</source>
         <translation>建物: 真の場所からの平均距離 (m)</translation>
     </message>
     <message>
-        <source>━ 1 σ as stated</source>
-        <translation>━ 示された 1 σ</translation>
-    </message>
-    <message>
         <source>╍ true error</source>
         <translation>╍ 真の誤差</translation>
     </message>
     <message>
         <source>Log likelihood of what was seen (nats)</source>
         <translation>見えたものの対数尤度 (ナット)</translation>
+    </message>
+    <message>
+        <source>━ nine of ten are within</source>
+        <translation>━ 十のうち九はこの範囲</translation>
     </message>
 </context>
 <context>
@@ -4493,6 +4681,10 @@ Observations: %4</source>
     <message>
         <source>Commands that match</source>
         <translation>一致するコマンド</translation>
+    </message>
+    <message>
+        <source>No command is called “%1”.</source>
+        <translation>「%1」というコマンドはありません。</translation>
     </message>
 </context>
 <context>
@@ -4665,6 +4857,34 @@ Observations: %4</source>
         <source>fewer than three buildings or landmarks are selected</source>
         <translation>選択された建物や目印が三つ未満です</translation>
     </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>並べて複製</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Gap between columns</source>
+        <translation>列の間隔</translation>
+    </message>
+    <message>
+        <source>Gap between rows</source>
+        <translation>行の間隔</translation>
+    </message>
+    <message>
+        <source>what is selected is locked</source>
+        <translation>選択したものはロックされています</translation>
+    </message>
 </context>
 <context>
     <name>handmap::EditingPanels</name>
@@ -4679,10 +4899,6 @@ Observations: %4</source>
     <message>
         <source>Objects</source>
         <translation>オブジェクト</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>プロパティ</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -4795,14 +5011,6 @@ Observations: %4</source>
         <translation>画像を書き出す</translation>
     </message>
     <message>
-        <source>Pictures (*.png)</source>
-        <translation>画像 (*.png)</translation>
-    </message>
-    <message>
-        <source>What the canvas shows</source>
-        <translation>キャンバスの表示</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
@@ -4813,6 +5021,34 @@ Observations: %4</source>
     <message>
         <source>Choose another name for what is exported.</source>
         <translation>書き出し先に別の名前を選んでください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) of “%1” are a new drawing now, and where they lie on earth is kept.</source>
+        <translation>
+            <numerusform>「%1」の建物 %n 棟を新しい図面にしました。地球上の位置も保たれています。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outline(s) were left out: they cross themselves or are too large.</source>
+        <translation>
+            <numerusform>%n 個の輪郭は、自分自身と交わるか大きすぎるため除きました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drawings and public maps (*.handmap %1)</source>
+        <translation>図面と公開地図 (*.handmap %1)</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap, GeoJSON and others (%1)</source>
+        <translation>OpenStreetMap、GeoJSON など (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png);;Vector graphics (*.svg);;PDF (*.pdf)</source>
+        <translation>画像 (*.png);;ベクター画像 (*.svg);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The plan</source>
+        <translation>平面図</translation>
     </message>
 </context>
 <context>
@@ -4832,6 +5068,52 @@ Observations: %4</source>
     <message>
         <source>Straighten to %1</source>
         <translation>%1に整える</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::GeoPinTool</name>
+    <message>
+        <source>Click a place whose latitude and longitude you know</source>
+        <translation>緯度と経度を知っている場所をクリックします</translation>
+    </message>
+    <message>
+        <source>Click a second place, far from the first one · Backspace takes the first back</source>
+        <translation>一つ目から離れた二つ目の場所をクリックします · Backspace で一つ目を取り消し</translation>
+    </message>
+    <message>
+        <source>%1°, %2°</source>
+        <translation>%1°、%2°</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::GeoreferenceActions</name>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Where is this place?</source>
+        <translation>この場所はどこですか？</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>緯度</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>経度</translation>
+    </message>
+    <message>
+        <source>These two places do not say where the drawing lies.</source>
+        <translation>この二つの場所からは図面の位置が決まりません。</translation>
+    </message>
+    <message>
+        <source>On earth the two places are %1 times as far apart as on the drawing.</source>
+        <translation>この二つの場所は、地球上では図面の %1 倍離れています。</translation>
+    </message>
+    <message>
+        <source>The drawing is georeferenced: its origin lies at %1°, %2°.</source>
+        <translation>図面の地理座標を決めました。原点は %1°、%2° にあります。</translation>
     </message>
 </context>
 <context>
@@ -5389,6 +5671,35 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::LiveWatch</name>
+    <message>
+        <source>Nothing has been observed for %1 s: the robot is shown by its odometry alone.</source>
+        <translation>%1 秒間何も観測されていません: ロボットはオドメトリだけで示されています。</translation>
+    </message>
+    <message>
+        <source>It is no longer known where the robot is.</source>
+        <translation>ロボットの居場所が分からなくなりました。</translation>
+    </message>
+    <message>
+        <source>If you see it, say so with “Robot is here”.</source>
+        <translation>見えているなら「ロボットはここ」で教えてください。</translation>
+    </message>
+    <message>
+        <source>The recording has ended, the drive goes on.</source>
+        <translation>記録は終わりました。走行は続きます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</source>
+        <translation>
+            <numerusform>プログラムが走行の途中で終わりました。その記録は最後の観測まで完全です: %n 個。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>開く</translation>
+    </message>
+</context>
+<context>
     <name>handmap::LogModel</name>
     <message>
         <source>Note</source>
@@ -5760,6 +6071,19 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
+    <name>handmap::MessageBar</name>
+    <message>
+        <source>Only the newest</source>
+        <translation>最新のものだけ</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n earlier message(s)</source>
+        <translation>
+            <numerusform>前のメッセージ %n 件</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::NameEditor</name>
     <message>
         <source>Name</source>
@@ -5768,6 +6092,10 @@ Corrected by a run.</source>
     <message>
         <source>Name %1</source>
         <translation>%1 に名前を付ける</translation>
+    </message>
+    <message>
+        <source>Name: Enter</source>
+        <translation>名前：Enter</translation>
     </message>
 </context>
 <context>
@@ -5844,10 +6172,6 @@ Corrected by a run.</source>
         <translation>ロック</translation>
     </message>
     <message>
-        <source>A building that is locked is not moved by a run either</source>
-        <translation>ロックした建物は実行によっても動きません</translation>
-    </message>
-    <message>
         <source>Name %1</source>
         <translation>%1 に名前を付ける</translation>
     </message>
@@ -5858,6 +6182,10 @@ Corrected by a run.</source>
     <message>
         <source>Show or Hide %1</source>
         <translation>%1 の表示を切り替え</translation>
+    </message>
+    <message>
+        <source>What is locked is not moved, resized or deleted by hand; whether a run may move a building is told in its properties</source>
+        <translation>ロックしたものは手では動かず、大きさも変わらず、消えません。実行が建物を動かしてよいかはプロパティで決めます</translation>
     </message>
 </context>
 <context>
@@ -6388,6 +6716,67 @@ Corrected by a run.</source>
         <source>The way of the robot</source>
         <translation>ロボットの軌跡</translation>
     </message>
+    <message>
+        <source>; </source>
+        <translation>、</translation>
+    </message>
+    <message numerus="yes">
+        <source>; and %n more</source>
+        <translation>
+            <numerusform>、ほか %n 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Look before you accept: %1.</source>
+        <translation>受け入れる前に見てください: %1。</translation>
+    </message>
+    <message>
+        <source>They are hatched.</source>
+        <translation>網掛けで示しています。</translation>
+    </message>
+    <message>
+        <source>Review…</source>
+        <translation>確認…</translation>
+    </message>
+    <message>
+        <source>The drive was not recorded: it cannot be run again.</source>
+        <translation>この走行は記録されていません。もう一度実行することはできません。</translation>
+    </message>
+    <message>
+        <source>The drive was not recorded: it cannot be run again. What it came to is not in the drawing.</source>
+        <translation>この走行は記録されていません。もう一度実行することはできません。その結果は図面に入っていません。</translation>
+    </message>
+    <message>
+        <source>What the run came to is not in the drawing.</source>
+        <translation>実行の結果は図面に入っていません。</translation>
+    </message>
+    <message>
+        <source>&amp;Accept refinement</source>
+        <translation>補正を受け入れる(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it behind</source>
+        <translation>残さずに進む(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Leave this run?</source>
+        <translation>この実行を離れますか?</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ReviewWords</name>
+    <message>
+        <source>of a hundred of which as much was said some %1 were wrong</source>
+        <translation>同じことが言われた百軒のうち約%1軒が誤りでした</translation>
+    </message>
+    <message>
+        <source>not seen: it stays as drawn</source>
+        <translation>見えていない：描かれたまま</translation>
+    </message>
+    <message>
+        <source>%1 of %2 walls seen</source>
+        <translation>%2 面のうち %1 面の壁が見えた</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RevisionActions</name>
@@ -6477,17 +6866,65 @@ Corrected by a run.</source>
         <source>Recomputing with the poses of the file</source>
         <translation>ファイルの姿勢を使って再計算しています</translation>
     </message>
+    <message>
+        <source>Forget given poses</source>
+        <translation>与えた姿勢を忘れる</translation>
+    </message>
+    <message>
+        <source>Robot is here</source>
+        <translation>ロボットはここ</translation>
+    </message>
+    <message>
+        <source>Recomputing with what is still said</source>
+        <translation>残っている発言で再計算しています</translation>
+    </message>
+    <message>
+        <source>The robot was at %1, %2 m</source>
+        <translation>ロボットは %1, %2 m にいた</translation>
+    </message>
+    <message>
+        <source>%1 is right</source>
+        <translation>%1 は正しい</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 は存在しない</translation>
+    </message>
+    <message>
+        <source>The poses given before do not count</source>
+        <translation>それまでに与えた姿勢は使わない</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 秒: %2</translation>
+    </message>
+    <message>
+        <source>Open given poses</source>
+        <translation>既知の姿勢を開く</translation>
+    </message>
+    <message>
+        <source>It is locked: unlock it first.</source>
+        <translation>ロックされています。先に解除してください。</translation>
+    </message>
+    <message>
+        <source>Building is not there</source>
+        <translation>建物は存在しない</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z) takes it back.</source>
+        <translation>元に戻す (Ctrl+Z) で取り消せます。</translation>
+    </message>
+    <message>
+        <source>What you said</source>
+        <translation>言ったこと</translation>
+    </message>
+    <message>
+        <source>there is no run that a robot is shown of</source>
+        <translation>ロボットを表示する実行がありません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RigActions</name>
-    <message>
-        <source>“%1” is the robot now.</source>
-        <translation>「%1」がロボットになりました。</translation>
-    </message>
-    <message>
-        <source>Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends the drive.</source>
-        <translation>出発点を描いてください: 押して、見る方向へドラッグし、離します。その後「実行」を押します。「停止」で走行を終えます。</translation>
-    </message>
     <message>
         <source>Robot</source>
         <translation>ロボット</translation>
@@ -6550,10 +6987,6 @@ Corrected by a run.</source>
 </context>
 <context>
     <name>handmap::RigForm</name>
-    <message>
-        <source>A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or tcp://host:port; of ROS the rosbridge: ws://host:9090</source>
-        <translation>シリアルポート (/dev/ttyUSB0、速度つきは /dev/ttyUSB0@115200) または tcp://host:port。ROS では rosbridge: ws://host:9090</translation>
-    </message>
     <message>
         <source>Name</source>
         <translation>名前</translation>
@@ -6703,10 +7136,6 @@ Corrected by a run.</source>
         <translation>なし</translation>
     </message>
     <message>
-        <source>Motion told by</source>
-        <translation>動きを知る方法</translation>
-    </message>
-    <message>
         <source>Wheels</source>
         <translation>車輪</translation>
     </message>
@@ -6753,10 +7182,6 @@ Corrected by a run.</source>
     <message>
         <source>not told; a rosbridge is ws://host:9090</source>
         <translation>送らない (rosbridge の例: ws://host:9090)</translation>
-    </message>
-    <message>
-        <source>Pose, occupancy grid and buildings are published there</source>
-        <translation>位置、占有格子、建物を配信します</translation>
     </message>
     <message>
         <source>nobody may look on</source>
@@ -6823,14 +7248,6 @@ Corrected by a run.</source>
         <translation>車輪のトピックを入力してください。</translation>
     </message>
     <message>
-        <source>There is no scanner whose scans could tell the motion.</source>
-        <translation>動きを求められるスキャナーがありません。</translation>
-    </message>
-    <message>
-        <source>There is no camera whose images could tell the motion.</source>
-        <translation>動きを求められるカメラがありません。</translation>
-    </message>
-    <message>
         <source>A robot that stops to look around needs wheels that tell its motion.</source>
         <translation>止まって見回すロボットには、動きを示す車輪が必要です。</translation>
     </message>
@@ -6854,12 +7271,35 @@ Corrected by a run.</source>
         <source>Hold a checkerboard before the cameras</source>
         <translation>カメラの前に市松模様の板をかざす</translation>
     </message>
+    <message>
+        <source>A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or an address (192.168.0.10, host:port); of ROS the rosbridge: ws://host:9090</source>
+        <translation>シリアルポート（/dev/ttyUSB0、速度つきは /dev/ttyUSB0@115200）またはアドレス（192.168.0.10、host:port）。ROS なら rosbridge: ws://host:9090</translation>
+    </message>
+    <message>
+        <source>Motion from</source>
+        <translation>動きの情報源</translation>
+    </message>
+    <message>
+        <source>Pose, frames, occupancy grid and buildings are published there, and /initialpose is heard</source>
+        <translation>姿勢、座標系、占有格子、建物をそこに送り、/initialpose を聞きます</translation>
+    </message>
+    <message>
+        <source>Version of ROS</source>
+        <translation>ROS の版</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RigPreviewView</name>
     <message>
         <source>%1 m around</source>
         <translation>周囲 %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RobotPointer</name>
+    <message>
+        <source>The robot is out of view: click to go there</source>
+        <translation>ロボットは画面の外です：クリックするとそこへ移動します</translation>
     </message>
 </context>
 <context>
@@ -6916,10 +7356,6 @@ Corrected by a run.</source>
         <source>The run is done</source>
         <translation>実行が終わりました</translation>
     </message>
-    <message>
-        <source>%1 is doubtful: %2 % that it is another building, or is not there</source>
-        <translation>%1 は疑わしい: 別の建物か存在しない確率 %2 %</translation>
-    </message>
     <message numerus="yes">
         <source>A loop was closed; %n so far</source>
         <translation>
@@ -6942,16 +7378,20 @@ Corrected by a run.</source>
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>Buildings</source>
-        <translation>建物</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>ログ</translation>
     </message>
     <message>
         <source>Why</source>
         <translation>理由</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>確認</translation>
+    </message>
+    <message>
+        <source>What you said</source>
+        <translation>言ったこと</translation>
     </message>
 </context>
 <context>
@@ -7093,16 +7533,20 @@ Corrected by a run.</source>
         <translation>終わり</translation>
     </message>
     <message>
-        <source>Every</source>
-        <translation>間隔</translation>
-    </message>
-    <message>
         <source>Takes each Nth observation</source>
         <translation>N 件ごとに一観測を使います</translation>
     </message>
     <message>
         <source>What was taught</source>
         <translation>教えたもの</translation>
+    </message>
+    <message>
+        <source>Observations</source>
+        <translation>観測</translation>
+    </message>
+    <message>
+        <source>one of </source>
+        <translation>何個に一つ：</translation>
     </message>
 </context>
 <context>
@@ -7138,6 +7582,10 @@ Corrected by a run.</source>
         <source>Phase %1 of %2: %3. %4</source>
         <translation>段階 %1/%2: %3。%4</translation>
     </message>
+    <message>
+        <source>no run has corrected anything yet</source>
+        <translation>まだどの実行も補正していません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RunWorker</name>
@@ -7152,6 +7600,32 @@ Corrected by a run.</source>
     <message>
         <source>The run ended with an unexpected error: %1</source>
         <translation>実行が予期しない問題で終わりました: %1</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::SaidActs</name>
+    <message>
+        <source>Take back what was said</source>
+        <translation>言ったことを取り消す</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::SaidPanel</name>
+    <message>
+        <source>What you said</source>
+        <translation>言ったこと</translation>
+    </message>
+    <message>
+        <source>Take it back: the run is done again without it</source>
+        <translation>取り消す: これなしで実行をやり直します</translation>
+    </message>
+    <message>
+        <source>Take back: %1</source>
+        <translation>取り消す: %1</translation>
+    </message>
+    <message>
+        <source>Robot is here, Building is right and Building is not there are listed here while the run is there.</source>
+        <translation>実行がある間、「ロボットはここ」「建物は正しい」「建物は存在しない」がここに並びます。</translation>
     </message>
 </context>
 <context>
@@ -7240,20 +7714,12 @@ Corrected by a run.</source>
         <translation>柵と生け垣のある街区(&amp;Q)</translation>
     </message>
     <message>
-        <source>T&amp;his drawing</source>
-        <translation>この図面(&amp;H)</translation>
-    </message>
-    <message>
         <source>A &amp;live robot (virtual rig)</source>
         <translation>実時間のロボット (仮想)(&amp;L)</translation>
     </message>
     <message>
         <source>A live robot with a &amp;stereo head</source>
         <translation>ステレオカメラで見回すロボット（実時間）(&amp;S)</translation>
-    </message>
-    <message>
-        <source>The &amp;demonstration</source>
-        <translation>デモ(&amp;D)</translation>
     </message>
     <message>
         <source>no recording or simulator is open</source>
@@ -7344,6 +7810,22 @@ Corrected by a run.</source>
     <message>
         <source>A new folder for the recording</source>
         <translation>記録のための新しいフォルダー</translation>
+    </message>
+    <message>
+        <source>The d&amp;emonstration</source>
+        <translation>デモ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>“%1” is the robot now.</source>
+        <translation>いまのロボットは「%1」です。</translation>
+    </message>
+    <message>
+        <source>Press Run; Stop ends the drive.</source>
+        <translation>実行を押します。停止が走行を終えます。</translation>
+    </message>
+    <message>
+        <source>Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends the drive.</source>
+        <translation>どこから始まるかを描きます: 押して、向いている方へ引き、離します。それから実行を押します。停止が走行を終えます。</translation>
     </message>
 </context>
 <context>
@@ -7589,6 +8071,14 @@ Corrected by a run.</source>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>The next run begins with frame %1 · drag it</source>
+        <translation>次の実行はフレーム %1 から · ドラッグで変更</translation>
+    </message>
+    <message>
+        <source>The next run ends with frame %1 · drag it</source>
+        <translation>次の実行はフレーム %1 まで · ドラッグで変更</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Tour</name>
@@ -7619,14 +8109,6 @@ Corrected by a run.</source>
 </context>
 <context>
     <name>handmap::TransportActions</name>
-    <message>
-        <source>%1 m: %2 %</source>
-        <translation>%1 m: %2 %</translation>
-    </message>
-    <message>
-        <source>pose within %1</source>
-        <translation>位置の確率 %1</translation>
-    </message>
     <message>
         <source>a run is under way</source>
         <translation>実行中です</translation>
@@ -7936,6 +8418,10 @@ Corrected by a run.</source>
         <source>Together: %1 m. The rest is of its other walls and of the drawing as a whole.</source>
         <translation>合計: %1 m。残りは他の壁と図面全体によるものです。</translation>
     </message>
+    <message>
+        <source>Hardly a ray ended on it: its other walls put it there.</source>
+        <translation>届いた光線がほとんどありません。他の壁がその位置を決めています。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Words</name>
@@ -8032,10 +8518,6 @@ Corrected by a run.</source>
         </translation>
     </message>
     <message>
-        <source>Moved by %1 m from where it was drawn</source>
-        <translation>描いた場所から %1 m 移動</translation>
-    </message>
-    <message>
         <source>%1 m from where it truly is</source>
         <translation>真の場所から %1 m</translation>
     </message>
@@ -8066,8 +8548,94 @@ Corrected by a run.</source>
         <translation>反対: 図面の不確かさ (%2 m) の %1 倍動いた</translation>
     </message>
     <message>
-        <source>Doubtful: %1 % that it is another building, or is not there</source>
-        <translation>疑わしい: 別の建物か存在しない確率 %1 %</translation>
+        <source>; nothing of the drawing recognised for %1 m</source>
+        <translation>、%1 m の間、図面のものが一つも認識されていません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned by up to %1</source>
+        <translation>
+            <numerusform>%n 棟が最大 %1 回転</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n grown or shrunk by up to %1 m</source>
+        <translation>
+            <numerusform>%n 棟が最大 %1 m 伸縮</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n (%1) only one side was seen: how deep that is, is as drawn.</source>
+        <translation>
+            <numerusform>%n 棟 (%1) は一面だけ見えました。奥行きは図面のままです。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>moved by %1 m</source>
+        <translation>%1 m 移動</translation>
+    </message>
+    <message>
+        <source>turned by %1</source>
+        <translation>%1 回転</translation>
+    </message>
+    <message>
+        <source>grown by %1 m</source>
+        <translation>%1 m 拡大</translation>
+    </message>
+    <message>
+        <source>shrunk by %1 m</source>
+        <translation>%1 m 縮小</translation>
+    </message>
+    <message>
+        <source>%1 stands in %2: they share %3 % more ground than drawn</source>
+        <translation>%1 が %2 に重なっている: 図面より %3 % 多く敷地を共有</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 m, far more than the drawing says that it may be off</source>
+        <translation>%1 が %2 m 移動。図面の不確かさをはるかに超えています</translation>
+    </message>
+    <message>
+        <source>%1 turned by %2, more than people draw askew</source>
+        <translation>%1 が %2 回転。人が描く傾きを超えています</translation>
+    </message>
+    <message>
+        <source>%1 grew by %2 m, far more than the drawing says that it may be off</source>
+        <translation>%1 が %2 m 拡大。図面の不確かさをはるかに超えています</translation>
+    </message>
+    <message>
+        <source>%1 shrank by %2 m, far more than the drawing says that it may be off</source>
+        <translation>%1 が %2 m 縮小。図面の不確かさをはるかに超えています</translation>
+    </message>
+    <message>
+        <source>the robot came by, and nothing that it saw is taken for it</source>
+        <translation>ロボットがそばを通りましたが、見たものの中にこの建物と判断したものがありません</translation>
+    </message>
+    <message>
+        <source>what was seen may as well be another building</source>
+        <translation>見えたものは別の建物かもしれません</translation>
+    </message>
+    <message>
+        <source>Doubtful: %1. Of a hundred of which this was said, some %2 were wrong.</source>
+        <translation>疑わしい: %1。こう述べた百棟のうち、約 %2 棟が誤りでした。</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Nothing that was seen is taken for it: it is shown where the drawing has it, %1 with the buildings beside it</source>
+        <translation>見えたものの中にこの建物と判断したものがありません。図面の位置から、周りの建物とともに %1 して示しています</translation>
+    </message>
+    <message>
+        <source>As drawn</source>
+        <translation>図面のまま</translation>
+    </message>
+    <message>
+        <source>Against the drawing: %1</source>
+        <translation>図面に対して: %1</translation>
+    </message>
+    <message>
+        <source>Only one side was seen: how deep it is, is as drawn</source>
+        <translation>一面だけ見えました。奥行きは図面のままです</translation>
     </message>
 </context>
 </TS>
