@@ -43,6 +43,9 @@ done
   COMP_WORDS=(handmap-cli run --traj) COMP_CWORD=2
   _handmap_cli handmap-cli
   [ "${COMPREPLY[*]}" = --trajectory ] || fail "--traj is completed to \"${COMPREPLY[*]}\""
+  COMP_WORDS=(handmap-cli run --source po) COMP_CWORD=3
+  _handmap_cli handmap-cli
+  [ "${COMPREPLY[*]}" = points ] || fail "--source po is completed to \"${COMPREPLY[*]}\""
 )
 
 # Both programs start from there and find what they bring along.

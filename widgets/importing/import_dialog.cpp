@@ -92,6 +92,7 @@ void ImportDialog::addFields() {
   seconds_->addItem(tr("nanoseconds"), 1e-9);
   radians_->addItem(tr("radians"), 1.0);
   radians_->addItem(tr("degrees"), toRadians(1.0));
+  columns_->setMinimumWidth(fontMetrics().averageCharWidth() * 28);
   angles_->setPlaceholderText(tr("first:step, e.g. -90:0.5"));
   angles_->setToolTip(tr("Of the ranges of a scan: degrees, 0 ahead, positive to the left."));
   rate_->setPlaceholderText(tr("where there are no times"));

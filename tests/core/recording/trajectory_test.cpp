@@ -98,5 +98,18 @@ TEST(Tum, WrittenPosesReadBack) {
             "1.5 1.000000 2.000000 0 0 0 1.000000000 0.000000000\n");
 }
 
+TEST(Trajectory, AQuaternionWithWFirstIsRefused) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("a.tum", "0 0 0 0 1 0 0 0\n1 1 0 0 0.995 0 0 0.0998\n");
+  test::expectBadInput([&] { readTum(path); },
+                       {"a.tum: line 1", "tips the robot over, as 2 of 2 do", "is w the first"});
+}
+
+TEST(Trajectory, TimesInNanosecondsAreNamed) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("a.tum", "1700000000000000000 0 0 0 0 0 0 1\n");
+  test::expectBadInput([&] { readTum(path); }, {"a.tum: line 1", "this looks like nanoseconds"});
+}
+
 }  // namespace
 }  // namespace handmap
