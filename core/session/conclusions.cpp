@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <malloc.h>
+
 #include "core/base/parallel.h"
 
 namespace handmap {
@@ -32,6 +34,7 @@ void Conclusions::begin(double driven_m, const std::function<Make()>& know) {
         } catch (const std::exception& error) {
           made.trouble = error.what();
         }
+        malloc_trim(0);  // it has taken a lot for a moment, in an arena that nobody else uses
         made.took = Clock::now() - begun;
         promise.set_value(std::move(made));
       });

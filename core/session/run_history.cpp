@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <malloc.h>
+
 namespace handmap {
 
 namespace {
@@ -70,6 +72,7 @@ void RunHistory::thinSnapshots() {
     });
     if (past_.size() > most) step_ *= 2;
   }
+  malloc_trim(0);  // what has gone lay between what stays: its pages go back to the system
 }
 
 void RunHistory::thinPictures() {

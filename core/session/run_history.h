@@ -11,7 +11,9 @@
 namespace handmap {
 
 struct HistoryLimits {
-  std::size_t snapshots = 4096;  ///< one a second of an hour, some 30 kB each
+  /// One in two seconds of an hour. Each has 20 to 100 kB of its own: the buildings of a map change
+  /// with every key frame.
+  std::size_t snapshots = 2048;
   std::size_t picture_bytes = 128U << 20U;
 };
 

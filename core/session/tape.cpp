@@ -21,11 +21,9 @@ Panning panningOf(const std::vector<View>& views) {
 std::size_t bytesOf(const Tape::Entry& entry) {
   if (!entry.perceived) return sizeof(Tape::Entry);
   const Percept& percept = entry.perceived->percept;
-  // Wall points of the local map are shared between the entries: each has its own once. How many of
-  // them a map has is not known here.
-  constexpr std::size_t kLocalMap = 8U << 10U;
-  return sizeof(Perceived) + kLocalMap +
-         percept.points.capacity() * (sizeof(RangePoint) + sizeof(WallPoint)) +
+  // Of the local map, the wall points of its scan and the list of those before it: as measured.
+  constexpr std::size_t kLocalMap = 14U << 10U;
+  return sizeof(Perceived) + kLocalMap + percept.points.capacity() * sizeof(RangePoint) +
          percept.scan.rays.capacity() * sizeof(Ray);
 }
 
