@@ -53,6 +53,7 @@ Message::Message(QString topic, QWidget* parent)
       buttons_(new QHBoxLayout),
       timer_(new QTimer(this)) {
   setAutoFillBackground(true);
+  setBackgroundRole(QPalette::Window);  // which is tinted, whatever it lies on
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 4, 6, 4);
   picture_->hide();

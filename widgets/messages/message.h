@@ -33,7 +33,7 @@ class Message : public QFrame {
 
  Q_SIGNALS:
   void dismissed();
-  void putOff();  ///< by the cross, after dismissed()
+  void putOff();   ///< by the cross, after dismissed()
   void resized();  ///< it may need more room, or less
 
  protected:

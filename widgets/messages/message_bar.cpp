@@ -18,6 +18,7 @@ MessageBar::MessageBar(QWidget* over)
   setAttribute(Qt::WA_NoMousePropagation);  // a click on a message is none on the map
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
+  setBackgroundRole(QPalette::Window);  // the canvas below has another
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
@@ -135,6 +136,13 @@ void MessageBar::place() {
   const int height = std::min(wanted, room.height() - kAboveEdge);
   setGeometry((room.width() - width) / 2, room.height() - kAboveEdge - height, width, height);
   raise();
+}
+
+/// What is in a message now may need more lines.
+bool MessageBar::event(QEvent* event) {
+  const bool known = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest) place();
+  return known;
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {

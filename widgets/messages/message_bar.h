@@ -42,6 +42,7 @@ class MessageBar : public QFrame {
   void shown(const QString& text);
 
  protected:
+  bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

@@ -1,5 +1,6 @@
 #include "widgets/style/colours.h"
 
+#include <QGuiApplication>
 #include <QPalette>
 #include <algorithm>
 
@@ -71,7 +72,9 @@ QColor Colours::operator[](Role role) const {
 
 QPen Colours::pen(Role role) const {
   const Row& row = rowOf(role);
-  QPen pen((*this)[role], row.width, row.line, Qt::FlatCap, Qt::RoundJoin);
+  // A cosmetic pen is as wide in pixels of the device, which are finer on some screens.
+  const double ratio = qGuiApp != nullptr ? qGuiApp->devicePixelRatio() : 1.0;
+  QPen pen((*this)[role], row.width * ratio, row.line, Qt::FlatCap, Qt::RoundJoin);
   pen.setCosmetic(true);
   return pen;
 }

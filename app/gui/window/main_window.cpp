@@ -466,7 +466,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   messages_->show(MessageBar::Kind::Info, tr("“%1” is not possible now: %2.").arg(command, why_not),
                   {}, kNotNowTopic);
   if (id != QLatin1String("run.run") || run_.state() != RunState::Idle) return;
-  for (const char* source : {"run.open_recording", "run.simulator", "run.connect"}) {
+  const char* simulator = document_.map().buildings.empty() ? "run.simulator" : "run.simulate";
+  for (const char* source : {simulator, "run.open_recording", "run.connect"}) {
     messages_->addAction(actions_[source].text(), [this, source] { actions_[source].trigger(); });
   }
 }

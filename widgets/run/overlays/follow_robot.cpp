@@ -39,11 +39,9 @@ void FollowRobot::follow() {
     canvas_.setTurn(normalizedAngle(kPi / 2.0 - pose_->heading));
   }
   // What is well in sight does not move the map.
-  constexpr double kMargin = 0.2;  // of the canvas
+  constexpr double kMarginPx = 40.0;
   const QRectF shown = canvas_.viewport()->rect();
-  const QSizeF margin = shown.size() * kMargin;
-  const QRectF inner =
-      shown.adjusted(margin.width(), margin.height(), -margin.width(), -margin.height());
+  const QRectF inner = shown.adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx);
   const bool in_sight = inner.contains(canvas_.viewportTransform().map(toScene(pose_->position())));
   if (mode_ == Mode::FollowAndTurn || !in_sight) canvas_.centreAt(toScene(pose_->position()));
 }

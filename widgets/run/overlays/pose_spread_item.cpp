@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kCorners = 48;
 constexpr double kRayPx = 46.0;
-constexpr double kMostHeading = kPi / 2.0;  // what is wider tells no direction
-constexpr double kMarginM = 60.0;           // room for rays of so many pixels when zoomed out
+constexpr double kLeastHeading = toRadians(3.0);  // a narrower cone would look like a way ahead
+constexpr double kMostHeading = kPi / 2.0;        // what is wider tells no direction
+constexpr double kMarginM = 60.0;                 // room for rays of so many pixels when zoomed out
 
 }  // namespace
 
@@ -36,8 +37,10 @@ void PoseSpreadItem::setReport(const FrameReport& report) {
   }
   at_ = toScene(report.pose.position());
   const double turn = std::min(report.pose_sigma[2], kMostHeading);
-  heading_ = {toScene(unitVector(report.pose.heading - turn)),
-              toScene(unitVector(report.pose.heading + turn))};
+  heading_.clear();
+  if (turn >= kLeastHeading)
+    heading_ = {toScene(unitVector(report.pose.heading - turn)),
+                toScene(unitVector(report.pose.heading + turn))};
   bounds_ = ellipse_.boundingRect().adjusted(-kMarginM, -kMarginM, kMarginM, kMarginM);
 }
 
