@@ -66,6 +66,10 @@ MapChanges changesOf(const Map& drawing, const Map& refined) {
     BuildingChange change = changeOf(drawing.buildings[b], now);
     change.building = b;
     if (change.doubt > 0.0) changes.doubtful.push_back(change);
+    if (drawing.buildings[b].fixed) {
+      changes.kept.push_back(change);
+      continue;
+    }
     if (!now.estimate || now.estimate->observations == 0) {
       changes.unseen.push_back(change);
       continue;

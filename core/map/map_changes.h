@@ -36,7 +36,7 @@ BuildingChange changeOf(const Building& drawn, const Building& now);
 
 struct MapChanges {
   std::vector<BuildingChange> moved;      ///< and seen; the farthest first
-  std::vector<BuildingChange> kept;       ///< seen, and neither moved, turned nor resized
+  std::vector<BuildingChange> kept;       ///< seen and neither moved, turned nor resized, or fixed
   std::vector<BuildingChange> unseen;     ///< no observation stands for them
   std::vector<BuildingChange> turned;     ///< of those seen; the most turned first
   std::vector<BuildingChange> resized;    ///< of those seen; the most changed first

@@ -259,11 +259,11 @@ void RevisionActions::onReady() {
   shell_.messages.withdraw(kRevisionActionsTopic);
   if (then_ == Then::Take) {
     run_.takeRevision();
+    const bool said = !acts_.all().empty();
     shell_.messages.show(MessageBar::Kind::Info, tr("Done again. %1").arg(words),
-                         tr("Undo (Ctrl+Z) takes it back."), kRevisionActionsTopic);
-    if (!acts_.all().empty()) {
-      shell_.messages.addAction(tr("What you said"), [this] { shell_.docks.show(panel_); });
-    }
+                         said ? tr("Undo (Ctrl+Z) takes it back.") : QString(),
+                         kRevisionActionsTopic);
+    if (said) shell_.messages.addAction(tr("What you said"), [this] { shell_.docks.show(panel_); });
     return;
   }
   outcome_->setPoses(after->trajectory.all());

@@ -55,6 +55,14 @@ TEST(MapChanges, ABuildingThatTurnsOrGrowsWhereItStandsIsNotKept) {
   EXPECT_EQ(changes.kept[0].building, 2U);
 }
 
+TEST(MapChanges, WhatIsFixedStandsAsDrawn) {
+  Map drawing;
+  drawing.buildings = {at("fixed", 0.0, 0)};
+  drawing.buildings[0].fixed = true;
+  EXPECT_EQ(changesOf(drawing, drawing).kept.size(), 1U);
+  EXPECT_TRUE(changesOf(drawing, drawing).unseen.empty());
+}
+
 TEST(MapChanges, ThePolygonThatTurnsIsToldByItsCorners) {
   Building drawn;
   drawn.shape = Polygon{{0, 0}, {24, 0}, {24, 18}, {14, 18}, {14, 8}, {0, 8}};
