@@ -34,7 +34,7 @@ class RunEndingTest : public WindowTest {
     return {{"quit", [](MainWindow& window) { EXPECT_TRUE(window.close()); }},
             {"new", [](MainWindow& window) { action(window, "file.new")->trigger(); }},
             {"draw", [](MainWindow& window) { press(window, "Draw"); }},
-            {"simulator", [](MainWindow& window) { press(window, "Simulator"); }},
+            {"simulator", [](MainWindow& window) { window.sources().openTwoRows(); }},
             {"another run",
              [](MainWindow& window) {
                window.sources().openTwoRows();

@@ -95,6 +95,8 @@ void BuildingsPanel::makeTable() {
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setMinimumSectionSize(0);
+  // What a narrow panel shows: the building, how far it moved, and why that is doubtful.
+  table_->horizontalHeader()->moveSection(BuildingsModel::Why, BuildingsModel::Turned);
   QFont small = font();
   small.setPointSizeF(small.pointSizeF() * 0.85);
   table_->setFont(small);
