@@ -86,6 +86,9 @@ TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
       "origins": ["https://viewer.example"]})");
   EXPECT_EQ(rig.camera->ros, "ws://rover:9090");
   EXPECT_EQ(rig.publish, (PublishRig{"ws://rover:9090", 8765, false, {"https://viewer.example"}}));
+  Rig without_tf = rig;
+  without_tf.publish.tf = false;
+  EXPECT_EQ(parseRig(formatRig(without_tf, {}), "rig", {}).publish, without_tf.publish);
   EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
   EXPECT_NE(refusal(R"("camera": {"ros": "ws://x:1", "left": "a", "right": "b", "width": 640,
                     "calibration": "c"})")
