@@ -53,9 +53,9 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
                    "is georeferenced")
       ->required()
       ->option_text("IN");
-  command->add_option("--out", a.out, "The drawing, or the GeoJSON of one (required)")
+  command->add_option("out", a.out, "The drawing, or the GeoJSON of one")
       ->required()
-      ->option_text("OUT.handmap");
+      ->option_text("OUT");
 }
 
 }  // namespace handmap

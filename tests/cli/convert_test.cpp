@@ -13,8 +13,8 @@ TEST_F(Convert, ThereAndBack) {
   auto map = nlohmann::json::parse(contentOf("row-truth.handmap"));
   map["georeference"] = {{"latitude", 34.7}, {"longitude", 137.4}};
   std::ofstream("placed.handmap") << map;
-  expectDone(run({"convert", "placed.handmap", "--out", "placed.geojson"}), "");
-  expectDone(run({"convert", "placed.geojson", "--out", "back.handmap"}), "");
+  expectDone(run({"convert", "placed.handmap", "placed.geojson"}), "");
+  expectDone(run({"convert", "placed.geojson", "back.handmap"}), "");
   const auto back = nlohmann::json::parse(contentOf("back.handmap"));
   EXPECT_EQ(back["buildings"].size(), map["buildings"].size());
   EXPECT_TRUE(back.contains("georeference"));
@@ -22,11 +22,11 @@ TEST_F(Convert, ThereAndBack) {
 }
 
 TEST_F(Convert, SaysWhatItCannotDo) {
-  expectFailed(run({"convert", "row-truth.handmap", "--out", "a.handmap"}), 1,
+  expectFailed(run({"convert", "row-truth.handmap", "a.handmap"}), 1,
                "handmap-cli: error: row-truth.handmap to a.handmap: one of them is to be a drawing "
                "(.handmap)\nhint: handmap-cli convert --help\n");
   std::ofstream("empty.geojson") << R"({"type":"FeatureCollection","features":[]})";
-  expectFailed(run({"convert", "empty.geojson", "--out", "a.handmap"}), 2,
+  expectFailed(run({"convert", "empty.geojson", "a.handmap"}), 2,
                "handmap-cli: error: empty.geojson: found 0 features and no building among them, "
                "expected polygons of buildings\n");
 }
