@@ -25,8 +25,8 @@ template <typename Stamped>
 std::size_t sortByTime(std::vector<Stamped>& all) {
   std::ranges::stable_sort(all, {}, &Stamped::time_s);
   const std::size_t before = all.size();
-  const auto rest = std::ranges::unique(all, {}, &Stamped::time_s);
-  all.erase(rest.begin(), rest.end());
+  const auto same = [](const Stamped& a, const Stamped& b) { return a.time_s == b.time_s; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
   return before - all.size();
 }
 

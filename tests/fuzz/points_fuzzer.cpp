@@ -9,7 +9,7 @@ using namespace handmap;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::takenOrRefused([&] {
     const auto points = readPoints(fuzz::File(fuzz::textOf(data, size)).path());
-    fuzz::require(points.size() * sizeof(RangePoint) == size);
+    fuzz::require(points.size() * 12 <= size);  // what is no number is left out, w may be
     for (const RangePoint& point : points) fuzz::require(std::isfinite(point.x + point.w));
   });
 }
