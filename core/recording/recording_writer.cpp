@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
@@ -91,6 +92,8 @@ class GrowingFile {
       descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kPermissions);
       if (descriptor_ < 0) fail(errno);
     }
+    struct stat status {};
+    if (fstat(descriptor_, &status) == 0 && status.st_nlink == 0) fail(ENOENT);  // taken away
     const auto whole = static_cast<off_t>(text.size());
     while (!text.empty()) {
       const ssize_t count = write(descriptor_, text.data(), text.size());

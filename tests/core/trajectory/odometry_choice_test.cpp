@@ -71,9 +71,16 @@ TEST_F(OdometryChoice, WhatCannotBeIsRefused) {
   test::expectBadInput(
       [&] { replayWithOdometry(recording, {.kind = SourceKind::Images}, OdometryKind::Scan); },
       {"range points for odometry from scans"});
+}
+
+TEST_F(OdometryChoice, WithoutOdometryTheScansTellTheMotion) {
+  Recording recording = record(0.03);
   recording.odometry = {};
-  test::expectBadInput([&] { replayWithOdometry(recording, {}, OdometryKind::Auto); },
-                       {"found no odometry"});
+  for (const OdometryKind kind : {OdometryKind::Recorded, OdometryKind::Auto}) {
+    const ChosenOdometry choice = replayWithOdometry(recording, {}, kind);
+    EXPECT_EQ(choice.kind, OdometryKind::Scan);
+    while (choice.source->next()) continue;
+  }
 }
 
 TEST(OdometryKind, HasNames) {
