@@ -20,7 +20,7 @@ _handmap_cli() {
     *'|'*)  # words to choose from; those with capitals or a dot stand for files, which -o default offers
       words=$(tr -d '[]' <<<"$form" | tr '|,' '\n\n' | grep -xE '[a-z0-9-]+')
       mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
-      [[ $form =~ [A-Z.] ]] && mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "$word") ;;
+      if [[ $form =~ [A-Z.] ]]; then mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "$word"); fi ;;
   esac
 }
 complete -o default -F _handmap_cli handmap-cli

@@ -87,7 +87,7 @@
     <message numerus="yes">
         <source>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</source>
         <translation>
-            <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its only observation.</numerusform>
+            <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</numerusform>
             <numerusform>The program ended in the middle of a drive. Its recording is whole, up to its last observation: %n of them.</numerusform>
         </translation>
     </message>

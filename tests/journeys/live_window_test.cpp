@@ -301,6 +301,7 @@ TEST_F(LiveWindow, ADriveThatWasCutOffIsOffered) {
   window->offerRecovery();
   QTest::qWait(200);
   EXPECT_FALSE(message(*window).contains("middle of a drive"));
+  action(*window, "run.accept")->trigger();  // whoever opens another one is asked of this run
   // As it is after a kill.
   settings_.setValue("live/recording", folder);
   settings_.setValue("live/process", 0);

@@ -225,7 +225,7 @@ class EditingTest : public QObject {
     // Of several the largest leads, or what is locked.
     const MapChange all = madeParallel(map, {"A", "B", "C"});
     for (const Building& building : all.buildings) QCOMPARE(building.box().heading, 0.0);
-    map.buildings[3].fixed = true;
+    map.buildings[3].flags.locked = true;
     const MapChange led = madeParallel(map, {"A", "C"});
     QCOMPARE(led.buildings.size(), std::size_t(1));
     QVERIFY(std::abs(led.buildings[0].box().heading - toRadians(30)) < 1e-9);

@@ -190,7 +190,7 @@ MapChange madeParallel(const Map& map, const QStringList& keys) {
   const Building* guide = nullptr;
   if (chosen.size() > 1)
     guide = &*std::ranges::max_element(chosen, {}, [](const Building& building) {
-      return std::pair(building.fixed, std::abs(signedArea(building.footprint())));
+      return std::pair(building.flags.locked, std::abs(signedArea(building.footprint())));
     });
   const std::vector<Other> others = othersThan(map, keys);
   for (Building& building : change.buildings) {

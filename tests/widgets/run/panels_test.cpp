@@ -157,7 +157,7 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   EXPECT_EQ(text(BuildingsModel::Deeper), "0");
   EXPECT_EQ(text(BuildingsModel::Turned), "0");
   EXPECT_EQ(text(BuildingsModel::Sure), "0.40") << "the worst of those that were seen";
-  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("30 % likely another building"));
+  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("of a hundred of which as much was said some 30"));
   EXPECT_EQ(text(BuildingsModel::Error), "–");
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);
@@ -190,6 +190,7 @@ struct Row {
       building.shape = Rectangle{{20.0 * i, 0.0}, 10.0, 10.0, 0.0};
       drawing.buildings.push_back(building);
     }
+    drawing.uncertainty = {2.0, 3.0};
     drawing.buildings[2].name = "Bar, \"Inn\"";
     refined = drawing;
     const double moved[] = {2.0, 10.0, 1.0};
