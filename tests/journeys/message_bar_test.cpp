@@ -65,7 +65,9 @@ TEST_F(MessageBarTest, LiesOverTheMapWithoutMovingIt) {
 
 TEST_F(MessageBarTest, AButtonMayKeepItsMessage) {
   int looked = 0;
-  bar_.show(Kind::Info, "One is doubtful").addAction("Show", [&] { ++looked; }, Message::Then::Stay);
+  bar_.show(Kind::Info, "One is doubtful")
+      .addAction(
+          "Show", [&] { ++looked; }, Message::Then::Stay);
   press(*bar_.messages().first(), "Show");
   press(*bar_.messages().first(), "Show");
   EXPECT_EQ(looked, 2);

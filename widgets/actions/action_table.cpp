@@ -90,7 +90,8 @@ constexpr std::array kActions = {
                ToolBar::None, Push, true},
 
     ActionSpec{"arrange.lock", QT_TRANSLATE_NOOP("Actions", "&Lock"), "", "Ctrl+L",
-               QT_TRANSLATE_NOOP("Actions", "Nobody moves, resizes or deletes it by hand; again unlocks it."),
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Nobody moves, resizes or deletes it by hand; again unlocks it."),
                Menu::Arrange},
     ActionSpec{"arrange.square", QT_TRANSLATE_NOOP("Actions", "&Square Up"), "", "Q",
                QT_TRANSLATE_NOOP("Actions",

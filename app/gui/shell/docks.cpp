@@ -14,7 +14,7 @@ namespace {
 
 constexpr QSize kRoomyWindow(1000, 700);  // pixels; a smaller one is the drawing's
 constexpr int kFirstWidth = 300;          // pixels
-constexpr QPoint kFloatingAt(160, 240);  // below the messages; where nobody has moved them
+constexpr QPoint kFloatingAt(160, 240);   // below the messages; where nobody has moved them
 
 /// A floating panel that is partly on no screen, or larger than it, is moved and made smaller.
 void keepOnScreen(QDockWidget& dock) {

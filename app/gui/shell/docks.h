@@ -73,7 +73,7 @@ class Docks : public QObject {
 
   QMainWindow& window_;
   std::vector<Dock> docks_;
-  QSet<QDockWidget*> closed_;  ///< by the user, or never asked for
+  QSet<QDockWidget*> closed_;     ///< by the user, or never asked for
   QDockWidget* front_ = nullptr;  ///< of those that are folded away
   bool open_ = true;
 };

@@ -157,7 +157,8 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   EXPECT_EQ(text(BuildingsModel::Deeper), "0");
   EXPECT_EQ(text(BuildingsModel::Turned), "0");
   EXPECT_EQ(text(BuildingsModel::Sure), "0.40") << "the worst of those that were seen";
-  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("of a hundred of which as much was said some 30"));
+  EXPECT_TRUE(
+      text(BuildingsModel::Why).startsWith("of a hundred of which as much was said some 30"));
   EXPECT_EQ(text(BuildingsModel::Error), "–");
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);

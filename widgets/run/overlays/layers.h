@@ -34,7 +34,7 @@ struct LayerSpec {
   const char* id;  ///< in settings
   const char* text;
   const char* hint;
-  Role role;  ///< of its legend
+  Role role;           ///< of its legend
   bool usual = true;   ///< shown before anybody has chosen
   bool of_run = true;  ///< there is nothing of it without a run
 };
@@ -42,7 +42,8 @@ struct LayerSpec {
 /// In the order of the panel.
 inline constexpr std::array<LayerSpec, static_cast<std::size_t>(Layer::Count)> kLayers = {{
     {Layer::Drawing, "drawing", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Drawing"),
-     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The map as it is drawn"), Role::Drawing, true, false},
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The map as it is drawn"), Role::Drawing, true,
+     false},
     {Layer::Corrected, "corrected", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Corrected map"),
      QT_TRANSLATE_NOOP("handmap::LayersPanel",
                        "The best map of the run. Dashed: a wall that nobody saw. Hatched: a "
@@ -96,9 +97,11 @@ inline constexpr std::array<LayerSpec, static_cast<std::size_t>(Layer::Count)> k
                        "Where the recording knows the true way; never used by the run"),
      Role::Truth, false, false},
     {Layer::Underlays, "pictures", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures"),
-     QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures below the drawing"), Role::Axis, true, false},
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "Pictures below the drawing"), Role::Axis, true,
+     false},
     {Layer::Grid, "grid", QT_TRANSLATE_NOOP("handmap::LayersPanel", "Grid"),
-     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The metric grid"), Role::GridLineMajor, true, false},
+     QT_TRANSLATE_NOOP("handmap::LayersPanel", "The metric grid"), Role::GridLineMajor, true,
+     false},
 }};
 
 }  // namespace handmap
