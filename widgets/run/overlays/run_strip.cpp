@@ -70,7 +70,7 @@ void RunStrip::show(const FrameReport& report, const Map& map) {
   font.setBold(kind == Certainty::Lost);
   certainty_->setFont(font);
   certainty_->setText(signOf(kind) + QLatin1Char(' ') + Words::certainty(report));
-  place_->setText(QStringLiteral("· ") + Words::place(report.pose, map));
+  place_->setText(QStringLiteral(" · ") + Words::place(report.pose, map));
   setAccessibleName(words());
   setVisible(true);
   place();
@@ -92,7 +92,7 @@ void RunStrip::showNothing() {
 }
 
 QString RunStrip::words() const {
-  const QString line = certainty_->text() + QLatin1Char(' ') + place_->text();
+  const QString line = certainty_->text() + place_->text();
   return phase_->text().isEmpty() ? line : line + QLatin1Char('\n') + phase_->text();
 }
 
