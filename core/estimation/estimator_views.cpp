@@ -5,6 +5,7 @@
 #include "core/base/random.h"
 #include "core/estimation/estimator_state.h"
 #include "core/estimation/samples.h"
+#include "core/map/certainty.h"
 
 namespace handmap {
 
@@ -53,8 +54,7 @@ std::vector<NearbyBuilding> HandmapEstimator::nearby() const {
   std::vector<NearbyBuilding> buildings;
   for (const std::size_t b : state_->labels.nearby()) {
     const Building& now = state_->correction.corrected(b);
-    buildings.push_back(
-        {b, now.footprint(), now.estimate && now.estimate->observations > 0 && !now.fixed});
+    buildings.push_back({b, now.footprint(), isRecognised(now) && !now.fixed});
   }
   return buildings;
 }

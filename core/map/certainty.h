@@ -20,6 +20,11 @@ std::vector<SideEstimate> wallsOf(const Building& building);
 /// right.
 std::size_t sideFacing(double heading_rad, const Vec2& outwards);
 
+/// Whether something that a run saw is taken for it.
+inline bool isRecognised(const Building& building) {
+  return building.estimate && building.estimate->observations > 0;
+}
+
 /// 0 where the run has not said so.
 inline double doubtOf(const Building& building) { return building.doubt.value_or(0.0); }
 /// To the hundredth, as a file has it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/map/certainty.h"
 #include "core/map/map_changes.h"
 
 namespace handmap {
@@ -39,16 +40,13 @@ double sharedOfSmaller(const Polygon& a, const Polygon& b) {
   return intersectionArea(a, b) / std::min(std::abs(signedArea(a)), std::abs(signedArea(b)));
 }
 
-bool wasMet(const Building& building) {
-  return building.estimate && building.estimate->observations > 0;
-}
-
 void addOverlaps(const Map& drawing, const Map& refined, std::vector<Concern>& concerns) {
   const std::vector<Laid> outlines = outlinesFromTheLeft(refined);
   for (auto a = outlines.begin(); a != outlines.end(); ++a) {
     for (auto b = a + 1; b != outlines.end() && b->bounds.low.x() < a->bounds.high.x(); ++b) {
       if (!a->bounds.overlaps(b->bounds)) continue;
-      if (!wasMet(refined.buildings[a->building]) && !wasMet(refined.buildings[b->building])) {
+      if (!isRecognised(refined.buildings[a->building]) &&
+          !isRecognised(refined.buildings[b->building])) {
         continue;
       }
       const double more = sharedOfSmaller(a->polygon, b->polygon) -
@@ -67,7 +65,7 @@ std::vector<Concern> concernsOf(const Map& drawing, const Map& refined) {
   std::vector<Concern> concerns;
   const std::size_t count = std::min(drawing.buildings.size(), refined.buildings.size());
   for (std::size_t b = 0; b < count; ++b) {
-    if (!wasMet(refined.buildings[b])) continue;
+    if (!isRecognised(refined.buildings[b])) continue;
     const BuildingChange change = changeOf(drawing.buildings[b], refined.buildings[b]);
     const Uncertainty drawn = drawing.uncertaintyOf(drawing.buildings[b]);
     // A middle is also moved where one side alone is put elsewhere.
@@ -82,6 +80,13 @@ std::vector<Concern> concernsOf(const Map& drawing, const Map& refined) {
   addOverlaps(drawing, refined, concerns);
   std::ranges::stable_sort(concerns, {}, &Concern::building);
   return concerns;
+}
+
+std::span<const Concern> concernsAbout(std::size_t building, std::span<const Concern> concerns) {
+  const auto low = std::ranges::lower_bound(concerns, building, {}, &Concern::building);
+  const auto high = std::ranges::upper_bound(concerns, building, {}, &Concern::building);
+  return concerns.subspan(static_cast<std::size_t>(low - concerns.begin()),
+                          static_cast<std::size_t>(high - low));
 }
 
 }  // namespace handmap

@@ -2,6 +2,7 @@
 // stand in each other, and changes far beyond what the drawing says that it may be off.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/map/map.h"
@@ -21,5 +22,8 @@ struct Concern {
 /// `refined`: of a run on `drawing`, its buildings in the same order; those that nobody saw stand
 /// where the drawing has them and are no concern, but where others stand in them. By building.
 std::vector<Concern> concernsOf(const Map& drawing, const Map& refined);
+
+/// Of those of concernsOf() the ones about one building.
+std::span<const Concern> concernsAbout(std::size_t building, std::span<const Concern> concerns);
 
 }  // namespace handmap

@@ -70,7 +70,7 @@ MapChanges changesOf(const Map& drawing, const Map& refined) {
       changes.kept.push_back(change);
       continue;
     }
-    if (!now.estimate || now.estimate->observations == 0) {
+    if (!isRecognised(now)) {
       changes.unseen.push_back(change);
       continue;
     }

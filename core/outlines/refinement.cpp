@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/map/certainty.h"
 #include "core/outlines/agreement.h"
 
 namespace handmap {
@@ -130,7 +131,7 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   task.drawn = drawn.footprint();
   if (to_be_found) {
     const Building& now = found->map.buildings[b];
-    task.labelled = now.estimate && now.estimate->observations > 0;
+    task.labelled = isRecognised(now);
     task.drawn = task.labelled ? carried(task.drawn, found->motion) : now.footprint();
   }
   task.start = task.drawn;
@@ -177,8 +178,7 @@ Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
       building.estimate = results[b].estimate;
       forgetCertainty(building);
       setSides(building, results[b].sides);
-    } else if (!found || (outline == tasks[b].drawn && building.estimate &&
-                          building.estimate->observations > 0)) {
+    } else if (!found || (outline == tasks[b].drawn && isRecognised(building))) {
       // It stays as drawn; what may be said of it is what the drawing says.
       const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
       found ? building.sides.reset() : forgetCertainty(building);
@@ -205,7 +205,7 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     const Building& drawn = drawing.buildings[b];
     Building& building = refined.map.buildings[b];
     if (drawn.fixed) continue;
-    const bool seen = building.estimate && building.estimate->observations > 0;
+    const bool seen = isRecognised(building);
     // A way that was told without the drawing says nothing of what nobody saw along it.
     const bool as_drawn = agreement.isRight(b) || (by_start && !seen);
     building.shape = as_drawn ? drawn.shape : moved(building.shape, back);

@@ -173,14 +173,9 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
     doubt.remedy = Remedy{best == 2 ? phrase("Read the points as x right, y forward")
                                     : phrase("Turn the points around")};
   } else {
-    const bool millimetres = best == 4;
     doubt.message = phrase("{}: found {} with shorter motions, expected metres",
                            odometryName(recording), found);
-    doubt.hint = millimetres ? phrase("these look like millimetres: multiply x and y by 0.001")
-                             : phrase("these look like centimetres: multiply x and y by 0.01");
-    doubt.remedy = Remedy{millimetres ? phrase("Read the odometry as millimetres")
-                                      : phrase("Read the odometry as centimetres")};
-    doubt.remedy->odometry_scale = axes.odometry_scale;
+    sayUnitOfOdometry(axes.odometry_scale, doubt);
   }
   doubt.remedy->points = {axes.xx, axes.xy, axes.yx, axes.yy, 1.0F, 0.0F};
   return doubt;

@@ -20,6 +20,9 @@ void checkAgreement(const Recording& recording, const std::stop_token& stop, Dou
 /// where there are too few.
 std::optional<double> scaleByScans(const Recording& recording, const std::stop_token& stop);
 
+/// What the odometry is likely counted in, `scale` metres a unit: 0.01 or 0.001. With the remedy.
+void sayUnitOfOdometry(double scale, Doubt& doubt);
+
 /// "odometry.tum" of the folder.
 std::string odometryName(const Recording& recording);
 

@@ -50,17 +50,12 @@ void checkSpeed(const Recording& recording, const std::vector<Motion>& motions,
   if (speed_mps < kFast_mps) return;
   const double scale =
       scaleByScans(recording, stop).value_or(speed_mps < kCentimetres_mps ? 0.01 : 0.001);
-  const bool centimetres = scale > 0.005;
   Doubt doubt;
   doubt.code = "odometry_units";
   doubt.certain = speed_mps >= kImpossible_mps;
   doubt.message = phrase("{}: found a robot that drives {:.0f} m/s, expected metres",
                          odometryName(recording), speed_mps);
-  doubt.hint = centimetres ? phrase("these look like centimetres: multiply x and y by 0.01")
-                           : phrase("these look like millimetres: multiply x and y by 0.001");
-  doubt.remedy = Remedy{centimetres ? phrase("Read the odometry as centimetres")
-                                    : phrase("Read the odometry as millimetres")};
-  doubt.remedy->odometry_scale = scale;
+  sayUnitOfOdometry(scale, doubt);
   doubts.push_back(std::move(doubt));
 }
 
@@ -173,6 +168,15 @@ void checkOdometry(const Recording& recording, const std::stop_token& stop, Doub
   checkSpeed(recording, motions, stop, doubts);
   checkHeadings(recording, motions, doubts);
   checkGaps(recording, doubts);
+}
+
+void sayUnitOfOdometry(double scale, Doubt& doubt) {
+  const bool centimetres = scale > 0.005;
+  doubt.hint = centimetres ? phrase("these look like centimetres: multiply x and y by 0.01")
+                           : phrase("these look like millimetres: multiply x and y by 0.001");
+  doubt.remedy = Remedy{centimetres ? phrase("Read the odometry as centimetres")
+                                    : phrase("Read the odometry as millimetres")};
+  doubt.remedy->odometry_scale = scale;
 }
 
 }  // namespace handmap

@@ -18,10 +18,6 @@ constexpr double kMoreConcerns = 0.4;   // 10 of 24
 /// above were, which are too few for a figure of their own.
 constexpr double kSlight = 0.3;
 
-bool isRecognised(const Building& building) {
-  return building.estimate && building.estimate->observations > 0;
-}
-
 double shareWrong(const Building& building, int concerns) {
   const double said = doubtOf(building);
   if (!isRecognised(building)) return said > 0.0 ? kNotRecognised : 0.0;

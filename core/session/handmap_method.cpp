@@ -131,8 +131,7 @@ class HandmapMethod : public EstimationMethod {
             since = goes_on ? estimatedMap() : std::function<Map()>()] {
       Map now = since ? since() : concluded;
       for (std::size_t b = 0; since && b < concluded.buildings.size(); ++b) {
-        const auto& estimate = concluded.buildings[b].estimate;
-        if (estimate && estimate->observations > 0) now.buildings[b] = concluded.buildings[b];
+        if (isRecognised(concluded.buildings[b])) now.buildings[b] = concluded.buildings[b];
       }
       stateDoubt(*drawing, now);
       return now;

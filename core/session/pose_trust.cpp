@@ -110,7 +110,7 @@ std::vector<BuildingTrust> trustOf(const Map& refined) {
   std::vector<BuildingTrust> trusts;
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
     const Building& building = refined.buildings[b];
-    if (!building.estimate || building.estimate->observations == 0) continue;
+    if (!isRecognised(building)) continue;
     BuildingTrust trust{b, {}, kInsideOneSigma * (1.0 - doubtOf(building))};
     const Sides sides = sidesOf(building);
     for (std::size_t k = 0; k < sides.size(); ++k) trust.sigma_m[k] = sides[k].sigma;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/phrase.h"
+#include "core/map/certainty.h"
 
 namespace handmap {
 
@@ -108,13 +109,9 @@ RunWarning nothingCorrected(const RunOutcome& outcome) {
   return warning;
 }
 
-bool isCorrected(const Building& building) {
-  return building.estimate && building.estimate->observations > 0;
-}
-
 /// Share of the way that has no corrected building within the sensor's range.
 double shareAlone(const RunOutcome& outcome) {
-  const auto nearest_m = nearestAlong(outcome.trajectory, outcome.refined.buildings, isCorrected);
+  const auto nearest_m = nearestAlong(outcome.trajectory, outcome.refined.buildings, isRecognised);
   const auto alone = std::count_if(nearest_m.begin(), nearest_m.end(), [&](double distance_m) {
     return distance_m > outcome.range_limit_m;
   });
@@ -146,7 +143,7 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
                     counts.observations, finding.seen),
              finding.hint}};
   }
-  if (outcome.refine && std::none_of(buildings.begin(), buildings.end(), isCorrected)) {
+  if (outcome.refine && std::none_of(buildings.begin(), buildings.end(), isRecognised)) {
     return {nothingCorrected(outcome)};
   }
   const int blind = counts.observations - counts.with_building;

@@ -121,16 +121,13 @@ void forSeen(const std::vector<FoundOutline>& outlines, const Returns& returns, 
   }
 }
 
-bool wasFound(const Building& building) {
-  return building.estimate && building.estimate->observations > 0;
-}
-
 }  // namespace
 
 std::vector<FoundOutline> foundOutlines(const Map& refined) {
   std::vector<FoundOutline> outlines;
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
-    if (wasFound(refined.buildings[b])) outlines.push_back({b, refined.buildings[b].footprint()});
+    if (isRecognised(refined.buildings[b]))
+      outlines.push_back({b, refined.buildings[b].footprint()});
   }
   return outlines;
 }
@@ -197,7 +194,7 @@ bool WallRays::wasSeen(std::size_t building, std::size_t wall) const {
 void WallRays::state(const Map& drawing, Map& refined) const {
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
     Building& building = refined.buildings[b];
-    if (drawing.buildings[b].fixed || !wasFound(building)) continue;
+    if (drawing.buildings[b].fixed || !isRecognised(building)) continue;
     const Polygon outline = building.footprint();
     const double heading = building.box().heading;
     Sides sides = sidesOf(building);

@@ -76,7 +76,7 @@ void DoubtItem::include(std::size_t place) {
 /// Of what a run has seen: the certainty that was won. Else what the drawing says of itself.
 std::vector<double> DoubtItem::sigmasOf(const Building& building) const {
   std::vector<double> sigmas;
-  if (building.estimate && building.estimate->observations > 0) {
+  if (isRecognised(building)) {
     for (const SideEstimate& wall : wallsOf(building)) sigmas.push_back(wall.sigma);
   } else {
     sigmas.assign(building.footprint().size(),

@@ -69,10 +69,8 @@ DrawingItem::Shape DrawingItem::shapeOf(const Building& building) const {
   shape.name = building.name;
   shape.fixed = building.fixed;
   shape.locked = building.flags.locked;
-  const Polygon footprint = building.footprint();
-  for (const Vec2& corner : footprint) shape.outline << toScene(corner);
+  for (const Vec2& corner : building.footprint()) shape.outline << toScene(corner);
   shape.bounds = shape.outline.boundingRect();
-  shape.middle = toScene(innerPoint(footprint));
   shape.selected = selected_.contains(QString::fromStdString(building.id));
   return shape;
 }
@@ -272,7 +270,8 @@ void DrawingItem::paintLabel(QPainter& painter, const Shape& shape,
   const double line = painter.fontMetrics().height();
   bool on_ground = !document_.map().underlays.empty();
   QPolygonF outline = to_device.map(shape.outline);
-  QPointF centre = to_device.map(shape.middle);
+  if (!shape.middle) shape.middle = middleOf(shape.outline);
+  QPointF centre = to_device.map(*shape.middle);
   const QString id = QString::fromStdString(shape.id);
   // What the tool moves is where its preview is.
   const auto other = label_outlines_.constFind(id);

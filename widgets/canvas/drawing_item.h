@@ -4,6 +4,7 @@
 #include <QGraphicsItem>
 #include <QHash>
 #include <QSet>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <variant>
@@ -42,7 +43,7 @@ class DrawingItem : public QGraphicsItem {
     bool locked = false;
     QPolygonF outline;  ///< metres
     QRectF bounds;
-    QPointF middle;  ///< of its area
+    mutable std::optional<QPointF> middle;  ///< of its label; told when one is painted
     bool selected = false;
     bool off = false;     ///< hidden by the person
     bool hidden = false;  ///< a preview stands in its place

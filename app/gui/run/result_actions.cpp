@@ -11,6 +11,7 @@
 #include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
 #include "core/base/text.h"
+#include "core/map/certainty.h"
 #include "core/map/concerns.h"
 #include "core/map/map_changes.h"
 #include "core/map/map_io.h"
@@ -202,7 +203,7 @@ bool ResultActions::isUnaccepted() const {
   if (accepted_ == run_.number() || left_ == run_.number()) return false;
   const Map& map = result->map();
   return std::ranges::any_of(map.buildings, [](const Building& building) {
-    return !building.fixed && building.estimate && building.estimate->observations > 0;
+    return !building.fixed && isRecognised(building);
   });
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/map/concerns.h"
+
 namespace handmap {
 
 RunLog::RunLog(RunController& run, LogModel& log, QObject* parent)
@@ -66,11 +68,12 @@ void RunLog::finish(bool cancelled) {
   if (!result) return;
   const MapChanges changes = changesOf(run_.drawing(), result->map());
   add(LogKind::Note, Words::changes(changes, run_.drawing()));
+  const std::vector<Concern> concerns = concernsOf(run_.drawing(), result->map());
   for (const BuildingChange& change : changes.doubtful) {
     const Building& building = run_.drawing().buildings[change.building];
     add(LogKind::Warning,
         Words::nameOf(building) + QStringLiteral(" · ") +
-            Words::doubt(run_.drawing(), result->map(), change.building),
+            Words::doubt(run_.drawing(), result->map(), change.building, concerns),
         QString::fromStdString(building.id));
   }
   for (const RunWarning& warning : result->warnings) {

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
@@ -33,6 +32,7 @@
 #include "app/gui/shell/docks.h"
 #include "app/gui/shell/welcome_strip.h"
 #include "app/gui/window/comfort.h"
+#include "app/gui/window/welcome.h"
 #include "core/geodata/geo_map.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/messages/message_bar.h"
@@ -59,11 +59,6 @@ constexpr auto kStateKey = "window/state";
 constexpr auto kInspectorKey = "window/inspector";
 constexpr int kStateVersion = 7;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 900);
-
-bool isNothing(const Map& map) {
-  return map.buildings.empty() && map.landmarks.empty() && map.route.empty() && !map.start &&
-         map.underlays.empty();
-}
 
 /// The file or folder that is dragged; empty for anything else.
 QString draggedPath(const QMimeData& data) {
@@ -116,7 +111,8 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   connectEditing();
   connectTools();
   connectView();
-  connectWelcome();
+  new Welcome(shell_, *welcome_,
+              {document_, *canvas_, *files_, *sources_, *runs_, *rigs_, *comfort_}, this);
   setAcceptDrops(true);
   nameInputs(*this);
   restoreState();
@@ -323,33 +319,6 @@ void MainWindow::connectView() {
           [this] { canvas_->setFocus(Qt::OtherFocusReason); });
   actions_.on("view.inspector", this, [this](bool open) { docks_.setOpen(open); });
   connect(&docks_, &Docks::opened, &actions_["view.inspector"], &QAction::setChecked);
-}
-
-void MainWindow::connectWelcome() {
-  connect(welcome_, &WelcomeStrip::demonstrationRequested, this, [this] {
-    if (sources_->openDemonstration()) runs_->runOrResume();
-  });
-  connect(welcome_, &WelcomeStrip::drawRequested, this, [this] {
-    if (files_->replace({})) actions_["draw.rectangle"].trigger();
-  });
-  connect(welcome_, &WelcomeStrip::recordingRequested, sources_, &SourceActions::askForRecording);
-  connect(welcome_, &WelcomeStrip::simulatorRequested, sources_, &SourceActions::openSimulator);
-  connect(welcome_, &WelcomeStrip::robotRequested, rigs_, &RigActions::showDialog);
-  connect(welcome_, &WelcomeStrip::tourRequested, comfort_, &Comfort::beginTour);
-  connect(welcome_, &WelcomeStrip::closed, this,
-          [this] { settings_.setValue("welcome/closed", true); });
-  connect(&document_, &MapDocument::mapChanged, this, &MainWindow::showWelcome);
-  connect(&document_, &MapDocument::fileChanged, this, &MainWindow::showWelcome);
-  connect(sources_, &SourceActions::robotChanged, this, &MainWindow::showWelcome);
-  connect(canvas_, &MapCanvas::toolChanged, this, &MainWindow::showWelcome);
-  showWelcome();
-}
-
-/// While nothing is open and nobody draws; it does not shift what is being drawn.
-void MainWindow::showWelcome() {
-  const bool begun = !isNothing(document_.map()) || !document_.filePath().isEmpty() ||
-                     sources_->robot().has_value() || canvas_->tool() != ToolId::Select;
-  welcome_->setVisible(!begun && !settings_.value("welcome/closed").toBool());
 }
 
 void MainWindow::connectRecovery() {

@@ -89,8 +89,6 @@ class MainWindow : public QMainWindow {
   void connectEditing();
   void connectTools();
   void connectView();
-  void connectWelcome();
-  void showWelcome();
   void connectRecovery();
   void showIssue(const Issue& issue);
   void setLayer(Layer layer, bool on);

@@ -129,7 +129,8 @@ TEST(Words, ADoubtIsOneSentence) {
       << words.toStdString();
   EXPECT_FALSE(words.contains("Against the drawing"));
   EXPECT_FALSE(words.contains('%'));
-  EXPECT_TRUE(Words::doubt(drawing, mapOf(building("L3", 0.3, 4)), 0).isEmpty());
+  const Map kept = mapOf(building("L3", 0.3, 4));
+  EXPECT_TRUE(Words::doubt(drawing, kept, 0, concernsOf(drawing, kept)).isEmpty());
 }
 
 TEST(Words, DirectionsAreThoseOfAMapWithYUp) {

@@ -3,6 +3,7 @@
 #include <QGraphicsScene>
 #include <algorithm>
 
+#include "core/map/certainty.h"
 #include "widgets/run/overlays/bands_item.h"
 #include "widgets/run/overlays/changes_item.h"
 #include "widgets/run/overlays/corrected_map_item.h"
@@ -226,7 +227,7 @@ void RunOverlays::tellOutlines() {
   QHash<QString, QPolygonF> outlines;
   if (shown_map_ && isOn(Layer::Corrected)) {
     for (const Building& building : shown_map_->buildings) {
-      if (!building.estimate || building.estimate->observations == 0) continue;
+      if (!isRecognised(building)) continue;
       outlines.insert(QString::fromStdString(building.id), toScene(building.footprint()));
     }
   }

@@ -19,8 +19,7 @@ Suspicion ReviewWords::suspicion(const Map& drawing, const Map& refined, std::si
                                  std::span<const Concern> concerns) {
   const Building& now = refined.buildings[building];
   Suspicion found;
-  for (const Concern& concern : concerns) {
-    if (concern.building != building) continue;
+  for (const Concern& concern : concernsAbout(building, concerns)) {
     found.degree += kConcernDegree;
     found.reasons << Words::concern(concern, drawing);
   }
@@ -29,7 +28,7 @@ Suspicion ReviewWords::suspicion(const Map& drawing, const Map& refined, std::si
     found.reasons << tr("of a hundred of which as much was said some %1 were wrong")
                          .arg(std::lround(100.0 * doubt));
   }
-  if (!now.estimate || now.estimate->observations == 0) {
+  if (!isRecognised(now)) {
     found.degree += kUnseenDegree;
     found.reasons << tr("not seen: it stays as drawn");
     return found;
@@ -45,7 +44,7 @@ Suspicion ReviewWords::suspicion(const Map& drawing, const Map& refined, std::si
 
 std::optional<double> seenSigma(const Building& now) {
   std::optional<double> worst;
-  if (!now.estimate || now.estimate->observations == 0) return worst;
+  if (!isRecognised(now)) return worst;
   for (const SideEstimate& wall : wallsOf(now))
     if (wall.seen) worst = std::max(worst.value_or(0.0), wall.sigma);
   return worst;

@@ -182,16 +182,16 @@ QString Words::concern(const Concern& concern, const Map& drawing) {
       .arg(name, metres(std::abs(concern.by)));
 }
 
-QString Words::doubt(const Map& drawing, const Map& refined, std::size_t building) {
+QString Words::doubt(const Map& drawing, const Map& refined, std::size_t building,
+                     std::span<const Concern> concerns) {
   const double doubt = doubtOf(refined.buildings[building]);
   if (doubt <= 0.0) return {};
-  const auto& estimate = refined.buildings[building].estimate;
   QStringList reasons;
-  if (!estimate || estimate->observations == 0) {
+  if (!isRecognised(refined.buildings[building])) {
     reasons << tr("the robot came by, and nothing that it saw is taken for it");
   } else {
-    for (const Concern& concern : concernsOf(drawing, refined)) {
-      if (concern.building == building) reasons << Words::concern(concern, drawing);
+    for (const Concern& concern : concernsAbout(building, concerns)) {
+      reasons << Words::concern(concern, drawing);
     }
     if (reasons.isEmpty()) reasons << tr("what was seen may as well be another building");
   }
@@ -205,7 +205,7 @@ QString Words::building(const Map& drawing, const Map& refined, std::size_t b,
   const Building& drawn = drawing.buildings[b];
   const Building& now = refined.buildings[b];
   QStringList lines = {nameOf(drawn)};
-  const bool recognised = now.estimate && now.estimate->observations > 0;
+  const bool recognised = isRecognised(now);
   const BuildingChange changed = changeOf(drawn, now);
   const QString words = change(changed);
   if (now.estimate && !recognised) {
@@ -232,7 +232,7 @@ QString Words::building(const Map& drawing, const Map& refined, std::size_t b,
                    .arg(metres(uncertainty.position));
     }
   }
-  if (const QString doubtful = doubt(drawing, refined, b); !doubtful.isEmpty()) lines << doubtful;
+  if (doubtOf(now) > 0.0) lines << doubt(drawing, refined, b, concernsOf(drawing, refined));
   return lines.join(QLatin1Char('\n'));
 }
 

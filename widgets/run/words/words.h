@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 #include <optional>
+#include <span>
 
 #include "core/map/concerns.h"
 #include "core/map/map_changes.h"
@@ -34,7 +35,9 @@ class Words {
   /// "moved by 1.1 m, turned by 20°, grown by 9.0 m"; empty: none of these.
   static QString change(const BuildingChange& change);
   /// Why it is doubtful, and how often such buildings prove to be wrong; empty: it is not.
-  static QString doubt(const Map& drawing, const Map& refined, std::size_t building);
+  /// `concerns`: of both maps.
+  static QString doubt(const Map& drawing, const Map& refined, std::size_t building,
+                       std::span<const Concern> concerns);
   /// "L3 stands in L4"
   static QString concern(const Concern& concern, const Map& drawing);
 };
