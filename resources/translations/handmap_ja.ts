@@ -708,8 +708,8 @@
         <translation>既知の姿勢を開く(&amp;V)…</translation>
     </message>
     <message>
-        <source>Lead the way through poses of a file in TUM form, in the frame of the map.</source>
-        <translation>TUM 形式のファイルの姿勢 (地図の座標系) を通るように経路を導きます。</translation>
+        <source>Lead the robot&apos;s way through known poses of a file (TUM form, metres of the map).</source>
+        <translation>ファイルにある既知の姿勢 (TUM 形式、地図の座標) をロボットの軌跡が通るようにします。</translation>
     </message>
     <message>
         <source>Ca&amp;librate Cameras…</source>
@@ -784,8 +784,8 @@
         <translation>選択したものを列と行に並べて複製します。</translation>
     </message>
     <message>
-        <source>Nobody moves, resizes or deletes it by hand; again unlocks it.</source>
-        <translation>手では動かず、大きさも変わらず、消えなくなります。もう一度で解除します。</translation>
+        <source>It is not moved, resized or deleted by hand; again: unlock it.</source>
+        <translation>手で動かしたり、大きさを変えたり、消したりできなくします。もう一度でロックを解除します。</translation>
     </message>
     <message>
         <source>Turn the selected to the direction of the largest of them; one alone to that of the nearest.</source>
@@ -879,24 +879,24 @@
         <translation>カメラ画像を描画しています</translation>
     </message>
     <message>
-        <source>x %1 → %2 m</source>
-        <translation>x %1 → %2 m</translation>
+        <source>x of buildings %1 → %2 m</source>
+        <translation>建物の x %1 → %2 m</translation>
     </message>
     <message>
-        <source>front wall %1 → %2 m</source>
+        <source>front walls %1 → %2 m</source>
         <translation>正面の壁 %1 → %2 m</translation>
     </message>
     <message>
-        <source>width %1 → %2 m</source>
+        <source>widths %1 → %2 m</source>
         <translation>幅 %1 → %2 m</translation>
     </message>
     <message>
-        <source>trajectory %1 → %2 m</source>
-        <translation>軌跡 %1 → %2 m</translation>
+        <source>way of the robot %1 → %2 m</source>
+        <translation>ロボットの軌跡 %1 → %2 m</translation>
     </message>
     <message>
-        <source>Errors: %1</source>
-        <translation>誤差: %1</translation>
+        <source>Mean errors, before → after: %1</source>
+        <translation>平均誤差、補正前 → 補正後: %1</translation>
     </message>
     <message numerus="yes">
         <source>mean error of %n building(s)</source>
@@ -913,8 +913,8 @@
         <translation>補正後</translation>
     </message>
     <message>
-        <source>error of the trajectory</source>
-        <translation>軌跡の誤差</translation>
+        <source>error of the robot&apos;s way</source>
+        <translation>ロボットの軌跡の誤差</translation>
     </message>
     <message>
         <source>odometry</source>
@@ -953,8 +953,8 @@
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1, %2 m</source>
-        <translation>%1, %2 m</translation>
+        <source>x %1 m, y %2 m</source>
+        <translation>x %1 m、y %2 m</translation>
     </message>
     <message>
         <source>Start</source>
@@ -3351,8 +3351,8 @@
         <translation>{}: 記録 {} のファイルです。書き込み先には別の場所が必要です</translation>
     </message>
     <message>
-        <source>What the run came to on the way could not be told: {}</source>
-        <translation>途中経過を示せませんでした: {}</translation>
+        <source>The correction on the way failed: {}</source>
+        <translation>途中での補正に失敗しました: {}</translation>
     </message>
     <message>
         <source>The end of the run does not depend on it.</source>
@@ -4017,15 +4017,15 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>A frame comes each %1 ms: %2 % of that is used, 95 times of 100 no more.</source>
-        <translation>フレームは %1 ms ごとに届きます。100 回中 95 回は、その %2 % 以下を使います。</translation>
+        <source>A frame comes every %1 ms; 95 of 100 frames need at most %2 % of that.</source>
+        <translation>フレームは %1 ms ごとに届きます。100 フレーム中 95 は、その %2 % 以下を使います。</translation>
     </message>
     <message>
-        <source>A frame comes each %1 ms: too slow to keep up (%2 %, 95 times of 100 no more).</source>
-        <translation>フレームは %1 ms ごとに届きます。処理が追いつきません (100 回中 95 回は %2 % 以下)。</translation>
+        <source>A frame comes every %1 ms: too slow to keep up (95 of 100 frames need at most %2 % of that).</source>
+        <translation>フレームは %1 ms ごとに届きます。処理が追いつきません (100 フレーム中 95 は、その %2 % 以下)。</translation>
     </message>
     <message>
-        <source>read</source>
+        <source>reading</source>
         <translation>読み込み</translation>
     </message>
     <message>
@@ -4033,16 +4033,16 @@
         <translation>ステレオ</translation>
     </message>
     <message>
-        <source>classify</source>
-        <translation>判別</translation>
+        <source>buildings in images</source>
+        <translation>画像の建物</translation>
     </message>
     <message>
-        <source>local map</source>
-        <translation>局所地図</translation>
+        <source>walls around</source>
+        <translation>周りの壁</translation>
     </message>
     <message>
-        <source>slam</source>
-        <translation>SLAM</translation>
+        <source>finding and correcting</source>
+        <translation>位置決めと補正</translation>
     </message>
 </context>
 <context>
@@ -4132,12 +4132,12 @@
         <translation>描いた確かさ</translation>
     </message>
     <message>
-        <source>Position σ</source>
-        <translation>位置の σ</translation>
+        <source>Position ±</source>
+        <translation>位置 ±</translation>
     </message>
     <message>
-        <source>Size σ</source>
-        <translation>大きさの σ</translation>
+        <source>Size ±</source>
+        <translation>大きさ ±</translation>
     </message>
     <message>
         <source>Corners</source>
@@ -4168,9 +4168,9 @@
         <translation>まだありません</translation>
     </message>
     <message>
-        <source>σ x %1 m, y %2 m, width %3 m
+        <source>x ±%1 m, y ±%2 m, width ±%3 m
 Observations: %4</source>
-        <translation>σ x %1 m、y %2 m、幅 %3 m
+        <translation>x ±%1 m、y ±%2 m、幅 ±%3 m
 観測: %4</translation>
     </message>
     <message>
@@ -4209,9 +4209,9 @@ Observations: %4</source>
 (%)</translation>
     </message>
     <message>
-        <source>σ right
+        <source>± right
 (m)</source>
-        <translation>σ 右
+        <translation>± 右
 (m)</translation>
     </message>
     <message>
@@ -4219,9 +4219,9 @@ Observations: %4</source>
         <translation>地図で右を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
-        <source>σ up
+        <source>± up
 (m)</source>
-        <translation>σ 上
+        <translation>± 上
 (m)</translation>
     </message>
     <message>
@@ -4229,9 +4229,9 @@ Observations: %4</source>
         <translation>地図で上を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
-        <source>σ left
+        <source>± left
 (m)</source>
-        <translation>σ 左
+        <translation>± 左
 (m)</translation>
     </message>
     <message>
@@ -4239,9 +4239,9 @@ Observations: %4</source>
         <translation>地図で左を向く壁の標準偏差。誰も見ていない場合は括弧付き</translation>
     </message>
     <message>
-        <source>σ down
+        <source>± down
 (m)</source>
-        <translation>σ 下
+        <translation>± 下
 (m)</translation>
     </message>
     <message>
@@ -4255,8 +4255,8 @@ Observations: %4</source>
 (回)</translation>
     </message>
     <message>
-        <source>Observations that stand for it</source>
-        <translation>裏付ける観測の数</translation>
+        <source>In how many observations it was seen</source>
+        <translation>見えた観測の数</translation>
     </message>
     <message>
         <source>Off
@@ -4349,8 +4349,8 @@ Observations: %4</source>
         <translation>取り込まないほうがよい理由</translation>
     </message>
     <message>
-        <source>Of a hundred buildings of which the same was said so many were wrong: another one, or none, stood there</source>
-        <translation>同じことを述べた建物百のうち、誤りだった数: 別の建物が立っていたか、何もなかった</translation>
+        <source>Of 100 buildings with such signs so many were wrong: another one, or none, stood there</source>
+        <translation>このような兆候の建物 100 棟のうち、誤りだった数: 別の建物が立っていたか、何もなかった</translation>
     </message>
     <message>
         <source>; </source>
@@ -4539,8 +4539,8 @@ Observations: %4</source>
 <context>
     <name>handmap::CanvasChips</name>
     <message>
-        <source>What points are drawn to: click for the next</source>
-        <translation>点を引き寄せるもの: クリックで切り替え</translation>
+        <source>What points snap to: click for the next</source>
+        <translation>点が吸い付く相手: クリックで次へ</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4577,16 +4577,16 @@ Observations: %4</source>
 <context>
     <name>handmap::ChartsPanel</name>
     <message>
-        <source>Effective sample size (particles)</source>
-        <translation>有効サンプル数 (粒子)</translation>
+        <source>Particles that count (effective sample size)</source>
+        <translation>効いている粒子の数 (有効サンプル数)</translation>
     </message>
     <message>
         <source>Time per observation (ms)</source>
         <translation>観測ごとの時間 (ms)</translation>
     </message>
     <message>
-        <source>Pose: how sure, and how far off (m)</source>
-        <translation>位置: 確かさと誤差 (m)</translation>
+        <source>Robot: how sure its place is, and how far off (m)</source>
+        <translation>ロボットの位置: 確かさと誤差 (m)</translation>
     </message>
     <message>
         <source>Buildings: how far from the drawn place (m)</source>
@@ -4601,12 +4601,12 @@ Observations: %4</source>
         <translation>╍ 真の誤差</translation>
     </message>
     <message>
-        <source>Log likelihood of what was seen (nats)</source>
-        <translation>見えたものの対数尤度 (ナット)</translation>
+        <source>How well what was seen fits the map (higher: better)</source>
+        <translation>見えたものと地図との合い方 (高いほど良い)</translation>
     </message>
     <message>
-        <source>━ nine of ten are within</source>
-        <translation>━ 十のうち九はこの範囲</translation>
+        <source>━ nine times of ten it is no farther off</source>
+        <translation>━ 十回に九回、誤差はこれ以下</translation>
     </message>
 </context>
 <context>
@@ -4632,7 +4632,7 @@ Observations: %4</source>
         <translation>足りないものを見る</translation>
     </message>
     <message>
-        <source>Issues tells what in the drawing is likely to be a slip; a click shows where.</source>
+        <source>Issues lists what in the drawing is likely to be a slip; a click shows where.</source>
         <translation>「問題」には、図面の間違いらしいものが並びます。クリックするとその場所が表示されます。</translation>
     </message>
     <message>
@@ -4767,6 +4767,10 @@ Observations: %4</source>
     <message>
         <source>Lock Layer</source>
         <translation>レイヤーをロック</translation>
+    </message>
+    <message>
+        <source>While a run is shown: only where it is selected or drawn</source>
+        <translation>実行を表示している間: 選択中または編集中だけ表示</translation>
     </message>
 </context>
 <context>
@@ -5319,15 +5323,15 @@ Observations: %4</source>
 <context>
     <name>handmap::KeysPanel</name>
     <message>
-        <source>As usual</source>
+        <source>Reset</source>
         <translation>標準に戻す</translation>
     </message>
     <message>
-        <source>All as usual</source>
+        <source>Reset All</source>
         <translation>すべて標準に戻す</translation>
     </message>
     <message>
-        <source>Take it</source>
+        <source>Use it here</source>
         <translation>こちらに割り当てる</translation>
     </message>
     <message>
@@ -5427,12 +5431,12 @@ Observations: %4</source>
         <translation>補正した地図</translation>
     </message>
     <message>
-        <source>1-σ bands</source>
-        <translation>1-σ の帯</translation>
+        <source>Where walls may be</source>
+        <translation>壁のありうる範囲</translation>
     </message>
     <message>
-        <source>Where the corrected walls may be, one standard deviation</source>
-        <translation>補正した壁がありうる範囲、標準偏差一つ分</translation>
+        <source>How sure each corrected wall is: two times of three it is within its band</source>
+        <translation>補正した壁の確かさ。三回に二回は帯の中にあります</translation>
     </message>
     <message>
         <source>Particles</source>
@@ -5451,20 +5455,20 @@ Observations: %4</source>
         <translation>見えている建物の候補: 標本ごとに一つの輪郭</translation>
     </message>
     <message>
-        <source>Trajectory</source>
-        <translation>軌跡</translation>
+        <source>Way of the robot</source>
+        <translation>ロボットの軌跡</translation>
     </message>
     <message>
-        <source>The way of the best particle</source>
-        <translation>最良の粒子の軌跡</translation>
+        <source>Its way as the run has corrected it</source>
+        <translation>実行が補正した軌跡</translation>
     </message>
     <message>
         <source>Odometry alone</source>
         <translation>オドメトリのみ</translation>
     </message>
     <message>
-        <source>The way that the odometry alone would give</source>
-        <translation>オドメトリだけで求めた軌跡</translation>
+        <source>Its way as it measures its own motion, without the drawing</source>
+        <translation>図面を使わず、ロボットが測った動きだけによる軌跡</translation>
     </message>
     <message>
         <source>Local map</source>
@@ -5511,12 +5515,12 @@ Observations: %4</source>
         <translation>描いた場所から補正した場所への矢印と距離</translation>
     </message>
     <message>
-        <source>Robot&apos;s 1-σ ellipse</source>
-        <translation>ロボットの 1-σ 楕円</translation>
+        <source>Where the robot may be</source>
+        <translation>ロボットのありうる範囲</translation>
     </message>
     <message>
-        <source>Where the robot may be and look, one standard deviation</source>
-        <translation>ロボットの位置と向きの範囲、標準偏差一つ分</translation>
+        <source>How sure its place and its direction are: one standard deviation of each</source>
+        <translation>位置と向きの確かさ。それぞれ標準偏差一つ分</translation>
     </message>
     <message>
         <source>Rays of a wall</source>
@@ -5547,7 +5551,7 @@ Observations: %4</source>
         <translation>点</translation>
     </message>
     <message>
-        <source>What the sensor sees now; the surer of a wall, the stronger</source>
+        <source>What the sensor sees now: strong where that is surely a wall</source>
         <translation>センサーが今見ているもの。壁として確かなほど濃く描きます</translation>
     </message>
     <message>
@@ -5780,8 +5784,8 @@ Observations: %4</source>
         <translation>実行中、000 / 000</translation>
     </message>
     <message>
-        <source>%1, %2 m</source>
-        <translation>%1, %2 m</translation>
+        <source>x %1 m, y %2 m</source>
+        <translation>x %1 m、y %2 m</translation>
     </message>
     <message>
         <source>%1 px/m</source>
@@ -5960,16 +5964,16 @@ Observations: %4</source>
         <translation> m</translation>
     </message>
     <message>
-        <source>Position σ</source>
-        <translation>位置の σ</translation>
+        <source>Position ±</source>
+        <translation>位置 ±</translation>
     </message>
     <message>
         <source>How far buildings may lie from where they are drawn</source>
         <translation>建物が描いた場所からどれだけ離れている可能性があるか</translation>
     </message>
     <message>
-        <source>Size σ</source>
-        <translation>大きさの σ</translation>
+        <source>Size ±</source>
+        <translation>大きさ ±</translation>
     </message>
     <message>
         <source>How wrong their widths and depths may be</source>
@@ -5984,8 +5988,8 @@ Observations: %4</source>
         <translation>航空写真の上に、または公開地図から描いたもの</translation>
     </message>
     <message>
-        <source>Scale σ</source>
-        <translation>縮尺の σ</translation>
+        <source>Scale ±</source>
+        <translation>縮尺 ±</translation>
     </message>
     <message>
         <source> %</source>
@@ -5996,8 +6000,8 @@ Observations: %4</source>
         <translation>全体がどれだけ大きすぎる、または小さすぎる可能性があるか。0: 縮尺どおり</translation>
     </message>
     <message>
-        <source>Turn σ</source>
-        <translation>向きの σ</translation>
+        <source>Turn ±</source>
+        <translation>向き ±</translation>
     </message>
     <message>
         <source>°</source>
@@ -6051,8 +6055,8 @@ Corrected by a run.</source>
         <translation>次の点 · Enter またはダブルクリック: 完了 · Backspace: 一つ戻る</translation>
     </message>
     <message>
-        <source>Σ %1</source>
-        <translation>Σ %1</translation>
+        <source>in all %1</source>
+        <translation>合計 %1</translation>
     </message>
     <message>
         <source>   %1 m²</source>
@@ -6184,8 +6188,8 @@ Corrected by a run.</source>
         <translation>%1 の表示を切り替え</translation>
     </message>
     <message>
-        <source>What is locked is not moved, resized or deleted by hand; whether a run may move a building is told in its properties</source>
-        <translation>ロックしたものは手では動かず、大きさも変わらず、消えません。実行が建物を動かしてよいかはプロパティで決めます</translation>
+        <source>What is locked is not moved, resized or deleted by hand; whether a run may move a building is set in its properties</source>
+        <translation>ロックされたものは手では動かず、大きさも変わらず、消えません。実行が建物を動かしてよいかはプロパティで決めます</translation>
     </message>
 </context>
 <context>
@@ -6230,15 +6234,15 @@ Corrected by a run.</source>
         <translation>姿勢</translation>
     </message>
     <message>
-        <source>Evidence</source>
-        <translation>証拠</translation>
+        <source>Signs of walls</source>
+        <translation>壁の兆候</translation>
     </message>
     <message>
         <source>Buildings found</source>
         <translation>見つかった建物</translation>
     </message>
     <message>
-        <source>Labels</source>
+        <source>Matching</source>
         <translation>対応付け</translation>
     </message>
     <message>
@@ -6246,8 +6250,8 @@ Corrected by a run.</source>
         <translation>修正</translation>
     </message>
     <message>
-        <source>The particles go on by the odometry and its noise; the best one %1 m, %2°.</source>
-        <translation>粒子はオドメトリーとその雑音に従って進みます。最良の粒子は %1 m、%2°。</translation>
+        <source>The particles go on by the odometry and its noise; the best one moved by %1 m and turned by %2°.</source>
+        <translation>粒子はオドメトリーとその雑音に従って進みます。最良の粒子は %1 m 動き、%2° 回りました。</translation>
     </message>
     <message>
         <source>The walls seen over the last metres, laid at the best particle.</source>
@@ -6280,16 +6284,16 @@ Corrected by a run.</source>
         <translation>オドメトリーまたはスキャンの照合によると、ロボットは %1 m 進み、%2° 回りました。</translation>
     </message>
     <message>
-        <source>The last poses and buildings fitted together: the robot moved by %1 m, %2°.</source>
-        <translation>最近の姿勢と建物をまとめて合わせました。ロボットは %1 m、%2° 動きました。</translation>
+        <source>The last poses and buildings fitted together: the robot moved by %1 m and turned by %2°.</source>
+        <translation>最近の姿勢と建物をまとめて合わせました。ロボットは %1 m 動き、%2° 回りました。</translation>
     </message>
     <message>
-        <source>%1 walls in the evidence, %2 buildings in sight; found without the drawing.</source>
-        <translation>証拠の中に壁 %1 本、視界に建物 %2 棟。図面を使わずに見つけました。</translation>
+        <source>%1 walls and %2 buildings in sight, found without the drawing.</source>
+        <translation>視界に壁 %1 本、建物 %2 棟。図面を使わずに見つけました。</translation>
     </message>
     <message>
-        <source>%1 of %2 found buildings are taken for drawn ones (dotted lines).</source>
-        <translation>見つかった建物 %2 棟のうち %1 棟を図面の建物とみなします (点線)。</translation>
+        <source>%1 of %2 found buildings are matched with drawn ones (dotted lines).</source>
+        <translation>見つかった建物 %2 棟のうち %1 棟が図面の建物に対応付けられました (点線)。</translation>
     </message>
     <message>
         <source>No building of the map moved.</source>
@@ -6306,8 +6310,8 @@ Corrected by a run.</source>
         <translation>ループが閉じました。%1</translation>
     </message>
     <message>
-        <source>What speaks for walls, over the last frames: the stronger, the more.</source>
-        <translation>最近のフレームで壁を裏付けるもの。濃いほど確かです。</translation>
+        <source>Where walls are likely by the last frames: the stronger, the likelier.</source>
+        <translation>最近のフレームから壁がありそうなところ。濃いほど確かです。</translation>
     </message>
 </context>
 <context>
@@ -6640,8 +6644,8 @@ Corrected by a run.</source>
         <translation>「%1」はフォルダーの外のファイルを読もうとしています: %2</translation>
     </message>
     <message>
-        <source>Say yes if you know where the drawing comes from.</source>
-        <translation>図面の出所がわかる場合だけ許可してください。</translation>
+        <source>Read them only if you know where the drawing comes from.</source>
+        <translation>図面の出所がわかる場合だけ読み込んでください。</translation>
     </message>
     <message>
         <source>Read them</source>
@@ -6681,7 +6685,7 @@ Corrected by a run.</source>
         </translation>
     </message>
     <message>
-        <source>Their corrected shapes are of the drawing before.</source>
+        <source>Their corrected shapes belong to the drawing as it was before.</source>
         <translation>それらの補正は、編集前の図面に対するものです。</translation>
     </message>
     <message>
@@ -6743,12 +6747,12 @@ Corrected by a run.</source>
         <translation>この走行は記録されていません。もう一度実行することはできません。</translation>
     </message>
     <message>
-        <source>The drive was not recorded: it cannot be run again. What it came to is not in the drawing.</source>
-        <translation>この走行は記録されていません。もう一度実行することはできません。その結果は図面に入っていません。</translation>
+        <source>The drive was not recorded: it cannot be run again. What it has corrected is not in the drawing.</source>
+        <translation>この走行は記録されていません。もう一度実行することはできません。補正した内容は図面に入っていません。</translation>
     </message>
     <message>
-        <source>What the run came to is not in the drawing.</source>
-        <translation>実行の結果は図面に入っていません。</translation>
+        <source>What the run has corrected is not in the drawing.</source>
+        <translation>実行が補正した内容は図面に入っていません。</translation>
     </message>
     <message>
         <source>&amp;Accept refinement</source>
@@ -6766,8 +6770,8 @@ Corrected by a run.</source>
 <context>
     <name>handmap::ReviewWords</name>
     <message>
-        <source>of a hundred of which as much was said some %1 were wrong</source>
-        <translation>同じことが言われた百軒のうち約%1軒が誤りでした</translation>
+        <source>of 100 buildings with such signs about %1 were wrong</source>
+        <translation>このような兆候の建物 100 棟のうち、約 %1 棟が誤りでした</translation>
     </message>
     <message>
         <source>not seen: it stays as drawn</source>
@@ -6781,8 +6785,8 @@ Corrected by a run.</source>
 <context>
     <name>handmap::RevisionActions</name>
     <message>
-        <source>the robot is %1 m elsewhere</source>
-        <translation>ロボットの位置は %1 m ずれます</translation>
+        <source>the robot moves by %1 m</source>
+        <translation>ロボットは %1 m 動きます</translation>
     </message>
     <message>
         <source>No building moves; %1.</source>
@@ -6847,16 +6851,16 @@ Corrected by a run.</source>
         <translation>変更した図面で実行をやり直しました。%1</translation>
     </message>
     <message>
-        <source>The dashed outlines show what came of it.</source>
-        <translation>破線の輪郭がその結果です。</translation>
+        <source>The dashed outlines show the new result.</source>
+        <translation>破線の輪郭が新しい結果です。</translation>
     </message>
     <message>
-        <source>Take the new one</source>
-        <translation>新しい方を採る</translation>
+        <source>Take the new result</source>
+        <translation>新しい結果を採る</translation>
     </message>
     <message>
-        <source>Keep what was</source>
-        <translation>元のままにする</translation>
+        <source>Keep the old result</source>
+        <translation>元の結果を残す</translation>
     </message>
     <message>
         <source>What you said is not kept beside the recording.</source>
@@ -6879,8 +6883,8 @@ Corrected by a run.</source>
         <translation>残っている発言で再計算しています</translation>
     </message>
     <message>
-        <source>The robot was at %1, %2 m</source>
-        <translation>ロボットは %1, %2 m にいた</translation>
+        <source>The robot was at x %1 m, y %2 m</source>
+        <translation>ロボットは x %1 m、y %2 m にいた</translation>
     </message>
     <message>
         <source>%1 is right</source>
@@ -6919,8 +6923,8 @@ Corrected by a run.</source>
         <translation>言ったこと</translation>
     </message>
     <message>
-        <source>there is no run that a robot is shown of</source>
-        <translation>ロボットを表示する実行がありません</translation>
+        <source>no run shows a robot yet</source>
+        <translation>まだロボットを表示する実行がありません</translation>
     </message>
 </context>
 <context>
@@ -7176,16 +7180,16 @@ Corrected by a run.</source>
         <translation>右のトピック</translation>
     </message>
     <message>
-        <source>Tell ROS</source>
-        <translation>ROS に送る</translation>
+        <source>Send to ROS</source>
+        <translation>ROS へ送る</translation>
     </message>
     <message>
-        <source>not told; a rosbridge is ws://host:9090</source>
-        <translation>送らない (rosbridge の例: ws://host:9090)</translation>
+        <source>not sent; a rosbridge is ws://host:9090</source>
+        <translation>送らない。rosbridge は ws://host:9090</translation>
     </message>
     <message>
-        <source>nobody may look on</source>
-        <translation>公開しない</translation>
+        <source>off</source>
+        <translation>オフ</translation>
     </message>
     <message>
         <source>Foxglove connects to this port; its own choice is 8765</source>
@@ -7248,7 +7252,7 @@ Corrected by a run.</source>
         <translation>車輪のトピックを入力してください。</translation>
     </message>
     <message>
-        <source>A robot that stops to look around needs wheels that tell its motion.</source>
+        <source>A robot that stops to look around needs wheels that measure its motion.</source>
         <translation>止まって見回すロボットには、動きを示す車輪が必要です。</translation>
     </message>
     <message>
@@ -7341,12 +7345,12 @@ Corrected by a run.</source>
         </translation>
     </message>
     <message>
-        <source>Nothing tells the motion: the one before is taken to go on</source>
-        <translation>動きを示すものがありません。直前の動きが続くとみなします</translation>
+        <source>No odometry: the robot is taken to go on as before</source>
+        <translation>オドメトリがありません。ロボットは直前の動きを続けるとみなします</translation>
     </message>
     <message>
-        <source>The motion is told again</source>
-        <translation>動きが再び示されました</translation>
+        <source>The odometry is back</source>
+        <translation>オドメトリが戻りました</translation>
     </message>
     <message>
         <source>The run was stopped</source>
@@ -7405,8 +7409,8 @@ Corrected by a run.</source>
         <translation>論文の FastSLAM/PSOM</translation>
     </message>
     <message>
-        <source>Ours, or the published method to the letter</source>
-        <translation>本プログラムの方法、または論文どおりの方法</translation>
+        <source>Handmap&apos;s own method, or the published one to the letter</source>
+        <translation>Handmap の方法、または論文どおりの方法</translation>
     </message>
     <message>
         <source>Method</source>
@@ -7445,16 +7449,16 @@ Corrected by a run.</source>
         <translation>群れ</translation>
     </message>
     <message>
-        <source>Points of the swarm that corrects a building; published method</source>
-        <translation>建物を補正する群れの点の数 (論文の方法)</translation>
+        <source>Points of the swarm that corrects a building</source>
+        <translation>建物を補正する群れの点の数</translation>
     </message>
     <message>
         <source>Iterations</source>
         <translation>反復</translation>
     </message>
     <message>
-        <source>Moves of a swarm in one observation, at most; published method</source>
-        <translation>一観測での群れの最大移動回数 (論文の方法)</translation>
+        <source>Moves of a swarm in one observation, at most</source>
+        <translation>一観測での群れの最大移動回数</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -7477,20 +7481,20 @@ Corrected by a run.</source>
         <translation>すべて</translation>
     </message>
     <message>
-        <source>The program</source>
-        <translation>プログラム付属</translation>
+        <source>Found by the program</source>
+        <translation>プログラムが見つける</translation>
     </message>
     <message>
-        <source>Nothing: all walls count</source>
-        <translation>なし: すべての壁を使う</translation>
+        <source>Every wall counts</source>
+        <translation>すべての壁を使う</translation>
     </message>
     <message>
-        <source>What tells buildings from trees and hedges in images; one&apos;s own comes from Teach buildings</source>
-        <translation>画像で建物を木や生け垣と見分けるもの。「建物を教える」で自分のものを作れます</translation>
+        <source>How buildings are distinguished from trees and hedges in images; with Teach Buildings you make a way of your own</source>
+        <translation>画像で建物を木や生け垣と見分ける方法。「建物を教える」で自分のものを作れます</translation>
     </message>
     <message>
-        <source>Told by</source>
-        <translation>見分けるもの</translation>
+        <source>Buildings in images</source>
+        <translation>画像の建物</translation>
     </message>
     <message>
         <source>Images, else points</source>
@@ -7533,12 +7537,12 @@ Corrected by a run.</source>
         <translation>終わり</translation>
     </message>
     <message>
-        <source>Takes each Nth observation</source>
-        <translation>N 件ごとに一観測を使います</translation>
+        <source>How many observations are used: all of them, or one of every so many</source>
+        <translation>使う観測の数: すべて、または何個に一つ</translation>
     </message>
     <message>
-        <source>What was taught</source>
-        <translation>教えたもの</translation>
+        <source>Found as taught</source>
+        <translation>教えたとおりに見つける</translation>
     </message>
     <message>
         <source>Observations</source>
@@ -7552,8 +7556,8 @@ Corrected by a run.</source>
 <context>
     <name>handmap::RunStrip</name>
     <message>
-        <source>How far the shown pose is off at most, nine times of ten</source>
-        <translation>表示中の位置の最大誤差 (十回中九回)</translation>
+        <source>How far off the shown place is at most, nine times of ten</source>
+        <translation>示された位置のずれは、十回に九回これ以下です</translation>
     </message>
     <message>
         <source>Where the robot is</source>
@@ -7594,8 +7598,8 @@ Corrected by a run.</source>
         <translation>実行に必要なメモリがありません。</translation>
     </message>
     <message>
-        <source>Fewer particles in the run settings need less.</source>
-        <translation>実行の設定で粒子を減らすと少なくて済みます。</translation>
+        <source>A shorter stretch of the recording needs less, and by the published method fewer particles.</source>
+        <translation>記録の区間を短くするか、論文の方法では粒子を減らすと少なくなります。</translation>
     </message>
     <message>
         <source>The run ended with an unexpected error: %1</source>
@@ -7843,8 +7847,8 @@ Corrected by a run.</source>
         <translation>y</translation>
     </message>
     <message>
-        <source>Position σ</source>
-        <translation>位置の σ</translation>
+        <source>Position ±</source>
+        <translation>位置 ±</translation>
     </message>
     <message>
         <source> m</source>
@@ -7855,8 +7859,8 @@ Corrected by a run.</source>
         <translation>ロボットがそこからどれだけ離れて始まり得るか。0: ちょうどそこ</translation>
     </message>
     <message>
-        <source>Heading σ</source>
-        <translation>向きの σ</translation>
+        <source>Heading ±</source>
+        <translation>向き ±</translation>
     </message>
     <message>
         <source>°</source>
@@ -7893,7 +7897,7 @@ Corrected by a run.</source>
         <translation>複数の種類のオブジェクト %1 個</translation>
     </message>
     <message>
-        <source>Route through %1 points, %2 m</source>
+        <source>Route through %1 points, %2 m long</source>
         <translation>%1 点を通る経路、%2 m</translation>
     </message>
 </context>
@@ -8373,7 +8377,7 @@ Corrected by a run.</source>
         <translation>地図上の補正した壁をクリックするか、ここで選ぶと、その位置を決めたものがわかります。</translation>
     </message>
     <message>
-        <source>%1 wall, %2 m</source>
+        <source>%1 wall, %2 m long</source>
         <translation>%1の壁、%2 m</translation>
     </message>
     <message>
@@ -8478,8 +8482,8 @@ Corrected by a run.</source>
         <translation>見失いました: %1 m 以内のどこか</translation>
     </message>
     <message>
-        <source>at %1, %2 m</source>
-        <translation>%1, %2 m</translation>
+        <source>at x %1 m, y %2 m</source>
+        <translation>x %1 m、y %2 m</translation>
     </message>
     <message>
         <source>%1 m from %2</source>
@@ -8522,8 +8526,8 @@ Corrected by a run.</source>
         <translation>真の場所から %1 m</translation>
     </message>
     <message>
-        <source>Nothing that was seen is taken for it: it is shown where the drawing has it</source>
-        <translation>この建物とみなせるものは見えませんでした。図面の場所に示しています</translation>
+        <source>Not recognised: it is shown where the drawing has it</source>
+        <translation>認識されていません。図面の場所に示しています</translation>
     </message>
     <message numerus="yes">
         <source>For: seen in %n observation(s)</source>
@@ -8586,16 +8590,16 @@ Corrected by a run.</source>
         <translation>%1 m 縮小</translation>
     </message>
     <message>
-        <source>%1 stands in %2: they share %3 % more ground than drawn</source>
-        <translation>%1 が %2 に重なっている: 図面より %3 % 多く敷地を共有</translation>
+        <source>%1 stands in %2: they overlap by %3 % more than drawn</source>
+        <translation>%1 が %2 に重なっている: 図面より %3 % 多く重なっています</translation>
     </message>
     <message>
         <source>%1 moved by %2 m, far more than the drawing says that it may be off</source>
         <translation>%1 が %2 m 移動。図面の不確かさをはるかに超えています</translation>
     </message>
     <message>
-        <source>%1 turned by %2, more than people draw askew</source>
-        <translation>%1 が %2 回転。人が描く傾きを超えています</translation>
+        <source>%1 turned by %2, more than drawings are usually askew</source>
+        <translation>%1 が %2 回転。ふつうの図面の傾きを超えています</translation>
     </message>
     <message>
         <source>%1 grew by %2 m, far more than the drawing says that it may be off</source>
@@ -8606,24 +8610,24 @@ Corrected by a run.</source>
         <translation>%1 が %2 m 縮小。図面の不確かさをはるかに超えています</translation>
     </message>
     <message>
-        <source>the robot came by, and nothing that it saw is taken for it</source>
-        <translation>ロボットがそばを通りましたが、見たものの中にこの建物と判断したものがありません</translation>
+        <source>the robot came by and did not recognise it</source>
+        <translation>ロボットがそばを通りましたが、この建物を認識しませんでした</translation>
     </message>
     <message>
         <source>what was seen may as well be another building</source>
         <translation>見えたものは別の建物かもしれません</translation>
     </message>
     <message>
-        <source>Doubtful: %1. Of a hundred of which this was said, some %2 were wrong.</source>
-        <translation>疑わしい: %1。こう述べた百棟のうち、約 %2 棟が誤りでした。</translation>
+        <source>Doubtful: %1. Of 100 buildings with such signs about %2 were wrong.</source>
+        <translation>疑わしい: %1。このような兆候の建物 100 棟のうち、約 %2 棟が誤りでした。</translation>
     </message>
     <message>
         <source>; </source>
         <translation>、</translation>
     </message>
     <message>
-        <source>Nothing that was seen is taken for it: it is shown where the drawing has it, %1 with the buildings beside it</source>
-        <translation>見えたものの中にこの建物と判断したものがありません。図面の位置から、周りの建物とともに %1 して示しています</translation>
+        <source>Not recognised: it is shown where the drawing has it, %1 together with the buildings beside it</source>
+        <translation>認識されていません。図面の位置から、周りの建物とともに %1 して示しています</translation>
     </message>
     <message>
         <source>As drawn</source>

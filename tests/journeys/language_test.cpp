@@ -92,6 +92,27 @@ TEST(Translations, EveryContextIsOneThatIsAskedFor) {
   }
 }
 
+/// Of somebody who draws and has never heard of the method. What only the published method has
+/// may be called as its paper calls it.
+TEST(Translations, NoWordOfTheMethodWhereAPersonDraws) {
+  static const QRegularExpression kNever(
+      "\\b(told by|tells? the "
+      "motion|1-σ|sigma|hypothes[ei]s|labels|posterior|covariance|nats|every "
+      "1|is taken for it)\\b|σ|, %\\d m( off)?$");
+  static const QRegularExpression kOfThePaper("\\b(particles?|swarms?)\\b",
+                                              QRegularExpression::CaseInsensitiveOption);
+  const QStringList may_say_so{"handmap::PhaseWords", "handmap::RunSetupPanel",
+                               "handmap::LayersPanel", "handmap::ChartsPanel",
+                               "handmap::RunWorker"};
+  for (const Entry& entry : entriesOf("ja")) {
+    if (entry.context == QLatin1String("core")) continue;  // names keys of files too
+    EXPECT_FALSE(kNever.match(entry.source).hasMatch())
+        << entry.context.toStdString() << ": " << entry.source.toStdString();
+    EXPECT_TRUE(may_say_so.contains(entry.context) || !kOfThePaper.match(entry.source).hasMatch())
+        << entry.context.toStdString() << ": " << entry.source.toStdString();
+  }
+}
+
 class Translated : public WindowTest {
  protected:
   void speak(const char* language) {

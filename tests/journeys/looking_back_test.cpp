@@ -145,7 +145,7 @@ TEST_F(LookingBack, AChangedDrawingIsTakenOrNot) {
     QSignalSpy ready(&window_->run(), &RunController::revisionReady);
     action(*window_, "run.recompute")->trigger();
     ASSERT_TRUE(ready.wait(kPatienceMs));
-    pressMessage(take ? "Take the new one" : "Keep what was");
+    pressMessage(take ? "Take the new result" : "Keep the old result");
     EXPECT_FALSE(window_->run().isRevising());
     const Map& refined = window_->run().result()->map();
     EXPECT_EQ(formatMap(refined) == before, !take);
@@ -157,7 +157,7 @@ TEST_F(LookingBack, AChangedDrawingIsTakenOrNot) {
   QSignalSpy ready(&window_->run(), &RunController::revisionReady);
   action(*window_, "run.recompute")->trigger();
   ASSERT_TRUE(ready.wait(kPatienceMs));
-  pressMessage("Take the new one");
+  pressMessage("Take the new result");
   EXPECT_EQ(formatMap(window_->run().result()->map()), before);
 }
 
@@ -173,7 +173,7 @@ TEST_F(LookingBack, AStoppedRunThatIsRecomputedGoesOn) {
   QSignalSpy ready(&window_->run(), &RunController::revisionReady);
   action(*window_, "run.recompute")->trigger();
   ASSERT_TRUE(ready.wait(kPatienceMs));
-  pressMessage("Take the new one");
+  pressMessage("Take the new result");
   EXPECT_EQ(window_->run().state(), RunState::Paused);
   action(*window_, "run.run")->trigger();
   ASSERT_TRUE(waitDone());

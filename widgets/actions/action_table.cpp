@@ -91,7 +91,7 @@ constexpr std::array kActions = {
 
     ActionSpec{"arrange.lock", QT_TRANSLATE_NOOP("Actions", "&Lock"), "", "Ctrl+L",
                QT_TRANSLATE_NOOP("Actions",
-                                 "Nobody moves, resizes or deletes it by hand; again unlocks it."),
+                                 "It is not moved, resized or deleted by hand; again: unlock it."),
                Menu::Arrange},
     ActionSpec{"arrange.square", QT_TRANSLATE_NOOP("Actions", "&Square Up"), "", "Q",
                QT_TRANSLATE_NOOP("Actions",
@@ -302,11 +302,12 @@ constexpr std::array kActions = {
             "Actions",
             "Say where the robot is at the moment that is shown; the run is done again with it."),
         Menu::Run, ToolBar::None, Tool},
-    ActionSpec{"run.load_poses", QT_TRANSLATE_NOOP("Actions", "Open Gi&ven Poses…"), "", "",
-               QT_TRANSLATE_NOOP("Actions",
-                                 "Lead the way through poses of a file in TUM form, in the frame "
-                                 "of the map."),
-               Menu::Run},
+    ActionSpec{
+        "run.load_poses", QT_TRANSLATE_NOOP("Actions", "Open Gi&ven Poses…"), "", "",
+        QT_TRANSLATE_NOOP(
+            "Actions",
+            "Lead the robot's way through known poses of a file (TUM form, metres of the map)."),
+        Menu::Run},
     ActionSpec{"run.forget_poses", QT_TRANSLATE_NOOP("Actions", "&Forget Given Poses"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Do the run again without the poses that you gave."),
                Menu::Run},

@@ -22,10 +22,10 @@ KeysPanel::KeysPanel(const ActionSet& actions, QWidget* parent)
       tree_(new QTreeWidget),
       search_(new QLineEdit),
       edit_(new QKeySequenceEdit),
-      usual_(new QPushButton(tr("As usual"))),
-      all_usual_(new QPushButton(tr("All as usual"))),
+      usual_(new QPushButton(tr("Reset"))),
+      all_usual_(new QPushButton(tr("Reset All"))),
       clash_(new QLabel),
-      take_(new QPushButton(tr("Take it"))) {
+      take_(new QPushButton(tr("Use it here"))) {
   tree_->setObjectName(QStringLiteral("keys"));
   tree_->setAccessibleName(tr("Commands and their keys"));
   tree_->setColumnCount(Columns);

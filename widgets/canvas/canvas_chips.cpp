@@ -18,7 +18,7 @@ CanvasChips::CanvasChips(QWidget* canvas) : QWidget(canvas) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  snap_ = add("snap_chip", QString(), tr("What points are drawn to: click for the next"));
+  snap_ = add("snap_chip", QString(), tr("What points snap to: click for the next"));
   back_ = add("back_chip", tr("Back"), tr("Take the last point back (Backspace)"));
   cancel_ = add("cancel_chip", tr("Cancel"), tr("Drop what is begun (Esc)"));
   done_ = add("done_chip", tr("Done"), tr("Finish what is drawn (Enter)"));

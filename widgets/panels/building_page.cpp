@@ -109,8 +109,8 @@ void BuildingPage::addUncertainty() {
       });
     });
   };
-  position_sigma_ = add("position_sigma", tr("Position σ"), &Uncertainty::position);
-  size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
+  position_sigma_ = add("position_sigma", tr("Position ±"), &Uncertainty::position);
+  size_sigma_ = add("size_sigma", tr("Size ±"), &Uncertainty::size);
 }
 
 void BuildingPage::addVertices() {
@@ -205,7 +205,7 @@ void BuildingPage::refreshEstimate(const std::vector<Building>& shown) {
   const Estimate& estimate = *shown.front().estimate;
   const auto metres = [](double value) { return QLocale::c().toString(value, 'f', 2); };
   estimate_->setText(
-      tr("σ x %1 m, y %2 m, width %3 m\nObservations: %4")
+      tr("x ±%1 m, y ±%2 m, width ±%3 m\nObservations: %4")
           .arg(metres(estimate.sigma_x), metres(estimate.sigma_y), metres(estimate.sigma_width))
           .arg(estimate.observations));
 }

@@ -347,8 +347,8 @@ QVariant ObjectTreeModel::headerData(int section, Qt::Orientation orientation, i
     case LockedColumn:
       if (role == Qt::DisplayRole) return tr("Locked");
       return role == Qt::ToolTipRole
-                 ? tr("What is locked is not moved, resized or deleted by hand; whether a "
-                      "run may move a building is told in its properties")
+                 ? tr("What is locked is not moved, resized or deleted by hand; whether a run may "
+                      "move a building is set in its properties")
                  : QVariant();
     default:
       return {};

@@ -54,11 +54,11 @@ StartPage::StartPage(MapDocument& document) : PropertyPage(document, tr("Start o
   y_ = addCoordinate("y", tr("y"), [this](double y) { edit(&Pose2::y, y); });
   heading_ = addHeading([this](double degrees) { edit(&Pose2::heading, toRadians(degrees)); });
   position_sigma_ =
-      addNumber("start_position_sigma", tr("Position σ"), 0.0, kMaxSigma, tr(" m"),
+      addNumber("start_position_sigma", tr("Position ±"), 0.0, kMaxSigma, tr(" m"),
                 [this](double sigma) { editUncertainty(&StartUncertainty::position, sigma); });
   position_sigma_->setToolTip(tr("How far the robot may begin from there; 0: exactly there"));
   heading_sigma_ = addNumber(
-      "start_heading_sigma", tr("Heading σ"), 0.0, kMaxTurnSigmaDeg, tr("°"),
+      "start_heading_sigma", tr("Heading ±"), 0.0, kMaxTurnSigmaDeg, tr("°"),
       [this](double degrees) { editUncertainty(&StartUncertainty::heading, toRadians(degrees)); });
   heading_sigma_->setToolTip(tr("How far it may look to either side of that"));
 }
@@ -103,9 +103,9 @@ MapPage::MapPage(MapDocument& document) : PropertyPage(document, tr("Map")) {
       this->document().setUncertainty(changed, true);
     });
   };
-  position_sigma_ = add("position_sigma", tr("Position σ"), &Uncertainty::position);
+  position_sigma_ = add("position_sigma", tr("Position ±"), &Uncertainty::position);
   position_sigma_->setToolTip(tr("How far buildings may lie from where they are drawn"));
-  size_sigma_ = add("size_sigma", tr("Size σ"), &Uncertainty::size);
+  size_sigma_ = add("size_sigma", tr("Size ±"), &Uncertainty::size);
   size_sigma_->setToolTip(tr("How wrong their widths and depths may be"));
   addWholeUncertainty();
   addGeoreference();
@@ -129,10 +129,10 @@ void MapPage::addWholeUncertainty() {
       document().setWholeUncertainty(changed, true);
     });
   };
-  scale_sigma_ = add("scale_sigma", tr("Scale σ"), kPercent * kMaxScaleSigma, tr(" %"),
+  scale_sigma_ = add("scale_sigma", tr("Scale ±"), kPercent * kMaxScaleSigma, tr(" %"),
                      &WholeUncertainty::scale, 1.0 / kPercent);
   scale_sigma_->setToolTip(tr("How much too large or too small all of it may be; 0: to scale"));
-  turn_sigma_ = add("turn_sigma", tr("Turn σ"), kMaxTurnSigmaDeg, tr("°"), &WholeUncertainty::turn,
+  turn_sigma_ = add("turn_sigma", tr("Turn ±"), kMaxTurnSigmaDeg, tr("°"), &WholeUncertainty::turn,
                     toRadians(1.0));
   turn_sigma_->setToolTip(tr("How far all of it may be turned; 0: true"));
 }
@@ -202,7 +202,7 @@ void SummaryPage::refresh() {
   }
   double length = 0.0;
   for (std::size_t i = 1; i < route.size(); ++i) length += (route[i] - route[i - 1]).norm();
-  text_->setText(tr("Route through %1 points, %2 m")
+  text_->setText(tr("Route through %1 points, %2 m long")
                      .arg(route.size())
                      .arg(QLocale::c().toString(length, 'f', 1)));
 }

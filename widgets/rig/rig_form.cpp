@@ -149,9 +149,9 @@ void RigForm::makeOutputRows(QFormLayout& form) {
   record_->setPlaceholderText(tr("not recorded"));
   record_->setToolTip(tr("Each run gets a new folder in it"));
   form.addRow(tr("Record into"), withBrowse(record_, true));
-  publish_ros_ = addRosbridge(form, tr("Tell ROS"));
+  publish_ros_ = addRosbridge(form, tr("Send to ROS"));
   publish_ros_->setObjectName("rig_publish_ros");
-  publish_ros_->setPlaceholderText(tr("not told; a rosbridge is ws://host:9090"));
+  publish_ros_->setPlaceholderText(tr("not sent; a rosbridge is ws://host:9090"));
   publish_ros_->setToolTip(
       tr("Pose, frames, occupancy grid and buildings are published there, and /initialpose is "
          "heard"));
@@ -165,7 +165,7 @@ void RigForm::makeOutputRows(QFormLayout& form) {
   foxglove_ = new QSpinBox;
   foxglove_->setObjectName("rig_foxglove");
   foxglove_->setRange(0, kMostPort);
-  foxglove_->setSpecialValueText(tr("nobody may look on"));
+  foxglove_->setSpecialValueText(tr("off"));
   foxglove_->setToolTip(tr("Foxglove connects to this port; its own choice is 8765"));
   form.addRow(tr("Foxglove port"), foxglove_);
   beyond_ = new QCheckBox(tr("From other machines too"));

@@ -61,7 +61,8 @@ void RigForm::checkEntered() const {
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
   const bool wheels = odometry == OdometryRigKind::Lines || odometry == OdometryRigKind::Ros;
   if (hasCamera() && has_head_->isChecked() && !wheels) {
-    refuse(odometry_, tr("A robot that stops to look around needs wheels that tell its motion."));
+    refuse(odometry_,
+           tr("A robot that stops to look around needs wheels that measure its motion."));
   }
 }
 

@@ -40,7 +40,7 @@ void MeasureTool::paint(ToolPaint& canvas) const {
         paintNote(canvas, canvas.toDevice((points[i] + points[i - 1]) / 2.0), metresText(length));
     }
     for (const Vec2& point : points) paintHandle(canvas, point);
-    QString text = tr("Σ %1").arg(metresText(total));
+    QString text = tr("in all %1").arg(metresText(total));
     if (points.size() > 2 && isSimple(points))
       text += tr("   %1 m²").arg(std::abs(signedArea(points)), 0, 'f', 1);
     if (points.size() > 2)

@@ -31,7 +31,7 @@ QString degreesText(double heading_rad) {
 }
 
 QString positionText(const Vec2& position) {
-  return QObject::tr("%1, %2 m")
+  return QObject::tr("x %1 m, y %2 m")
       .arg(QLocale::c().toString(position.x(), 'f', 2),
            QLocale::c().toString(position.y(), 'f', 2));
 }

@@ -52,7 +52,7 @@ void ReferenceTrust::onReplaced() {
   shell_.messages
       .ask(tr("“%1” wants to read files outside of its folder: %2")
                .arg(document_.displayName(), named),
-           tr("Say yes if you know where the drawing comes from."), kReferenceTrustTopic)
+           tr("Read them only if you know where the drawing comes from."), kReferenceTrustTopic)
       .addAction(tr("Read them"), [this, path] { grant(path); });
 }
 

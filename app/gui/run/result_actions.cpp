@@ -159,11 +159,11 @@ void ResultActions::accept() {
   QStringList edited = document_.editedSince(run_.drawing());
   edited.removeIf([&left_out](const QString& id) { return left_out.contains(id); });
   if (edited.isEmpty()) return take(left_out);
-  Message& question =
-      shell_.messages.ask(tr("%n building(s) were edited since the run began: %1", nullptr,
-                             static_cast<int>(edited.size()))
-                              .arg(edited.mid(0, kMostEditedNamed).join(QStringLiteral(", "))),
-                          tr("Their corrected shapes are of the drawing before."), kAcceptTopic);
+  Message& question = shell_.messages.ask(
+      tr("%n building(s) were edited since the run began: %1", nullptr,
+         static_cast<int>(edited.size()))
+          .arg(edited.mid(0, kMostEditedNamed).join(QStringLiteral(", "))),
+      tr("Their corrected shapes belong to the drawing as it was before."), kAcceptTopic);
   question.addAction(tr("Take all others"), [this, number, kept = edited + left_out] {
     if (number == run_.number()) take(kept);
   });
@@ -211,11 +211,10 @@ bool ResultActions::mayLeave(bool coming_back) {
   const bool unrecorded = isUnrecorded();
   const bool unaccepted = isUnaccepted();
   if (!unrecorded && (!unaccepted || (coming_back && !run_.live()))) return true;
-  const QString text = !unaccepted ? tr("The drive was not recorded: it cannot be run again.")
-                       : unrecorded
-                           ? tr("The drive was not recorded: it cannot be run again. What it came "
-                                "to is not in the drawing.")
-                           : tr("What the run came to is not in the drawing.");
+  const QString text = !unaccepted  ? tr("The drive was not recorded: it cannot be run again.")
+                       : unrecorded ? tr("The drive was not recorded: it cannot be run again. What "
+                                         "it has corrected is not in the drawing.")
+                                    : tr("What the run has corrected is not in the drawing.");
   const QStringList answers = unaccepted
                                   ? QStringList{tr("&Accept refinement"), tr("&Leave it behind")}
                                   : QStringList{tr("&Leave it behind")};

@@ -39,7 +39,7 @@ QString differenceInWords(const Snapshot& before, const Snapshot& after) {
     if (distance > kMoved_m) ++moved;
   }
   const double pose = (after.report.pose.position() - before.report.pose.position()).norm();
-  const QString robot = RevisionActions::tr("the robot is %1 m elsewhere").arg(pose, 0, 'f', 2);
+  const QString robot = RevisionActions::tr("the robot moves by %1 m").arg(pose, 0, 'f', 2);
   if (moved == 0) return RevisionActions::tr("No building moves; %1.").arg(robot);
   return RevisionActions::tr("%n building(s) move by up to %1 m; %2.", nullptr, moved)
       .arg(farthest, 0, 'f', 1)
@@ -177,7 +177,7 @@ QString RevisionActions::inWords(const Said& said) const {
   QString words;
   switch (said.act.kind) {
     case Act::Kind::RobotIsHere:
-      words = tr("The robot was at %1, %2 m")
+      words = tr("The robot was at x %1 m, y %2 m")
                   .arg(said.act.pose.x, 0, 'f', 1)
                   .arg(said.act.pose.y, 0, 'f', 1);
       break;
@@ -270,9 +270,9 @@ void RevisionActions::onReady() {
   outcome_->setBuildings(after->map->buildings);
   Message& question =
       shell_.messages.ask(tr("The run was done again with the changed drawing. %1").arg(words),
-                          tr("The dashed outlines show what came of it."), kRevisionActionsTopic);
-  question.addAction(tr("Take the new one"), [this] { run_.takeRevision(); });
-  question.addAction(tr("Keep what was"), [this] { run_.dropRevision(); });
+                          tr("The dashed outlines show the new result."), kRevisionActionsTopic);
+  question.addAction(tr("Take the new result"), [this] { run_.takeRevision(); });
+  question.addAction(tr("Keep the old result"), [this] { run_.dropRevision(); });
 }
 
 void RevisionActions::updateActions() {
@@ -282,7 +282,7 @@ void RevisionActions::updateActions() {
     return !selected(document_.map(), document_.selection()).buildings.empty();
   };
   actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()));
-  actions.setEnabled({"run.give_pose"}, can, tr("there is no run that a robot is shown of"));
+  actions.setEnabled({"run.give_pose"}, can, tr("no run shows a robot yet"));
   actions["run.give_pose"].setVisible(run_.tape() != nullptr);
   actions.setEnabled({"run.right", "run.not_there"}, can && has_building());
   actions.setEnabled({"run.forget_poses"}, can && !acts_.poses().empty());

@@ -44,9 +44,8 @@ void RunLog::look(const FrameReport& report) {
   time_s_ = report.time_s;
   if (report.odometry_guessed != guessed_) {
     guessed_ = report.odometry_guessed;
-    add(LogKind::Warning, guessed_
-                              ? tr("Nothing tells the motion: the one before is taken to go on")
-                              : tr("The motion is told again"));
+    add(LogKind::Warning, guessed_ ? tr("No odometry: the robot is taken to go on as before")
+                                   : tr("The odometry is back"));
   }
   if (report.loops > loops_) {
     add(LogKind::Note, tr("A loop was closed; %n so far", nullptr, report.loops));

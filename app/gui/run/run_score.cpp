@@ -35,16 +35,17 @@ QString scoreInWords(const RunScore& score) {
   QStringList parts;
   if (score.maps) {
     const auto& [drawn, corrected] = *score.maps;
-    parts << QObject::tr("x %1 → %2 m").arg(metres(drawn.x), metres(corrected.x))
-          << QObject::tr("front wall %1 → %2 m").arg(metres(drawn.front), metres(corrected.front))
-          << QObject::tr("width %1 → %2 m").arg(metres(drawn.width), metres(corrected.width));
+    parts << QObject::tr("x of buildings %1 → %2 m").arg(metres(drawn.x), metres(corrected.x))
+          << QObject::tr("front walls %1 → %2 m").arg(metres(drawn.front), metres(corrected.front))
+          << QObject::tr("widths %1 → %2 m").arg(metres(drawn.width), metres(corrected.width));
   }
   if (score.trajectories) {
-    parts << QObject::tr("trajectory %1 → %2 m")
+    parts << QObject::tr("way of the robot %1 → %2 m")
                  .arg(metres(score.trajectories->odometry.rms_m),
                       metres(score.trajectories->corrected.rms_m));
   }
-  return parts.isEmpty() ? QString() : QObject::tr("Errors: %1").arg(parts.join(", "));
+  return parts.isEmpty() ? QString()
+                         : QObject::tr("Mean errors, before → after: %1").arg(parts.join(", "));
 }
 
 QString scoreTable(const RunScore& score) {
@@ -60,7 +61,7 @@ QString scoreTable(const RunScore& score) {
   }
   if (score.trajectories) {
     const auto& [odometry, corrected] = *score.trajectories;
-    table += row(QObject::tr("error of the trajectory"), QObject::tr("odometry"),
+    table += row(QObject::tr("error of the robot's way"), QObject::tr("odometry"),
                  QObject::tr("corrected"));
     table += row("  rms (m)", metres(odometry.rms_m), metres(corrected.rms_m));
     table += row("  at the end (m)", metres(odometry.end_m), metres(corrected.end_m));

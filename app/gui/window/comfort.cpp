@@ -30,7 +30,7 @@ std::vector<Tour::Step> stepsOf(const Comfort::Sights& sights) {
                    "will look. The wheel zooms, the middle button moves the view.")},
       {&sights.issues, Comfort::tr("See what is missing"),
        Comfort::tr(
-           "Issues tells what in the drawing is likely to be a slip; a click shows where.")},
+           "Issues lists what in the drawing is likely to be a slip; a click shows where.")},
       {&sights.transport, Comfort::tr("Let a robot drive"),
        Comfort::tr("Open a recording, connect a robot or take the simulator, then press Run: "
                    "the blue map is the drawing as the robot corrects it.")},

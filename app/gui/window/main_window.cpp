@@ -228,7 +228,7 @@ void MainWindow::makeStatusBar() {
   show_hint(canvas_->hint());
   connect(canvas_, &MapCanvas::hintChanged, this, show_hint);
   connect(canvas_, &MapCanvas::cursorMoved, this, [this](QPointF metres) {
-    cursor_->setText(tr("%1, %2 m").arg(metres.x(), 0, 'f', 2).arg(metres.y(), 0, 'f', 2));
+    cursor_->setText(tr("x %1 m, y %2 m").arg(metres.x(), 0, 'f', 2).arg(metres.y(), 0, 'f', 2));
   });
   const auto show_scale = [this](double pixels_per_metre) {
     scale_->setText(tr("%1 px/m").arg(pixels_per_metre, 0, 'g', 3));

@@ -1,5 +1,6 @@
 #include <QCheckBox>
 #include <QItemSelectionModel>
+#include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QSlider>
@@ -157,8 +158,7 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   EXPECT_EQ(text(BuildingsModel::Deeper), "0");
   EXPECT_EQ(text(BuildingsModel::Turned), "0");
   EXPECT_EQ(text(BuildingsModel::Sure), "0.40") << "the worst of those that were seen";
-  EXPECT_TRUE(
-      text(BuildingsModel::Why).startsWith("of a hundred of which as much was said some 30"));
+  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("of 100 buildings with such signs about 30"));
   EXPECT_EQ(text(BuildingsModel::Error), "–");
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);
@@ -305,6 +305,22 @@ TEST(RunSetupPanel, GivesBackWhatItWasGiven) {
   EXPECT_EQ(back.replay.to, 0);
   EXPECT_EQ(back.replay.every, 3);
   EXPECT_FALSE(back.settings.perception.classify);
+}
+
+TEST(RunSetupPanel, AsksForParticlesWhereTheMethodHasThem) {
+  RunSetupPanel panel;
+  const auto asked = [&panel] {
+    QStringList words;
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (!label->isHidden()) words << label->text();
+    return words;
+  };
+  for (const char* word : {"Particles", "Swarm", "Iterations"})
+    EXPECT_FALSE(asked().contains(word));
+  RunSetup setup;
+  setup.settings.method = Method::Paper;
+  panel.setSetup(setup);
+  for (const char* word : {"Particles", "Swarm", "Iterations"}) EXPECT_TRUE(asked().contains(word));
 }
 
 TEST(RunSetupPanel, WhatWasTaughtTellsBuildings) {

@@ -52,8 +52,8 @@ TEST(Words, SayWhatTheRobotIsBeside) {
   map.buildings = {building("N1", 0.0, 1), building("N2", 30.0, 1)};
   map.buildings[1].name = "Library";
   EXPECT_EQ(Words::place({21.0, 0.0, 0.0}, map), "4.0 m from N2 · Library");
-  EXPECT_EQ(Words::place({500.0, -7.0, 0.0}, map), "at 500, -7 m");
-  EXPECT_EQ(Words::place({0.0, 0.0, 0.0}, {}), "at 0, 0 m");
+  EXPECT_EQ(Words::place({500.0, -7.0, 0.0}, map), "at x 500 m, y -7 m");
+  EXPECT_EQ(Words::place({0.0, 0.0, 0.0}, {}), "at x 0 m, y 0 m");
 }
 
 TEST(Words, SumUpWhatARunHasChanged) {
@@ -94,7 +94,7 @@ TEST(Words, SayWhatSpeaksForAndAgainstABuilding) {
   }
   EXPECT_FALSE(words.contains("Doubtful"));
   EXPECT_TRUE(Words::building(drawing, mapOf(building("L3", 0.0, 0)), 0, nullptr)
-                  .contains("Nothing that was seen is taken for it"));
+                  .contains("Not recognised"));
 }
 
 TEST(Words, TurnedAndGrownAreToldLikeMoved) {
@@ -124,8 +124,7 @@ TEST(Words, ADoubtIsOneSentence) {
   setDoubt(unmet.buildings[0], 0.4);
   const QString words = Words::building(drawing, unmet, 0, nullptr);
   EXPECT_TRUE(
-      words.contains("nothing that it saw is taken for it. Of a hundred of which this was "
-                     "said, some 40 were wrong."))
+      words.contains("did not recognise it. Of 100 buildings with such signs about 40 were wrong."))
       << words.toStdString();
   EXPECT_FALSE(words.contains("Against the drawing"));
   EXPECT_FALSE(words.contains('%'));

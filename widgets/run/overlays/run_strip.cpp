@@ -39,7 +39,7 @@ RunStrip::RunStrip(QWidget& over)
       phase_(new QLabel) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
-  certainty_->setToolTip(tr("How far the shown pose is off at most, nine times of ten"));
+  certainty_->setToolTip(tr("How far off the shown place is at most, nine times of ten"));
   place_->setToolTip(tr("Where the robot is"));
   follow_->setAutoRaise(true);
   follow_->setToolTip(tr("Whether the view follows the robot: off, follow, follow and turn"));

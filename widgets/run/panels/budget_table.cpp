@@ -71,13 +71,13 @@ void BudgetTable::setBudget(const FrameBudget& budget) {
   if (!interval) return verdict_->setText({});
   const double used = 100.0 * budget.total().p95_ms / *interval;
   verdict_->setText(
-      used <= 100.0
-          ? tr("A frame comes each %1 ms: %2 % of that is used, 95 times of 100 no more.")
-                .arg(milliseconds(*interval))
-                .arg(used, 0, 'f', 0)
-          : tr("A frame comes each %1 ms: too slow to keep up (%2 %, 95 times of 100 no more).")
-                .arg(milliseconds(*interval))
-                .arg(used, 0, 'f', 0));
+      used <= 100.0 ? tr("A frame comes every %1 ms; 95 of 100 frames need at most %2 % of that.")
+                          .arg(milliseconds(*interval))
+                          .arg(used, 0, 'f', 0)
+                    : tr("A frame comes every %1 ms: too slow to keep up (95 of 100 frames need at "
+                         "most %2 % of that).")
+                          .arg(milliseconds(*interval))
+                          .arg(used, 0, 'f', 0));
 }
 
 void BudgetTable::paintSamples() {

@@ -37,27 +37,27 @@ constexpr std::array<ColumnText, BuildingsModel::ColumnCount> kColumnTexts = {{
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Why doubtful"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "What speaks against taking it over")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Doubt\n(%)"),
-     QT_TRANSLATE_NOOP("handmap::BuildingsModel",
-                       "Of a hundred buildings of which the same was said so many were wrong: "
-                       "another one, or none, stood there")},
-    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ right\n(m)"),
+     QT_TRANSLATE_NOOP(
+         "handmap::BuildingsModel",
+         "Of 100 buildings with such signs so many were wrong: another one, or none, stood there")},
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "± right\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
                        "Standard deviation of the wall that faces right on the map; in brackets "
                        "where nobody saw it")},
-    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ up\n(m)"),
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "± up\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
                        "Standard deviation of the wall that faces up on the map; in brackets "
                        "where nobody saw it")},
-    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ left\n(m)"),
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "± left\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
                        "Standard deviation of the wall that faces left on the map; in brackets "
                        "where nobody saw it")},
-    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "σ down\n(m)"),
+    {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "± down\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel",
                        "Standard deviation of the wall that faces down on the map; in brackets "
                        "where nobody saw it")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Seen\n(times)"),
-     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Observations that stand for it")},
+     QT_TRANSLATE_NOOP("handmap::BuildingsModel", "In how many observations it was seen")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Off\n(m)"),
      QT_TRANSLATE_NOOP("handmap::BuildingsModel", "From the corrected to the true middle")},
     {QT_TRANSLATE_NOOP("handmap::BuildingsModel", "Drawn x\n(m)"),

@@ -48,7 +48,7 @@ ChartsPanel::ChartsPanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(area);
   content_ = inner;
 
-  pose_plot_ = addPlot(tr("Pose: how sure, and how far off (m)"));
+  pose_plot_ = addPlot(tr("Robot: how sure its place is, and how far off (m)"));
   pose_legend_ = addLegend();
   change_plot_ = addPlot(tr("Buildings: how far from the drawn place (m)"));
   change_legend_ = addLegend();
@@ -56,8 +56,8 @@ ChartsPanel::ChartsPanel(QWidget* parent) : QWidget(parent) {
   time_plot_ = addPlot(tr("Time per observation (ms)"));
   budget_table_ = new BudgetTable;
   inner->layout()->addWidget(budget_table_);
-  likelihood_plot_ = addPlot(tr("Log likelihood of what was seen (nats)"));
-  size_plot_ = addPlot(tr("Effective sample size (particles)"));
+  likelihood_plot_ = addPlot(tr("How well what was seen fits the map (higher: better)"));
+  size_plot_ = addPlot(tr("Particles that count (effective sample size)"));
   addSeries();
   soon_.setSingleShot(true);
   soon_.setInterval(kRedraw_ms);
@@ -219,7 +219,8 @@ void ChartsPanel::redrawReports() {
   time_plot_->setRanges(first, last, greatest_ms);
   likelihood_plot_->setRanges(first, last, greatest_nats, least_nats);
   const Colours& colours = Colours::of(palette());
-  QString legend = inColour(colours[Role::Trajectory], tr("━ nine of ten are within"));
+  QString legend =
+      inColour(colours[Role::Trajectory], tr("━ nine times of ten it is no farther off"));
   if (!errors.isEmpty()) {
     legend += QStringLiteral(" &nbsp; ") + inColour(colours[Role::Truth], tr("╍ true error"));
   }

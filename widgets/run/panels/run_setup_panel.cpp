@@ -21,7 +21,7 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   method_ = new QComboBox;
   method_->addItem(tr("Handmap"), static_cast<int>(Method::Handmap));
   method_->addItem(tr("Published FastSLAM/PSOM"), static_cast<int>(Method::Paper));
-  method_->setToolTip(tr("Ours, or the published method to the letter"));
+  method_->setToolTip(tr("Handmap's own method, or the published one to the letter"));
   form->addRow(tr("Method"), method_);
   free_scale_ = new QCheckBox(tr("Scale unknown"));
   free_scale_->setToolTip(tr("The drawing may be 0.7 to 1.4 times as large as the place"));
@@ -29,28 +29,23 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   free_turn_->setToolTip(tr("The drawing may be turned by up to 40° about the robot's start"));
   form->addRow(tr("Drawing"), free_scale_);
   form->addRow(QString(), free_turn_);
-  connect(method_, &QComboBox::currentIndexChanged, this, [this] {
-    const bool is_ours = method_->currentData().toInt() == static_cast<int>(Method::Handmap);
-    free_scale_->setEnabled(is_ours);
-    free_turn_->setEnabled(is_ours);
-  });
   slam_particles_ =
       addNumber(tr("Particles"), 1, 100'000, tr("Poses of the robot that are followed at once"));
-  pso_particles_ = addNumber(tr("Swarm"), 1, 1000,
-                             tr("Points of the swarm that corrects a building; published method"));
-  pso_iterations_ = addNumber(tr("Iterations"), 0, 1000,
-                              tr("Moves of a swarm in one observation, at most; published method"));
+  pso_particles_ =
+      addNumber(tr("Swarm"), 1, 1000, tr("Points of the swarm that corrects a building"));
+  pso_iterations_ =
+      addNumber(tr("Iterations"), 0, 1000, tr("Moves of a swarm in one observation, at most"));
   seed_ = addNumber(tr("Seed"), 0, std::numeric_limits<int>::max(),
                     tr("The same seed and the same inputs give the same result"));
   threads_ = addNumber(tr("Threads"), 0, 256, tr("The result does not depend on it"));
   threads_->setSpecialValueText(tr("all"));
   buildings_ = new QComboBox;
-  buildings_->addItem(tr("The program"), static_cast<int>(ToldBy::Program));
-  buildings_->addItem(tr("Nothing: all walls count"), static_cast<int>(ToldBy::Nothing));
+  buildings_->addItem(tr("Found by the program"), static_cast<int>(ToldBy::Program));
+  buildings_->addItem(tr("Every wall counts"), static_cast<int>(ToldBy::Nothing));
   buildings_->setToolTip(
-      tr("What tells buildings from trees and hedges in images; one's own "
-         "comes from Teach buildings"));
-  form->addRow(tr("Told by"), buildings_);
+      tr("How buildings are distinguished from trees and hedges in images; with Teach Buildings "
+         "you make a way of your own"));
+  form->addRow(tr("Buildings in images"), buildings_);
   source_ = new QComboBox;
   source_->addItem(tr("Images, else points"), static_cast<int>(SourceKind::Auto));
   source_->addItem(tr("Images"), static_cast<int>(SourceKind::Images));
@@ -60,13 +55,26 @@ RunSetupPanel::RunSetupPanel(QWidget* parent) : QWidget(parent) {
   from_ = addNumber(tr("From frame"), 0, kLastFrame, tr("First frame of a recording"));
   to_ = addNumber(tr("To frame"), kToTheEnd, kLastFrame, tr("Last frame of a recording"));
   to_->setSpecialValueText(tr("end"));
-  every_ = addNumber(tr("Observations"), 1, 10'000, tr("Takes each Nth observation"));
+  every_ = addNumber(tr("Observations"), 1, 10'000,
+                     tr("How many observations are used: all of them, or one of every so many"));
   every_->setSpecialValueText(tr("all"));
   every_->setPrefix(tr("one of "));
+  connect(method_, &QComboBox::currentIndexChanged, this, &RunSetupPanel::showOfMethod);
   setSetup({});
+  showOfMethod();
   for (QSpinBox* box : {from_, to_, every_})
     connect(box, &QSpinBox::valueChanged, this, &RunSetupPanel::replayChanged);
   connect(source_, &QComboBox::currentIndexChanged, this, &RunSetupPanel::replayChanged);
+}
+
+/// What the other method alone asks for is not asked.
+void RunSetupPanel::showOfMethod() {
+  const bool is_ours = method_->currentData().toInt() == static_cast<int>(Method::Handmap);
+  free_scale_->setEnabled(is_ours);
+  free_turn_->setEnabled(is_ours);
+  auto* form = static_cast<QFormLayout*>(layout());
+  for (QSpinBox* box : {slam_particles_, pso_particles_, pso_iterations_})
+    form->setRowVisible(box, !is_ours);
 }
 
 QSpinBox* RunSetupPanel::addNumber(const QString& label, int low, int high, const QString& hint) {
@@ -88,7 +96,7 @@ void RunSetupPanel::setTaughtClassifier(std::shared_ptr<const WindowClassifier> 
   }
   if (index < 0) {
     index = 1;
-    buildings_->insertItem(index, tr("What was taught"), static_cast<int>(ToldBy::Taught));
+    buildings_->insertItem(index, tr("Found as taught"), static_cast<int>(ToldBy::Taught));
   }
   buildings_->setCurrentIndex(index);
 }

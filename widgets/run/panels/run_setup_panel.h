@@ -41,6 +41,7 @@ class RunSetupPanel : public QWidget {
   void replayChanged();
 
  private:
+  void showOfMethod();
   QSpinBox* addNumber(const QString& label, int low, int high, const QString& hint);
 
   QComboBox* method_;

@@ -16,13 +16,14 @@ struct Stage {
 };
 
 inline constexpr std::array<Stage, 5> kStages = {{
-    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "read"), &StageTimes::read, Qt::Dense6Pattern},
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "reading"), &StageTimes::read, Qt::Dense6Pattern},
     {QT_TRANSLATE_NOOP("handmap::BudgetTable", "stereo"), &StageTimes::stereo, Qt::BDiagPattern},
-    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "classify"), &StageTimes::classify,
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "buildings in images"), &StageTimes::classify,
      Qt::Dense4Pattern},
-    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "local map"), &StageTimes::local_map,
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "walls around"), &StageTimes::local_map,
      Qt::FDiagPattern},
-    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "slam"), &StageTimes::slam, Qt::SolidPattern},
+    {QT_TRANSLATE_NOOP("handmap::BudgetTable", "finding and correcting"), &StageTimes::slam,
+     Qt::SolidPattern},
 }};
 
 }  // namespace handmap

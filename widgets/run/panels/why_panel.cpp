@@ -123,7 +123,7 @@ void WhyPanel::fillWalls() {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 along = outline[(i + 1) % outline.size()] - outline[i];
     const Vec2 outwards = -perpendicular(along);
-    walls_->addItem(tr("%1 wall, %2 m")
+    walls_->addItem(tr("%1 wall, %2 m long")
                         .arg(Words::direction(std::atan2(outwards.y(), outwards.x())))
                         .arg(along.norm(), 0, 'f', 1),
                     static_cast<qulonglong>(i));

@@ -27,11 +27,11 @@ QString PhaseWords::name(const Phase& phase) {
     case PhaseKind::Poses:
       return tr("Poses");
     case PhaseKind::Evidence:
-      return tr("Evidence");
+      return tr("Signs of walls");
     case PhaseKind::Detection:
       return tr("Buildings found");
     case PhaseKind::Labels:
-      return tr("Labels");
+      return tr("Matching");
     case PhaseKind::Correction:
       break;
   }
@@ -44,7 +44,8 @@ QString PhaseWords::change(const Phase& phase) {
   const QString turned = QString::number(toDegrees(facts.turned), 'f', 1);
   switch (phase.kind) {
     case PhaseKind::Prediction:
-      return tr("The particles go on by the odometry and its noise; the best one %1 m, %2°.")
+      return tr("The particles go on by the odometry and its noise; the best one moved by %1 m and "
+                "turned by %2°.")
           .arg(moved, turned);
     case PhaseKind::LocalMap:
       return tr("The walls seen over the last metres, laid at the best particle.");
@@ -70,16 +71,17 @@ QString PhaseWords::change(const Phase& phase) {
       return tr("The robot drove %1 m and turned %2°, by odometry or matched scans.")
           .arg(moved, turned);
     case PhaseKind::Poses:
-      return tr("The last poses and buildings fitted together: the robot moved by %1 m, %2°.")
+      return tr("The last poses and buildings fitted together: the robot moved by %1 m and turned "
+                "by %2°.")
           .arg(moved, turned);
     case PhaseKind::Evidence:
-      return tr("What speaks for walls, over the last frames: the stronger, the more.");
+      return tr("Where walls are likely by the last frames: the stronger, the likelier.");
     case PhaseKind::Detection:
-      return tr("%1 walls in the evidence, %2 buildings in sight; found without the drawing.")
+      return tr("%1 walls and %2 buildings in sight, found without the drawing.")
           .arg(facts.of)
           .arg(facts.count);
     case PhaseKind::Labels:
-      return tr("%1 of %2 found buildings are taken for drawn ones (dotted lines).")
+      return tr("%1 of %2 found buildings are matched with drawn ones (dotted lines).")
           .arg(facts.count)
           .arg(facts.of);
     case PhaseKind::Correction:

@@ -25,7 +25,7 @@ Suspicion ReviewWords::suspicion(const Map& drawing, const Map& refined, std::si
   }
   if (const double doubt = doubtOf(now); doubt > 0.0) {
     found.degree += 2.0 * doubt;  // 1 where either is as likely
-    found.reasons << tr("of a hundred of which as much was said some %1 were wrong")
+    found.reasons << tr("of 100 buildings with such signs about %1 were wrong")
                          .arg(std::lround(100.0 * doubt));
   }
   if (!isRecognised(now)) {

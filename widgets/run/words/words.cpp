@@ -111,7 +111,8 @@ QString Words::place(const Pose2& pose, const Map& map) {
     least = distance;
     nearest = &building;
   }
-  if (nearest == nullptr) return tr("at %1, %2 m").arg(pose.x, 0, 'f', 0).arg(pose.y, 0, 'f', 0);
+  if (nearest == nullptr)
+    return tr("at x %1 m, y %2 m").arg(pose.x, 0, 'f', 0).arg(pose.y, 0, 'f', 0);
   return tr("%1 m from %2").arg(metres(least), nameOf(*nearest));
 }
 
@@ -165,14 +166,15 @@ QString Words::concern(const Concern& concern, const Map& drawing) {
   const QString name = nameOf(drawing.buildings[concern.building]);
   switch (concern.kind) {
     case Concern::Kind::Overlaps:
-      return tr("%1 stands in %2: they share %3 % more ground than drawn")
+      return tr("%1 stands in %2: they overlap by %3 % more than drawn")
           .arg(name, nameOf(drawing.buildings[concern.other]))
           .arg(std::lround(100.0 * concern.by));
     case Concern::Kind::Moved:
       return tr("%1 moved by %2 m, far more than the drawing says that it may be off")
           .arg(name, metres(concern.by));
     case Concern::Kind::Turned:
-      return tr("%1 turned by %2, more than people draw askew").arg(name, degrees(concern.by));
+      return tr("%1 turned by %2, more than drawings are usually askew")
+          .arg(name, degrees(concern.by));
     case Concern::Kind::Resized:
       break;
   }
@@ -188,14 +190,14 @@ QString Words::doubt(const Map& drawing, const Map& refined, std::size_t buildin
   if (doubt <= 0.0) return {};
   QStringList reasons;
   if (!isRecognised(refined.buildings[building])) {
-    reasons << tr("the robot came by, and nothing that it saw is taken for it");
+    reasons << tr("the robot came by and did not recognise it");
   } else {
     for (const Concern& concern : concernsAbout(building, concerns)) {
       reasons << Words::concern(concern, drawing);
     }
     if (reasons.isEmpty()) reasons << tr("what was seen may as well be another building");
   }
-  return tr("Doubtful: %1. Of a hundred of which this was said, some %2 were wrong.")
+  return tr("Doubtful: %1. Of 100 buildings with such signs about %2 were wrong.")
       .arg(reasons.join(tr("; ")))
       .arg(std::lround(100.0 * doubt));
 }
@@ -209,10 +211,9 @@ QString Words::building(const Map& drawing, const Map& refined, std::size_t b,
   const BuildingChange changed = changeOf(drawn, now);
   const QString words = change(changed);
   if (now.estimate && !recognised) {
-    lines << (words.isEmpty() ? tr("Nothing that was seen is taken for it: it is shown where the "
-                                   "drawing has it")
-                              : tr("Nothing that was seen is taken for it: it is shown where the "
-                                   "drawing has it, %1 with the buildings beside it")
+    lines << (words.isEmpty() ? tr("Not recognised: it is shown where the drawing has it")
+                              : tr("Not recognised: it is shown where the drawing has it, %1 "
+                                   "together with the buildings beside it")
                                     .arg(words));
   } else {
     lines << (words.isEmpty() ? tr("As drawn") : tr("Against the drawing: %1").arg(words));

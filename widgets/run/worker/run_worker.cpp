@@ -164,7 +164,8 @@ void RunWorker::Thread::work(const std::stop_token& stop) {
     tellFailure(failureOf(error));
   } catch (const std::bad_alloc&) {
     tellFailure({ErrorCode::RunFailed, tr("The run needs more memory than there is."),
-                 tr("Fewer particles in the run settings need less.")});
+                 tr("A shorter stretch of the recording needs less, and by the published method "
+                    "fewer particles.")});
   } catch (const std::exception& error) {
     tellFailure(
         {ErrorCode::RunFailed,
