@@ -85,6 +85,26 @@ class CanvasTest : public QObject {
     canvas_->grab();
   }
 
+  void aRouteIsNotShownWhileARunIsUnlessOneWorksOnIt() {
+    document_->reset(oneBuilding());
+    canvas_->zoomToFit();
+    const auto picture = [this] { return canvas_->viewport()->grab().toImage(); };
+    const QImage without = picture();
+    document_->setRoute({{0.0, 20.0}, {30.0, 20.0}});
+    const QImage with_route = picture();
+    QVERIFY(with_route != without);
+    canvas_->setRunShown(true);
+    QCOMPARE(picture(), without);
+    document_->setSelection({kRouteKey});
+    QVERIFY(picture() != without);
+    document_->setSelection({});
+    canvas_->setTool(ToolId::Route);
+    QVERIFY(picture() != without);
+    canvas_->setTool(ToolId::Select);
+    canvas_->setRunShown(false);
+    QCOMPARE(picture(), with_route);
+  }
+
   void yIsUp() {
     QVERIFY(toPixels({0.0, 10.0}).y() < toPixels({0.0, 0.0}).y());
     QVERIFY(toPixels({10.0, 0.0}).x() > toPixels({0.0, 0.0}).x());

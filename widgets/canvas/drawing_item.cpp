@@ -12,9 +12,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kPenPx = 4.0;     ///< around what is drawn
+constexpr double kPenPx = 4.0;  ///< around what is drawn
 constexpr double kCasingPx = 2.5;  ///< around walls that lie on a picture
-constexpr double kDotPx = 3.0;     ///< smaller buildings are dots
+constexpr double kDotPx = 3.0;  ///< smaller buildings are dots
 constexpr double kDotOfManyPx = 8.0;
 constexpr double kMarkedPx = 18.0;  ///< smaller buildings show no lock
 constexpr double kNarrowestLetterPx = 3.5;
@@ -44,6 +44,11 @@ DrawingItem::DrawingItem(const MapDocument& document) : document_(document) {
 void DrawingItem::setColours(const Colours& colours) {
   colours_ = &colours;
   forgetStills();
+  update();
+}
+
+void DrawingItem::setRouteShown(bool shown) {
+  route_shown_ = shown;
   update();
 }
 
@@ -348,7 +353,8 @@ void DrawingItem::paintSigns(QPainter& painter, const QTransform& to_device) con
   QPen route_pen = colours_->pen(Role::Route);
   route_pen.setColor(ink(kRouteKey, Role::Route));
   painter.setOpacity(layer(DrawingLayer::Route).opacity);
-  if (!route.isEmpty() && !layer(DrawingLayer::Route).hidden)
+  const bool route_shown = route_shown_ || preview_.route || selected_.contains(kRouteKey);
+  if (route_shown && !route.isEmpty() && !layer(DrawingLayer::Route).hidden)
     paintRoute(painter, route, route_pen, ground);
 
   painter.setOpacity(layer(DrawingLayer::Landmarks).opacity);

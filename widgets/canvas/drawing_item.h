@@ -25,6 +25,9 @@ class DrawingItem : public QGraphicsItem {
   /// Shown in place of the objects of the same ids; nullptr: nothing.
   void setPreview(const MapChange* preview);
   void setColours(const Colours& colours);
+  /// A way that is drawn must not read as planned where a robot drives: it is shown where it is
+  /// selected or edited alone.
+  void setRouteShown(bool shown);
   /// By id: where labels stand in place of the drawn outlines.
   void setLabelOutlines(const QHash<QString, QPolygonF>& outlines);
 
@@ -75,6 +78,7 @@ class DrawingItem : public QGraphicsItem {
   std::unordered_map<std::string, std::size_t> places_;
   QHash<QString, QPolygonF> label_outlines_;
   MapChange preview_;
+  bool route_shown_ = true;
   LayerStates layers_;
   QSet<QString> selected_;
   QRectF drawn_;  ///< around shapes_, or wider

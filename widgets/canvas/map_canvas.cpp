@@ -149,6 +149,7 @@ void MapCanvas::setTool(ToolId id) {
   snap_ = {};
   tool_ = toolOf(id);
   tool_->activate();
+  setRunShown(run_shown_);
   onToolChanged();
   Q_EMIT toolChanged(id);
 }
@@ -310,6 +311,11 @@ void MapCanvas::setDrawingOpacity(double share) { drawing_->setOpacity(share); }
 void MapCanvas::setLabelOutlines(const QHash<QString, QPolygonF>& outlines) {
   drawing_->setLabelOutlines(outlines);
   viewport()->update();
+}
+
+void MapCanvas::setRunShown(bool shown) {
+  run_shown_ = shown;
+  drawing_->setRouteShown(!shown || tool() == ToolId::Route);
 }
 
 void MapCanvas::setDoubtVisible(bool visible) { doubt_->setVisible(visible); }

@@ -84,6 +84,8 @@ class MapCanvas : public QGraphicsView {
   void setDrawingOpacity(double share);
   /// By id: outlines of buildings to write their labels into, in place of the drawn ones.
   void setLabelOutlines(const QHash<QString, QPolygonF>& outlines);
+  /// While a run is shown the drawn route is not, unless somebody works on it.
+  void setRunShown(bool shown);
   void setUnderlaysVisible(bool visible);
   QSize pictureSize(std::size_t place) const;  ///< pixels of the picture underneath
   void setDoubtVisible(bool visible);
@@ -153,6 +155,7 @@ class MapCanvas : public QGraphicsView {
   DrawingItem* drawing_;
   std::vector<std::unique_ptr<Tool>> tools_;
   Tool* tool_;
+  bool run_shown_ = false;
   Tool* before_eraser_ = nullptr;  ///< while the other end of a pen erases
   CanvasChips* chips_ = nullptr;
   NameEditor* name_ = nullptr;

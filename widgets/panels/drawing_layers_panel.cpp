@@ -86,8 +86,13 @@ void DrawingLayersPanel::rebuild() {
   filling_ = true;
   tree_->clear();
   const LayerStates layers = document_.map().layers;
-  for (std::size_t i = 0; i < layers.size(); ++i)
-    addRow(QString::number(i), nameOf(static_cast<DrawingLayer>(i)), layers[i]);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const auto layer = static_cast<DrawingLayer>(i);
+    addRow(QString::number(i), nameOf(layer), layers[i]);
+    if (layer == DrawingLayer::Route)
+      tree_->topLevelItem(static_cast<int>(i))
+          ->setToolTip(NameColumn, tr("While a run is shown: only where it is selected or drawn"));
+  }
   const std::vector<Underlay>& pictures = document_.map().underlays;
   for (std::size_t i = pictures.size(); i-- > 0;)  // the topmost first
     addRow(pictureKey(i), displayName(document_.map(), pictureKey(i)), stateOf(pictures[i]));

@@ -201,6 +201,7 @@ void RunViews::showPhase(const Phase& phase, int number, int count) {
 void RunViews::onShown(const Snapshot& snapshot) {
   const Map* map = overlays_.shownMap();
   updateWhy();
+  canvas_.setRunShown(true);
   strip_->showPhase({});
   strip_->show(snapshot.report, map ? *map : overlays_.drawing());
   showRobotAt(snapshot.report.pose);
@@ -214,6 +215,7 @@ void RunViews::onShown(const Snapshot& snapshot) {
 
 void RunViews::clear() {
   strip_->showNothing();
+  canvas_.setRunShown(false);
   showRobotAt({});
   story_later_.stop();
   panels_.why.clear();
