@@ -45,8 +45,7 @@ class PaperMethod : public EstimationMethod {
     }
     const double driven_m = (slam_.best().pose.position() - before.position()).norm();
     recognition_.look(
-        wall_rays_.add(foundOutlines(slam_.refinedMap()), slam_.best().pose, percept.scan),
-        driven_m);
+        wall_rays_.add(outlinesOf(slam_.refinedMap()), slam_.best().pose, percept.scan), driven_m);
     if (recorder_ != nullptr) {
       tellPhases(trace, {slam_, *drawing_, percept.local_map, before}, *recorder_);
     }

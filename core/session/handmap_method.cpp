@@ -96,10 +96,9 @@ class HandmapMethod : public EstimationMethod {
 
   std::vector<RunWarning> warnings() const override {
     if (conclusions_.trouble().empty()) return {};
-    return {
-        {"conclusion_failed",
-         phrase("What the run came to on the way could not be told: {}", conclusions_.trouble()),
-         phrase("The end of the run does not depend on it.")}};
+    return {{"conclusion_failed",
+             phrase("The correction on the way failed: {}", conclusions_.trouble()),
+             phrase("The end of the run does not depend on it.")}};
   }
 
   void describe(FrameReport& report) const override {
@@ -139,13 +138,12 @@ class HandmapMethod : public EstimationMethod {
   }
 
  private:
-  /// Which walls of what was found rays end on.
+  /// Which walls rays end on.
   void look(const Scan& scan) {
-    std::vector<FoundOutline> found;
-    for (NearbyBuilding& building : estimator_.nearby()) {
-      if (building.found) found.push_back({building.building, std::move(building.outline)});
-    }
-    recognition_.look(wall_rays_.add(found, estimator_.pose(), scan), driven_m_ - looked_at_m_);
+    std::vector<PlacedOutline> placed;
+    for (NearbyBuilding& building : estimator_.nearby())
+      placed.push_back({building.building, std::move(building.outline), building.found});
+    recognition_.look(wall_rays_.add(placed, estimator_.pose(), scan), driven_m_ - looked_at_m_);
     looked_at_m_ = driven_m_;
   }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/map/certainty.h"
+#include "core/session/recognition.h"
 
 namespace handmap {
 
@@ -100,7 +101,8 @@ PoseCertainty certaintyOf(const FrameReport& report) {
                           kHeadingSigmas * report.pose_sigma[2]};
   if (certainty.heading_rad > kPi / 2.0) return certainty;
   if (certainty.within_m <= kRoughWithin_m) certainty.kind = Certainty::Rough;
-  if (certainty.within_m <= kSureWithin_m && certainty.heading_rad <= kSureHeading) {
+  if (certainty.within_m <= kSureWithin_m && certainty.heading_rad <= kSureHeading &&
+      report.unrecognised_m < kUnrecognised_m) {
     certainty.kind = Certainty::Sure;
   }
   return certainty;

@@ -32,7 +32,8 @@ void stateTrust(const Eigen::Matrix3d& covariance, FrameReport& report);
 /// How surely the robot is where it is shown.
 enum class Certainty { Sure, Rough, Lost };
 
-/// Nine times of ten the pose is off by no more than `within_m` and `heading_rad`.
+/// Nine times of ten the pose is off by no more than `within_m` and `heading_rad`: by itself, which
+/// is not sure where nothing of the drawing was recognised for long.
 struct PoseCertainty {
   Certainty kind;
   double within_m;

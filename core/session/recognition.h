@@ -1,5 +1,5 @@
-// How far a robot has driven among walls of which none is one of the drawing's: it may not be
-// where it is thought to be, however sure the way is in itself.
+// Whether what a robot sees speaks for or against it being where it is thought to be: that may be
+// wrong, however sure the way is in itself.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +17,12 @@ class Recognition {
   void look(const WallRays::Share& share, double driven_m);
   /// Metres since walls of the drawing were last recognised. What sees no walls says nothing.
   double unrecognised_m() const { return unrecognised_m_; }
-  /// Of the stated pose: less sure where nothing was recognised for long.
+  /// Of the stated pose: less sure where more speaks against it than for it.
   void widen(Eigen::Matrix3d& covariance) const;
 
  private:
   double unrecognised_m_ = 0.0;
-  double distrusted_m_ = 0.0;  ///< the same, less what was recognised since makes up for
+  double balance_m_ = 0.0;  ///< metres that speak for it, less those that speak against it
 };
 
 }  // namespace handmap

@@ -304,7 +304,8 @@ std::vector<RunWarning> RunSession::warnings() const {
   std::vector<RunWarning> all = state_->method->warnings();
   const auto of_outcome =
       runWarnings({state_->counts, source().range_limit_m, state_->drawing,
-                   state_->method->refinedMap()(), trajectory(), settings.slam.refine});
+                   state_->method->refinedMap()(), trajectory(), settings.slam.refine,
+                   state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m});
   all.insert(all.end(), of_outcome.begin(), of_outcome.end());
   return all;
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/phrase.h"
 #include "core/map/certainty.h"
+#include "core/session/recognition.h"
 
 namespace handmap {
 
@@ -160,6 +161,14 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
          phrase("Along {:.0f} % of the way, none of the drawn buildings that were recognised is "
                 "within the {:.0f} m that the sensor sees: there the way is the odometry's.",
                 100.0 * alone, outcome.range_limit_m),
+         phrase("{} If so, draw more of what stands along the way.", checkStart())}};
+  }
+  if (outcome.unrecognised_m >= kUnrecognised_m) {
+    return {
+        {"end_unrecognised",
+         phrase("Nothing of the drawing was recognised on the last {:.0f} m: the robot may have "
+                "been elsewhere all the way, however well the buildings before fitted.",
+                outcome.unrecognised_m),
          phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }
   return {};

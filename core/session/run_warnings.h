@@ -36,11 +36,12 @@ struct RunOutcome {
   const Map& drawing;
   const Map& refined;
   const std::vector<StampedPose>& trajectory;
-  bool refine;  ///< buildings were to be corrected
+  bool refine;                  ///< buildings were to be corrected
+  double unrecognised_m = 0.0;  ///< at the end, see Recognition
 };
 
-/// At most one of the codes nothing_recognised, nothing_corrected and way_from_odometry: the first
-/// that holds says what follows from it too.
+/// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry and
+/// end_unrecognised: the first that holds says what follows from it too.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap

@@ -105,69 +105,71 @@ std::optional<SeenWall> seenPart(const Segment& wall, const Bounds& bounds, cons
 
 /// Walls that rays ended on or went through.
 template <typename Use>
-void forSeen(const std::vector<FoundOutline>& outlines, const Returns& returns, double tolerance_m,
+void forSeen(const std::vector<PlacedOutline>& outlines, const Returns& returns, double tolerance_m,
              Use use) {
   if (returns.rays.empty()) return;
   const Bounds bounds = returns.bounds(std::max(tolerance_m, kNear_m));
-  for (const auto& [building, outline] : outlines) {
+  for (const PlacedOutline& placed : outlines) {
+    const Polygon& outline = placed.outline;
     for (std::size_t w = 0; w < outline.size(); ++w) {
       auto part =
           seenPart({outline[w], outline[(w + 1) % outline.size()]}, bounds, returns, tolerance_m);
       if (!part) continue;
-      part->building = building;
+      part->building = placed.building;
       part->wall = w;
-      use(*part, outline.size());
+      use(*part, placed);
     }
   }
 }
 
 }  // namespace
 
-std::vector<FoundOutline> foundOutlines(const Map& refined) {
-  std::vector<FoundOutline> outlines;
+std::vector<PlacedOutline> outlinesOf(const Map& refined) {
+  std::vector<PlacedOutline> outlines;
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
-    if (isRecognised(refined.buildings[b]))
-      outlines.push_back({b, refined.buildings[b].footprint()});
+    const Building& building = refined.buildings[b];
+    outlines.push_back({b, building.footprint(), isRecognised(building)});
   }
   return outlines;
 }
 
 std::vector<SeenWall> seenWalls(const Map& map, const Pose2& robot, const Scan& scan,
                                 double tolerance_m) {
-  std::vector<FoundOutline> outlines;
-  for (std::size_t b = 0; b < map.buildings.size(); ++b)
-    outlines.push_back({b, map.buildings[b].footprint()});
   std::vector<SeenWall> seen;
-  forSeen(outlines, returnsOf(robot, scan), tolerance_m, [&](const SeenWall& wall, std::size_t) {
-    if (wall.rays >= kLeastRays) seen.push_back(wall);
-  });
+  forSeen(outlinesOf(map), returnsOf(robot, scan), tolerance_m,
+          [&](const SeenWall& wall, const PlacedOutline&) {
+            if (wall.rays >= kLeastRays) seen.push_back(wall);
+          });
   return seen;
 }
 
-/// Returns how many ended on walls; one at a corner counts twice.
-int WallRays::count(const std::vector<FoundOutline>& outlines, const Returns& returns,
-                    Counts& counts) {
-  int all = 0;
-  forSeen(outlines, returns, kOnWall_m, [&](const SeenWall& seen, std::size_t walls) {
+/// A ray that ends at a corner counts twice.
+WallRays::Share WallRays::count(const std::vector<PlacedOutline>& outlines, const Returns& returns,
+                                Counts& counts) {
+  Share share{static_cast<int>(returns.rays.size()), 0, 0, 0};
+  forSeen(outlines, returns, kOnWall_m, [&](const SeenWall& seen, const PlacedOutline& placed) {
+    share.on += seen.rays;
+    share.through += seen.through;
+    if (!placed.found) return;
+    share.met += seen.rays;
     auto& of_walls = counts[seen.building];
-    of_walls.resize(walls);
+    of_walls.resize(placed.outline.size());
     of_walls[seen.wall].on += seen.rays;
     of_walls[seen.wall].through += seen.through;
     of_walls[seen.wall].before += seen.before;
-    all += seen.rays;
   });
-  return all;
+  return share;
 }
 
-WallRays::Share WallRays::add(const std::vector<FoundOutline>& found, const Pose2& robot,
+WallRays::Share WallRays::add(const std::vector<PlacedOutline>& buildings, const Pose2& robot,
                               const Scan& scan) {
-  const Returns returns = returnsOf(robot, scan);
-  return {static_cast<int>(returns.rays.size()), count(found, returns, counts_)};
+  return count(buildings, returnsOf(robot, scan), counts_);
 }
 
 WallRays WallRays::of(const Map& refined, const PlacedRays& placed, const Pose2& onto_map) {
   WallRays all;
-  const std::vector<FoundOutline> outlines = foundOutlines(refined);
+  std::vector<PlacedOutline> outlines = outlinesOf(refined);
+  std::erase_if(outlines, [](const PlacedOutline& outline) { return !outline.found; });
   for (std::size_t f = 0; f + 1 < placed.frame_begin.size(); ++f) {
     Returns returns;
     for (std::size_t i = placed.frame_begin[f]; i < placed.frame_begin[f + 1]; ++i) {

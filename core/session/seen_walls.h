@@ -27,24 +27,27 @@ std::vector<SeenWall> seenWalls(const Map& map, const Pose2& robot, const Scan& 
 
 struct Returns;
 
-/// A building that was found, as it is placed now.
-struct FoundOutline {
+/// A building as it is placed now.
+struct PlacedOutline {
   std::size_t building;
   Polygon outline;
+  bool found;  ///< something that was seen is taken for it
 };
 /// Those of a corrected map.
-std::vector<FoundOutline> foundOutlines(const Map& refined);
+std::vector<PlacedOutline> outlinesOf(const Map& refined);
 
 /// How many rays of a run ended on each wall, and how many went through where it is said to stand:
 /// by building, by wall of its footprint.
 class WallRays {
  public:
   struct Share {
-    int walls = 0;  ///< returns that were taken for walls
-    int met = 0;    ///< of those: that ended on walls of such buildings
+    int walls = 0;    ///< returns that were taken for walls
+    int met = 0;      ///< of those: that ended on walls of buildings that were found
+    int on = 0;       ///< on walls of any building of the drawing
+    int through = 0;  ///< that went through where one is said to stand
   };
-  /// Of one observation, of buildings that were found so far.
-  Share add(const std::vector<FoundOutline>& found, const Pose2& robot, const Scan& scan);
+  /// Of one observation.
+  Share add(const std::vector<PlacedOutline>& buildings, const Pose2& robot, const Scan& scan);
   /// Of all that was seen. `onto_map`: from the frame of `placed` to that of the map.
   static WallRays of(const Map& refined, const PlacedRays& placed, const Pose2& onto_map);
 
@@ -60,8 +63,8 @@ class WallRays {
     int before = 0;
   };
   using Counts = std::map<std::size_t, std::vector<Count>>;
-  static int count(const std::vector<FoundOutline>& outlines, const Returns& returns,
-                   Counts& counts);
+  static Share count(const std::vector<PlacedOutline>& outlines, const Returns& returns,
+                     Counts& counts);
   bool wasSeen(std::size_t building, std::size_t wall) const;
 
   Counts counts_;

@@ -3962,6 +3962,10 @@
         <source>{} does not take what it is sent</source>
         <translation>{} は送ったものを受け取りません</translation>
     </message>
+    <message>
+        <source>Nothing of the drawing was recognised on the last {:.0f} m: the robot may have been elsewhere all the way, however well the buildings before fitted.</source>
+        <translation>最後の {:.0f} m では図面のものが一つも認識されませんでした。それまでの建物がよく合っていても、ロボットはずっと別の場所にいたのかもしれません。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -8640,6 +8644,10 @@ Corrected by a run.</source>
     <message>
         <source>Only one side was seen: how deep it is, is as drawn</source>
         <translation>一面だけ見えました。奥行きは図面のままです</translation>
+    </message>
+    <message>
+        <source>Unsure: nothing of the drawing recognised for %1 m; if it was right before, within %2 m</source>
+        <translation>不確か: %1 m の間、図面のものが一つも認識されていません。それまでが正しければ %2 m 以内</translation>
     </message>
 </context>
 </TS>

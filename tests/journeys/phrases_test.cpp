@@ -190,6 +190,10 @@ TEST_F(SaidInJapanese, WarningsOfARun) {
       expectJapanese(QString::fromStdString(warnings[0].hint), {"--model none", "range_limit_m"});
     }
   }
+  map.buildings[0].estimate = Estimate{1.0, 1.0, 1.0, 9};
+  const auto at_end = runWarnings({{10, 9, false, 9, 9, 8.0}, 80.0, map, map, way, true, 107.0});
+  ASSERT_EQ(at_end.size(), 1u);
+  expectJapanese(QString::fromStdString(at_end[0].message), {});
 }
 
 }  // namespace

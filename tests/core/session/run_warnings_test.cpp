@@ -69,6 +69,17 @@ TEST(RunWarnings, TellsThatTheWayLeftWhatWasRecognised) {
   EXPECT_TRUE(warningsOf(seen, corrected(4), 54.0, false).empty()) << "nothing was to be corrected";
 }
 
+TEST(RunWarnings, TellsThatTheEndWasAmongOtherWalls) {
+  const Map refined = corrected(4);
+  const std::vector<StampedPose> way{{0.0, {0.0, 0.0, 0.0}}, {1.0, {20.0, 0.0, 0.0}}};
+  const RunCounts counts{10, 8, false, 1000, 300, 20.0};
+  const auto ended = [&](double unrecognised_m) {
+    return runWarnings({counts, 80.0, oneBuilding(), refined, way, true, unrecognised_m});
+  };
+  EXPECT_TRUE(ended(49.0).empty()) << "a gap between buildings";
+  EXPECT_TRUE(says(ended(107.0), "end_unrecognised", "on the last 107 m"));
+}
+
 TEST(RunWarnings, CountsWhatComesBack) {
   RunCounts counts;
   Percept percept;

@@ -86,7 +86,7 @@ class WallRaysTest : public testing::Test {
       ray.returned = (std::abs(x) < 3.0) || (x > 34.0 && x < 44.0);
       ray.range = static_cast<float>(std::abs(x) < 3.0 ? 18.0 : 10.0);
       scan.rays.push_back(ray);
-      rays_.add(foundOutlines(refined_), {x, 20.0, -kPi / 2.0}, scan);
+      rays_.add(outlinesOf(refined_), {x, 20.0, -kPi / 2.0}, scan);
     }
   }
   Map drawing_;
@@ -118,7 +118,7 @@ TEST_F(WallRaysTest, AWallThatRaysGoThroughIsNotSeen) {
     ray.returned = true;
     ray.range = static_cast<float>(range);
     scan.rays.push_back(ray);
-    rays_.add(foundOutlines(refined_), {x, 20.0, -kPi / 2.0}, scan);
+    rays_.add(outlinesOf(refined_), {x, 20.0, -kPi / 2.0}, scan);
   };
   for (double x = -2.5; x < 3.0; x += 0.5) pass(x, 22.0);  // to 4 m behind the kiosk's upper wall
   for (double x = -2.5; x < -0.5; x += 0.5) pass(x, 18.0);
@@ -131,6 +131,26 @@ TEST_F(WallRaysTest, AWallThatRaysGoThroughIsNotSeen) {
   setSides(refined_.buildings[1], {{{0.2, true}, {0.2, true}, {0.2, true}, {0.2, true}}});
   rays_.state(drawing_, refined_);
   EXPECT_TRUE(wallsOf(refined_.buildings[1])[2].seen);
+}
+
+TEST_F(WallRaysTest, AnObservationSaysWhatItSawOfTheDrawing) {
+  refined_.buildings[0].estimate.reset();  // the kiosk was not found yet
+  Scan scan;
+  for (const double range : {18.0, 18.1, 22.0}) {  // on its upper wall, and through it
+    Ray ray;
+    ray.wall = 1.0F;
+    ray.returned = true;
+    ray.range = static_cast<float>(range);
+    scan.rays.push_back(ray);
+  }
+  const Pose2 above{0.0, 20.0, -kPi / 2.0};
+  const WallRays::Share unfound = rays_.add(outlinesOf(refined_), above, scan);
+  EXPECT_EQ(unfound.walls, 3);
+  EXPECT_EQ(unfound.met, 0);
+  EXPECT_EQ(unfound.on, 2);
+  EXPECT_EQ(unfound.through, 1);
+  refined_.buildings[0].estimate = Estimate{0.2, 0.2, 0.2, 9};
+  EXPECT_EQ(rays_.add(outlinesOf(refined_), above, scan).met, 2);
 }
 
 TEST_F(WallRaysTest, ItIsKeptWithTheMapAndForgottenWithItsShape) {

@@ -27,6 +27,11 @@ TEST(Words, SayWhereNothingOfTheDrawingIsRecognised) {
   FrameReport astray = report(0.14, 0.5);
   astray.unrecognised_m = 49.0;
   EXPECT_EQ(Words::certainty(astray), "Sure to 0.3 m; heading to 1°");
+  astray.unrecognised_m = 107.0;
+  EXPECT_EQ(Words::certainty(astray),
+            "Unsure: nothing of the drawing recognised for 107 m; if it was right before, within "
+            "0.3 m");
+  EXPECT_EQ(certaintyOf(astray).kind, Certainty::Rough);
   astray = report(10.0, 2.0);
   astray.unrecognised_m = 200.0;
   EXPECT_EQ(Words::certainty(astray),

@@ -84,6 +84,13 @@ QString Words::direction(double heading_rad) {
 QString Words::certainty(const FrameReport& report) {
   const auto [kind, within_m, heading_rad] = certaintyOf(report);
   const auto heading_deg = static_cast<int>(std::ceil(toDegrees(heading_rad)));
+  const QString unrecognised = metres(report.unrecognised_m);
+  const bool is_unrecognised = report.unrecognised_m >= kUnrecognised_m;
+  if (is_unrecognised && kind != Certainty::Lost) {
+    return tr("Unsure: nothing of the drawing recognised for %1 m; if it was right before, within "
+              "%2 m")
+        .arg(unrecognised, metres(within_m));
+  }
   QString words;
   switch (kind) {
     case Certainty::Sure:
@@ -97,9 +104,8 @@ QString Words::certainty(const FrameReport& report) {
       words = tr("Lost: may be anywhere within %1 m").arg(metres(within_m));
       break;
   }
-  if (report.unrecognised_m < kUnrecognised_m) return words;
-  return words +
-         tr("; nothing of the drawing recognised for %1 m").arg(metres(report.unrecognised_m));
+  if (!is_unrecognised) return words;
+  return words + tr("; nothing of the drawing recognised for %1 m").arg(unrecognised);
 }
 
 QString Words::place(const Pose2& pose, const Map& map) {
