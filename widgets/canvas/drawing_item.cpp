@@ -13,7 +13,6 @@ namespace handmap {
 namespace {
 
 constexpr double kPenPx = 4.0;  ///< around what is drawn
-constexpr double kCasingPx = 2.5;  ///< around walls that lie on a picture
 constexpr double kDotPx = 3.0;  ///< smaller buildings are dots
 constexpr double kDotOfManyPx = 8.0;
 constexpr double kMarkedPx = 18.0;  ///< smaller buildings show no lock
@@ -240,8 +239,7 @@ void DrawingItem::paintBuildings(QPainter& painter, const Shapes& shapes,
     painter.drawLines(walls);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!document_.map().underlays.empty()) {
-      painter.setPen(QPen((*colours_)[Role::TextHalo], pen.widthF() + kCasingPx, Qt::SolidLine,
-                          Qt::SquareCap, Qt::RoundJoin));
+      painter.setPen(colours_->casing(pen));
       for (const QPolygonF& outline : outlines) painter.drawPolygon(outline);
       painter.setPen(pen);
     }

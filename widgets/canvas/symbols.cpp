@@ -67,7 +67,9 @@ void paintRoute(QPainter& painter, const QPolygonF& points, const QPen& pen, con
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   painter.drawPolyline(points);
-  painter.setPen(QPen(pen.color(), pen.widthF()));
+  QPen solid = pen;
+  solid.setStyle(Qt::SolidLine);
+  painter.setPen(solid);
   painter.setBrush(ground);
   for (const QPointF& point : points) painter.drawEllipse(point, 3.0, 3.0);
   if (points.size() < 2) return;

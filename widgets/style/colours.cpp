@@ -48,9 +48,22 @@ constexpr Row kRows[] = {
 };
 static_assert(std::size(kRows) == static_cast<std::size_t>(Role::Count));
 
+constexpr double kCasing = 1.25;  // pixels of a casing on either side of its line
+
+/// A cosmetic pen is as wide in pixels of the device, which are finer on some screens.
+double devicePixels(double width_px) {
+  return width_px * (qGuiApp != nullptr ? qGuiApp->devicePixelRatio() : 1.0);
+}
+
 const Row& rowOf(Role role) { return kRows[static_cast<std::size_t>(role)]; }
 
 }  // namespace
+
+QPen cosmeticPen(const QColor& colour, double width_px) {
+  QPen pen(colour, devicePixels(width_px));
+  pen.setCosmetic(true);
+  return pen;
+}
 
 const Colours& Colours::light() {
   static const Colours kColours(false);
@@ -72,9 +85,16 @@ QColor Colours::operator[](Role role) const {
 
 QPen Colours::pen(Role role) const {
   const Row& row = rowOf(role);
-  // A cosmetic pen is as wide in pixels of the device, which are finer on some screens.
-  const double ratio = qGuiApp != nullptr ? qGuiApp->devicePixelRatio() : 1.0;
-  QPen pen((*this)[role], row.width * ratio, row.line, Qt::FlatCap, Qt::RoundJoin);
+  QPen pen = cosmeticPen((*this)[role], row.width);
+  pen.setStyle(row.line);
+  pen.setCapStyle(Qt::FlatCap);
+  pen.setJoinStyle(Qt::RoundJoin);
+  return pen;
+}
+
+QPen Colours::casing(const QPen& line) const {
+  QPen pen((*this)[Role::TextHalo], line.widthF() + devicePixels(2.0 * kCasing), Qt::SolidLine,
+           Qt::SquareCap, Qt::RoundJoin);
   pen.setCosmetic(true);
   return pen;
 }

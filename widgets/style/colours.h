@@ -37,6 +37,9 @@ enum class Role {
   Count
 };
 
+/// As wide on screens with finer pixels, whatever the scale of the map.
+QPen cosmeticPen(const QColor& colour, double width_px);
+
 class Colours {
  public:
   static const Colours& light();
@@ -44,7 +47,9 @@ class Colours {
   static const Colours& of(const QPalette& palette);
 
   QColor operator[](Role role) const;
-  QPen pen(Role role) const;      ///< cosmetic, in the role's width and line style
+  QPen pen(Role role) const;  ///< cosmetic, in the role's width and line style
+  /// Under a line that may lie on a picture.
+  QPen casing(const QPen& line) const;
   QBrush brush(Role role) const;  ///< the role's translucent fill or pattern; NoBrush without one
   /// `share` = weight / greatest weight, 0 … 1: the surer, the stronger.
   QColor particle(double share) const;

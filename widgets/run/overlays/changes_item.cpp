@@ -59,9 +59,7 @@ void ChangesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   const QTransform to_device = painter->worldTransform();
   painter->setWorldTransform({});
   painter->setRenderHint(QPainter::Antialiasing);
-  QPen pen = colours_->pen(Role::Corrected);
-  pen.setWidthF(1.6);
-  painter->setPen(pen);
+  painter->setPen(cosmeticPen((*colours_)[Role::Corrected], 1.6));
   for (const Arrow& arrow : arrows_) {
     const QLineF line = to_device.map(arrow.line);
     if (line.length() >= kLeastPx) paintArrow(*painter, line);

@@ -9,7 +9,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kCasingPixels = 2.5;     // around walls that lie on a picture
 const QList<qreal> kDashes = {5.0, 4.0};  // pen widths
 
 }  // namespace
@@ -68,9 +67,7 @@ void CorrectedMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*,
   QPen pen = colours_->pen(Role::Corrected);
   pen.setCapStyle(Qt::SquareCap);  // closes the corners
   if (on_picture_) {
-    QPen casing((*colours_)[Role::TextHalo], pen.widthF() + kCasingPixels);
-    casing.setCosmetic(true);
-    painter->setPen(casing);
+    painter->setPen(colours_->casing(pen));
     painter->drawLines(seen_);
     painter->drawLines(unseen_);
   }

@@ -117,11 +117,9 @@ void ParticlesItem::paintTicks(QPainter& painter, double length_m) const {
       dots.append(tick.at);
     }
     const double share = static_cast<double>(shade + 1) / kShades;
-    QPen pen(colours_->particle(share), 1.2);
-    pen.setCosmetic(true);
-    painter.setPen(pen);
+    painter.setPen(cosmeticPen(colours_->particle(share), 1.2));
     painter.drawLines(ticks);
-    pen.setWidthF(3.0);
+    QPen pen = cosmeticPen(colours_->particle(share), 3.0);
     pen.setCapStyle(Qt::RoundCap);
     painter.setPen(pen);
     painter.drawPoints(dots);

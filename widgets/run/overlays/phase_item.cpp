@@ -41,8 +41,8 @@ void PhaseItem::setPhase(const Phase* phase) {
 
 void PhaseItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
-  QPen pen((*colours_)[Role::LocalMap], 3.0, Qt::SolidLine, Qt::RoundCap);
-  pen.setCosmetic(true);
+  QPen pen = cosmeticPen((*colours_)[Role::LocalMap], 3.0);
+  pen.setCapStyle(Qt::RoundCap);
   painter->setPen(pen);
   painter->drawLines(walls_);
   painter->strokePath(outlines_, colours_->pen(Role::Preview));

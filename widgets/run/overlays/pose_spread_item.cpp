@@ -51,9 +51,7 @@ void PoseSpreadItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
   painter->setRenderHint(QPainter::Antialiasing);
   QColor fill = (*colours_)[Role::Trajectory];
   fill.setAlpha(50);
-  QPen pen = colours_->pen(Role::Trajectory);
-  pen.setWidthF(1.2);
-  painter->setPen(pen);
+  painter->setPen(cosmeticPen((*colours_)[Role::Trajectory], 1.2));
   painter->setBrush(fill);
   painter->drawPolygon(to_device.map(ellipse_));
   const QPointF at = to_device.map(at_);

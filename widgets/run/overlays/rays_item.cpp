@@ -44,23 +44,18 @@ void RaysItem::setStory(const WallStory* story, std::optional<std::size_t> chose
 
 void RaysItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
-  QPen pen((*colours_)[Role::LocalMap], 1.0);
-  pen.setCosmetic(true);
-  QColor faint = pen.color();
+  const QColor ink = (*colours_)[Role::LocalMap];
+  QColor faint = ink;
   faint.setAlpha(60);
-  pen.setColor(faint);
-  painter->setPen(pen);
+  painter->setPen(cosmeticPen(faint, 1.0));
   painter->drawLines(others_);
-  pen.setColor((*colours_)[Role::LocalMap]);
-  painter->setPen(pen);
+  painter->setPen(cosmeticPen(ink, 1.0));
   painter->drawLines(chosen_);
-  pen.setWidthF(3.0);
-  pen.setCapStyle(Qt::RoundCap);
-  painter->setPen(pen);
+  QPen dot = cosmeticPen(ink, 3.0);
+  dot.setCapStyle(Qt::RoundCap);
+  painter->setPen(dot);
   painter->drawPoints(returns_);
-  QPen wall = colours_->pen(Role::Selection);
-  wall.setWidthF(4.0);
-  painter->setPen(wall);
+  painter->setPen(cosmeticPen((*colours_)[Role::Selection], 4.0));
   painter->drawLine(wall_);
 }
 

@@ -69,14 +69,14 @@ void SeenItem::setWalls(const std::vector<SeenWall>& walls) {
 QPen SeenItem::wallPen(const Colours& colours) {
   QColor colour = colours[Role::LocalMap];
   colour.setAlpha(200);
-  QPen pen(colour, 5.0, Qt::SolidLine, Qt::RoundCap);
-  pen.setCosmetic(true);
+  QPen pen = cosmeticPen(colour, 5.0);
+  pen.setCapStyle(Qt::RoundCap);
   return pen;
 }
 
 QPen SeenItem::rangePen(const Colours& colours) {
-  QPen pen(colours[Role::LocalMap], 1.0, Qt::DashDotLine);
-  pen.setCosmetic(true);
+  QPen pen = cosmeticPen(colours[Role::LocalMap], 1.0);
+  pen.setStyle(Qt::DashDotLine);
   return pen;
 }
 
@@ -122,8 +122,7 @@ void SeenItem::paintPoints(QPainter& painter) const {
   pen.setCosmetic(true);
   painter.setPen(pen);
   painter.drawPoints(others_);
-  pen.setWidthF(4.0);
-  painter.setPen(pen);
+  painter.setPen(cosmeticPen(pen.color(), 4.0));
   painter.drawPoints(walls_seen_);
 }
 
