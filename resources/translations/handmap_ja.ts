@@ -4178,8 +4178,8 @@ Observations: %4</source>
 観測: %4</translation>
     </message>
     <message>
-        <source>Locked: not moved, resized or deleted by hand</source>
-        <translation>ロック: 手では動かず、大きさも変わらず、消えない</translation>
+        <source>Locked against changes by hand</source>
+        <translation>ロック: 手では変えられない</translation>
     </message>
     <message>
         <source>Lock Building</source>

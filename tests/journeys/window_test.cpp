@@ -50,6 +50,12 @@ TEST_F(WindowTest, KeysOfDisabledCommandsSayWhyNot) {
   EXPECT_TRUE(message(*window).contains("nothing is running")) << message(*window).toStdString();
 }
 
+TEST_F(WindowTest, ThereIsNoPastToLookAtBeforeARun) {
+  const auto window = open();
+  for (const char* id : {"run.back", "run.newest", "run.bookmark", "run.next_bookmark"})
+    EXPECT_FALSE(action(*window, id)->isEnabled()) << id;
+}
+
 TEST_F(WindowTest, PauseStepResumeStop) {
   const auto window = open();
   runSimulator(*window);

@@ -113,6 +113,8 @@ class ActionsTest : public QObject {
     int fitted = 0;
     actions.on("view.zoom_fit", this, [&] { ++fitted; });
     palette.open();
+    for (const auto* list = palette.findChild<QListWidget*>(); int row : {0, 1, 2, 3, 4, 5, 6, 7})
+      QVERIFY2(!list->item(row)->icon().isNull(), "all texts begin alike");
     auto* typed = window.findChild<QLineEdit*>("command");
     QTRY_VERIFY(typed->hasFocus());
     QTest::keyClicks(typed, "zofit");

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
@@ -76,6 +77,18 @@ class PanelsTest : public QObject {
     QVERIFY(!document_->isModified());
     type(number("y"), "21");
     QCOMPARE(box("A").centre, Vec2(10.123456, 21.0));  // x is not rounded by being shown
+  }
+
+  void nothingIsCutInANarrowPanel() {
+    panel_->resize(255, 300);
+    for (const QStringList& keys : {QStringList{"A"}, QStringList{kStartKey}, QStringList{}}) {
+      document_->setSelection(keys);
+      QCoreApplication::processEvents();
+      const auto* area = panel_->findChild<QScrollArea*>();
+      QCOMPARE(area->widget()->width(), area->viewport()->width());
+      for (const NumberField* field : area->findChildren<NumberField*>())
+        if (field->isVisible()) QVERIFY(field->geometry().right() < area->viewport()->width());
+    }
   }
 
   void typingIsOneUndoStep() {

@@ -106,6 +106,8 @@ void CommandPalette::fill() {
   }
   std::ranges::stable_sort(matches, std::greater{}, &Match::score);
   list_->clear();
+  QPixmap blank(list_->style()->pixelMetric(QStyle::PM_SmallIconSize), 1);  // texts begin alike
+  blank.fill(Qt::transparent);
   for (const Match& match : matches) {
     const QString id = QLatin1String(match.spec->id);
     const QAction& action = actions_[id];
@@ -114,7 +116,8 @@ void CommandPalette::fill() {
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
     if (const QString why = actions_.whyNot(id); !why.isEmpty())
       text += QStringLiteral(" — %1").arg(why);
-    auto* item = new QListWidgetItem(action.icon(), text, list_);
+    auto* item =
+        new QListWidgetItem(action.icon().isNull() ? QIcon(blank) : action.icon(), text, list_);
     item->setData(Qt::UserRole, id);
     item->setData(kKeysRole, keys);
     item->setToolTip(action.toolTip());

@@ -56,7 +56,7 @@ BuildingPage::BuildingPage(MapDocument& document) : PropertyPage(document, tr("B
     editBox(tr("Change Heading"), [heading](Rectangle& box) { box.heading = toRadians(heading); });
   });
   addVertices();
-  locked_ = new QCheckBox(tr("Locked: not moved, resized or deleted by hand"));
+  locked_ = new QCheckBox(tr("Locked against changes by hand"));
   addField("locked", {}, locked_);
   connect(locked_, &QCheckBox::clicked, this, [this] {
     const bool locked = locked_->checkState() != Qt::Unchecked;

@@ -8,6 +8,10 @@
 
 namespace handmap {
 
+namespace {
+constexpr int kLeastWidth = 70;  // pixels of "-123.4 m" with its buttons; a panel may be narrow
+}  // namespace
+
 NumberField::NumberField(double low, double high, const QString& suffix, QWidget* parent)
     : QDoubleSpinBox(parent) {
   QLocale locale = QLocale::c();
@@ -17,6 +21,7 @@ NumberField::NumberField(double low, double high, const QString& suffix, QWidget
   setRange(low, high);
   setSuffix(suffix);
   setFocusPolicy(Qt::StrongFocus);
+  setMinimumWidth(kLeastWidth);
   connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     // Return announces the value in any case; a number only shown, and so rounded, is no edit.
     if (std::exchange(known_, value) != value && !showing_) Q_EMIT edited(value);

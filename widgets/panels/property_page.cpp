@@ -1,5 +1,6 @@
 #include "widgets/panels/property_page.h"
 
+#include <QCheckBox>
 #include <QLabel>
 
 namespace handmap {
@@ -21,6 +22,10 @@ PropertyPage::PropertyPage(MapDocument& document, const QString& title)
 void PropertyPage::addField(const char* name, const QString& label, QWidget* field) {
   field->setObjectName(QLatin1String(name));
   if (field->accessibleName().isEmpty()) field->setAccessibleName(label);
+  if (auto* box = qobject_cast<QCheckBox*>(field)) {  // whose words do not break
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    if (box->toolTip().isEmpty()) box->setToolTip(box->text());
+  }
   if (label.isEmpty())
     form_->addRow(field);
   else

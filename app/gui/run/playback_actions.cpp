@@ -34,6 +34,7 @@ PlaybackActions::PlaybackActions(const Shell& shell, RunController& run, Transpo
   connect(&transport_, &TransportBar::speedChanged, &playback_, &Playback::setSpeed);
   connect(&playback_, &Playback::changed, this, &PlaybackActions::updateActions);
   playback_.setSpeed(transport_.speed());
+  updateActions();
 }
 
 void PlaybackActions::begin() {
