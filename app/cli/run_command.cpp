@@ -221,7 +221,7 @@ class GivenOnTheWay {
                                              std::unique_ptr<RunSession>& running,
                                              Progress& progress) {
     if (tape_->begin() > 0) {
-      progress.message("a pose was given: the beginning of the run is no longer in memory");
+      progress.message("a pose was given: the beginning of the run is no longer kept");
       return nullptr;
     }
     give(settings_.given_poses, pose);
@@ -255,9 +255,9 @@ int runLive(const RunArguments& arguments, Map drawing) {
     progress.message("the drive was ended before the first observation, nothing written");
     return interrupt.requested() ? Interrupt::kExitStatus : static_cast<int>(ErrorCode::RunFailed);
   }
-  constexpr std::size_t kMostBytes = 192U << 20U;  // as in the window
-  const auto tape = std::make_shared<Tape>(std::move(source), arguments.settings.perception,
-                                           drive.mayBeGivenPoses() ? kMostBytes : 0);
+  const auto tape =
+      std::make_shared<Tape>(std::move(source), arguments.settings.perception,
+                             drive.mayBeGivenPoses() ? TapeLimits::toDoAgain() : TapeLimits());
   GivenOnTheWay through(drawing, tape, arguments.settings);
   auto session = std::make_unique<RunSession>(drawing, tape, arguments.settings);
   const auto last = runToEnd(session, {}, progress, [&](std::shared_ptr<const Snapshot>& snapshot) {

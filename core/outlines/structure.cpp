@@ -211,6 +211,9 @@ void shareOut(std::vector<PlacedRay>& rays) {
 PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& poses,
                      const std::stop_token& stop) {
   PlacedRays placed;
+  std::size_t rays = 0;
+  for (const SeenFrame& frame : seen) rays += frame.rays.size();
+  placed.rays.reserve(rays);
   for (const SeenFrame& frame : seen) {
     placed.frame_begin.push_back(placed.rays.size());
     const Pose2& pose = poses.at(frame.observation);

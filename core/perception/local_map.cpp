@@ -15,8 +15,6 @@ namespace {
 // A scan nearer than this to the one before it tells nothing new: a robot that waits keeps one.
 constexpr double kMinStep_m = 0.1;
 constexpr double kMinTurn = toRadians(1.0);
-// Bounds memory for a robot that turns on the spot for ever.
-constexpr std::size_t kMaxScans = 400;
 constexpr int kMaxSide = 8192;    // cells
 constexpr int kMaxRaySteps = 50;  // cells to either side, 2σ
 
@@ -123,7 +121,7 @@ LazyLocalMap LocalMapBuilder::add(const Pose2& odometry, bool standing,
                      : scans_.back().travelled_m + stepLength(scans_.back().odometry, odometry);
   scans_.push_back(
       {odometry, travelled, std::make_shared<const std::vector<WallPoint>>(std::move(walls))});
-  while (scans_.size() > kMaxScans || travelled - scans_.front().travelled_m > options_.path_m) {
+  while (scans_.size() > kMostScans || travelled - scans_.front().travelled_m > options_.path_m) {
     scans_.pop_front();
   }
 

@@ -74,6 +74,9 @@ class LazyLocalMap {
 /// robot's those of its last metres, placed by odometry.
 class LocalMapBuilder {
  public:
+  /// Bounds memory for a robot that turns on the spot for ever.
+  static constexpr std::size_t kMostScans = 400;
+
   LocalMapBuilder(double range_m, const LocalMapOptions& options);
 
   /// `walls` in the robot frame at `odometry`.

@@ -50,7 +50,6 @@ class Overlaps {
 Perception::Perception(const SourceInfo& source, const PerceptionOptions& options)
     : range_limit_m_(source.range_limit_m),
       range_walls_(source.range_limit_m, options.points),
-      builder_(source.range_limit_m, options.local_map),
       scans_(source.range_limit_m) {
   if (!source.camera) return;
   camera_yaw_ = source.camera->mount.yaw;
@@ -99,9 +98,9 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
   if (stop.stop_requested()) return std::nullopt;
   const Stopwatch stopwatch;
   Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
-  LazyLocalMap map = builder_.add(observation.odometry, observation.standing, std::move(walls));
-  return Percept{std::move(map), std::move(scan), std::move(points), image,         seen.disparity,
-                 seen.buildings, stereo_ms,       classify_ms,       stopwatch.ms()};
+  classify_ms += stopwatch.ms();
+  return Percept{std::move(walls), std::move(scan), std::move(points), image,
+                 seen.disparity,   seen.buildings,  stereo_ms,         classify_ms};
 }
 
 }  // namespace handmap

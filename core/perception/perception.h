@@ -1,4 +1,4 @@
-// From an observation to a local map: the pipeline of section II.
+// From an observation to walls and a scan: the pipeline of section II.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct PerceptionOptions {
 };
 
 struct Percept {
-  LazyLocalMap local_map;
+  std::vector<WallPoint> walls;    ///< of this observation alone, for a local map
   Scan scan;                       ///< of this observation alone
   std::vector<RangePoint> points;  ///< of all views, as they came; empty with images
   cv::Mat image;                   ///< left image of the last view, empty without images
@@ -29,7 +29,6 @@ struct Percept {
   cv::Mat1f buildings;             ///< as StereoResult, of the last view
   double stereo_ms = 0.0;
   double classify_ms = 0.0;
-  double local_map_ms = 0.0;  ///< without rendering it
 };
 
 class Perception {
@@ -46,7 +45,6 @@ class Perception {
   double camera_yaw_ = 0.0;  ///< radians
   std::optional<StereoWalls> stereo_;
   RangeWalls range_walls_;
-  LocalMapBuilder builder_;
   ScanBuilder scans_;
 };
 

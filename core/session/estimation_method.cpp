@@ -36,18 +36,18 @@ class PaperMethod : public EstimationMethod {
         slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
-            const std::stop_token& stop, const std::function<void(double)>& progress) override {
+            const LazyLocalMap& local_map, const std::stop_token& stop,
+            const std::function<void(double)>& progress) override {
     SlamTrace trace;
     const Pose2 before = slam_.best().pose;
-    if (!slam_.step(time_s, odometry, percept.local_map, stop, progress,
-                    recorder_ ? &trace : nullptr)) {
+    if (!slam_.step(time_s, odometry, local_map, stop, progress, recorder_ ? &trace : nullptr)) {
       return false;
     }
     const double driven_m = (slam_.best().pose.position() - before.position()).norm();
     recognition_.look(
         wall_rays_.add(outlinesOf(slam_.refinedMap()), slam_.best().pose, percept.scan), driven_m);
     if (recorder_ != nullptr) {
-      tellPhases(trace, {slam_, *drawing_, percept.local_map, before}, *recorder_);
+      tellPhases(trace, {slam_, *drawing_, local_map, before}, *recorder_);
     }
     return true;
   }

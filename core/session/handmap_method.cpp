@@ -49,7 +49,8 @@ class HandmapMethod : public EstimationMethod {
   }
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
-            const std::stop_token& stop, const std::function<void(double)>& progress) override {
+            const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
+            const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
     if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
     if (observations_ == 0) matchToWalls(odometry);

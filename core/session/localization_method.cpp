@@ -22,7 +22,8 @@ class LocalizationMethod : public EstimationMethod {
         matched_(*map_, seen_) {}
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
-            const std::stop_token& stop, const std::function<void(double)>& /*progress*/) override {
+            const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
+            const std::function<void(double)>& /*progress*/) override {
     if (stop.stop_requested()) return false;
     if (times_.empty()) add(0.0, start_odometry_, {}, {}, stop);
     add(time_s, odometry, percept.scan, percept.points, stop);

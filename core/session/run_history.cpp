@@ -17,11 +17,13 @@ std::size_t pictureBytes(const Snapshot& snapshot) {
   return bytesOf(snapshot.image) + bytesOf(snapshot.disparity) + bytesOf(snapshot.buildings);
 }
 
-/// What is made of it by whoever reads it is its own.
+/// What is made of it by whoever reads it is its own. What was seen on the way there is not kept
+/// for its local map: the tape has it.
 Snapshot unread(const Snapshot& snapshot) {
   Snapshot copy = snapshot;
   copy.map = snapshot.map.again();
-  copy.local_map = snapshot.local_map.again();
+  copy.local_map = snapshot.seen.localMap();
+  if (!copy.local_map) copy.local_map = snapshot.local_map.again();
   return copy;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/phrase.h"
 #include "core/odometry/given_poses.h"
 #include "core/session/estimation_method.h"
+#include "core/session/pose_trust.h"
 #include "core/session/run_report.h"
 
 namespace handmap {
@@ -66,6 +67,7 @@ struct RunSession::State {
       : drawing(std::move(map)),
         tape(std::move(from)),
         settings(with),
+        local_maps(source().range_limit_m, settings.perception.local_map),
         method(makeMethod(drawing, source(), settings)),
         arena(settings.threads) {
     counts.images = source().camera.has_value();
@@ -101,6 +103,7 @@ struct RunSession::State {
   std::size_t taken = 0;  ///< of the tape
   RunSettings settings;
   GivenPoses given;
+  LocalMapBuilder local_maps;
   std::unique_ptr<EstimationMethod> method;
   Arena arena;
   SharedListWriter<StampedPose> odometry;  ///< alone, from the drawing's start
@@ -117,7 +120,8 @@ struct RunSession::State {
 RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source,
                        const RunSettings& settings)
     : RunSession(std::move(drawing),
-                 std::make_shared<Tape>(std::move(source), settings.perception, 0), settings) {}
+                 std::make_shared<Tape>(std::move(source), settings.perception, TapeLimits()),
+                 settings) {}
 
 RunSession::RunSession(Map drawing, std::shared_ptr<Tape> tape, const RunSettings& settings)
     : state_(std::make_unique<State>(std::move(drawing), std::move(tape), settings)) {}
@@ -161,22 +165,16 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
             state.skipped.empty() ? "" : phrase("; the first: {}", state.skipped.front().reason)));
   }
   const Observation& observation = taken->entry.perceived->observation;
-  const Percept* percept = &taken->entry.perceived->percept;
-  const LazyLocalMap local_map = percept->local_map.again();
+  const Percept& percept = taken->entry.perceived->percept;
+  const auto local_map_begin = Clock::now();
+  const LazyLocalMap local_map =
+      state.local_maps.add(observation.odometry, observation.standing, percept.walls);
+  if (state.readsLocalMap()) local_map.get();
   FrameReport report;
   report.ms.read = observation.read_ms;
-  report.ms.stereo = percept->stereo_ms;
-  report.ms.classify = percept->classify_ms;
-  report.ms.local_map = percept->local_map_ms;
-  Percept with_map;
-  if (state.readsLocalMap()) {
-    const auto render_begin = Clock::now();
-    local_map.get();
-    report.ms.local_map += millisecondsSince(render_begin);
-    with_map = *percept;
-    with_map.local_map = local_map;
-    percept = &with_map;
-  }
+  report.ms.stereo = percept.stereo_ms;
+  report.ms.classify = percept.classify_ms;
+  report.ms.local_map = millisecondsSince(local_map_begin);
   const auto slam_begin = Clock::now();
   Waiting waiting(progress);
   bool done = false;
@@ -184,7 +182,8 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   auto phases = state.recorder(*taken, local_map);
   state.method->trace(phases ? &*phases : nullptr);
   state.arena.execute([&] {
-    done = state.method->step(observation.time_s, odometry, *percept, stop, waiting.progress());
+    done = state.method->step(observation.time_s, odometry, percept, local_map, stop,
+                              waiting.progress());
   });
   state.method->trace(nullptr);
   if (!done) return nullptr;
@@ -196,7 +195,7 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   state.blind_s = observation.blind_s;
   state.describe(report);
   state.frames.push_back(report);
-  state.counts.add(*percept, report);
+  state.counts.add(percept, report);
   return state.snapshot(*taken, local_map, phases ? &*phases : nullptr);
 }
 
@@ -215,7 +214,7 @@ void RunSession::State::fillSeen(Snapshot& snapshot, const Tape::Taken& seen,
   snapshot.buildings = seen.pictures.buildings;
   snapshot.pictured = observation.frame;
   snapshot.panning = seen.pictures.panning;
-  snapshot.seen = seen.entry.perceived;
+  snapshot.seen = PastSight(tape, taken - 1);
 }
 
 /// Where the phases of the next step are to be told.

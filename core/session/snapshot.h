@@ -11,10 +11,10 @@
 #include "core/map/map.h"
 #include "core/perception/local_map.h"
 #include "core/recording/trajectory.h"
+#include "core/session/past_sight.h"
 
 namespace handmap {
 
-struct Perceived;
 struct Phase;
 
 struct ParticleView {
@@ -86,8 +86,7 @@ struct Snapshot {
   cv::Mat1f buildings;  ///< probability of each of its 16×16 windows, see StereoResult
   int pictured = 0;     ///< the frame that these three are of; an earlier one where it was long ago
   Panning panning;      ///< of the three
-  /// What the sensors saw; gone where the run no longer keeps it.
-  std::weak_ptr<const Perceived> seen;
+  PastSight seen;       ///< what the sensors saw
   /// How the method came to it, where that was asked for.
   std::shared_ptr<const std::vector<Phase>> phases;
 };

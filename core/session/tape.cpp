@@ -1,5 +1,6 @@
 #include "core/session/tape.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
@@ -18,33 +19,31 @@ Panning panningOf(const std::vector<View>& views) {
   return {};
 }
 
-std::size_t bytesOf(const Tape::Entry& entry) {
-  if (!entry.perceived) return sizeof(Tape::Entry);
-  const Percept& percept = entry.perceived->percept;
-  // Of the local map, the wall points of its scan and the list of those before it: as measured.
-  constexpr std::size_t kLocalMap = 14U << 10U;
-  return sizeof(Perceived) + kLocalMap + percept.points.capacity() * sizeof(RangePoint) +
-         percept.scan.rays.capacity() * sizeof(Ray);
+std::size_t memoryOf(const Tape::Entry& entry) {
+  return sizeof(Tape::Entry) + (entry.perceived ? bytesOf(*entry.perceived) : 0);
 }
 
 }  // namespace
 
 Tape::Tape(std::unique_ptr<ObservationSource> source, const PerceptionOptions& options,
-           std::size_t most_bytes)
+           const TapeLimits& limits)
     : info_(source->info()),
+      local_map_(options.local_map),
+      limits_(limits),
       source_(std::move(source)),
-      perception_(info_, options),
-      most_bytes_(most_bytes) {}
+      perception_(info_, options) {}
 
 std::optional<Tape::Taken> Tape::take(std::size_t n, const std::stop_token& stop) {
   const auto kept = [&]() -> std::optional<Taken> {
     const std::scoped_lock lock(mutex_);
-    if (n >= first_ + entries_.size()) return std::nullopt;
-    if (n < first_) {
-      throw Error(ErrorCode::RunFailed, phrase("the beginning of the run is no longer in memory"),
+    if (n >= first_ + slots_.size()) return std::nullopt;
+    Entry entry = n < first_ ? Entry() : slots_[n - first_].entry;
+    if (!entry.perceived && !entry.skipped) entry.perceived = perceivedAt(n);
+    if (!entry.perceived && !entry.skipped) {
+      throw Error(ErrorCode::RunFailed, phrase("the beginning of the run is no longer kept"),
                   phrase("run its recording with the changed drawing"));
     }
-    return Taken{entries_[n - first_], {}, false};
+    return Taken{std::move(entry), {}, false};
   };
   if (auto taken = kept()) return taken;
   const std::scoped_lock lock(source_mutex_);
@@ -82,6 +81,7 @@ std::optional<Tape::Taken> Tape::perceive(const std::stop_token& stop) {
     percept->image = cv::Mat();
     percept->disparity = cv::Mat1f();
     percept->buildings = cv::Mat1f();
+    percept->walls.shrink_to_fit();
     percept->points.shrink_to_fit();
     percept->scan.rays.shrink_to_fit();
     observation->views.clear();
@@ -103,23 +103,76 @@ void Tape::close() {
 }
 
 void Tape::keep(Entry entry) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (entry.perceived) {
+      const Observation& observation = entry.perceived->observation;
+      odometry_.push_back({observation.time_s, observation.odometry});
+    }
+    memory_ += memoryOf(entry);
+    slots_.push_back({std::move(entry), {}});
+  }
+  moveToDisk();
+}
+
+/// Who writes is the only one who changes what is in memory; nobody who reads waits for the disk.
+void Tape::moveToDisk() {
+  for (; memory_ > limits_.memory && on_disk_ + 1 < first_ + slots_.size(); ++on_disk_) {
+    Slot& slot = slots_[on_disk_ - first_];
+    std::optional<TapeFile::Place> place = TapeFile::Place();
+    if (slot.entry.perceived) {
+      place = limits_.disk > 0 ? file_.add(packed(*slot.entry.perceived)) : std::nullopt;
+    }
+    const std::scoped_lock lock(mutex_);
+    memory_ -= memoryOf(slot.entry);
+    slot.entry.perceived.reset();
+    memory_ += memoryOf(slot.entry);
+    if (place) {
+      slot.place = *place;
+      disk_ += place->bytes;
+      while (disk_ > limits_.disk) dropBefore(first_ + 1);
+    } else {
+      dropBefore(on_disk_ + 1);
+    }
+  }
+}
+
+void Tape::dropBefore(std::size_t n) {
+  for (; first_ < n; ++first_) {
+    memory_ -= memoryOf(slots_.front().entry);
+    disk_ -= slots_.front().place.bytes;
+    file_.forget(slots_.front().place);
+    slots_.pop_front();
+  }
+}
+
+std::shared_ptr<const Perceived> Tape::perceivedAt(std::size_t n) const {
+  if (n < first_ || n >= first_ + slots_.size()) return nullptr;
+  const Slot& slot = slots_[n - first_];
+  if (slot.entry.perceived || slot.place.bytes == 0) return slot.entry.perceived;
+  return unpacked(file_.read(slot.place));
+}
+
+std::shared_ptr<const Perceived> Tape::at(std::size_t n) const {
   const std::scoped_lock lock(mutex_);
-  if (entry.perceived) {
-    const Observation& observation = entry.perceived->observation;
-    odometry_.push_back({observation.time_s, observation.odometry});
+  return perceivedAt(n);
+}
+
+LocalMap Tape::localMap(std::size_t n) const {
+  LocalMapBuilder builder(info_.range_limit_m, local_map_);
+  LazyLocalMap map;
+  for (std::size_t i = n - std::min(n, LocalMapBuilder::kMostScans - 1); i <= n; ++i) {
+    const auto perceived = at(i);
+    if (!perceived) continue;
+    const Observation& observation = perceived->observation;
+    map = builder.add(observation.odometry, observation.standing, perceived->percept.walls);
   }
-  bytes_ += bytesOf(entry);
-  entries_.push_back(std::move(entry));
-  while (bytes_ > most_bytes_ && !entries_.empty()) {
-    bytes_ -= bytesOf(entries_.front());
-    entries_.pop_front();
-    ++first_;
-  }
+  return map ? map.get() : LocalMap(local_map_.cell_m, info_.range_limit_m);
 }
 
 std::size_t Tape::end() const {
   const std::scoped_lock lock(mutex_);
-  return first_ + entries_.size();
+  return first_ + slots_.size();
 }
 
 std::size_t Tape::begin() const {
@@ -127,13 +180,14 @@ std::size_t Tape::begin() const {
   return first_;
 }
 
-std::vector<std::shared_ptr<const Perceived>> Tape::all() const {
+std::size_t Tape::memory() const {
   const std::scoped_lock lock(mutex_);
-  std::vector<std::shared_ptr<const Perceived>> perceived;
-  for (const Entry& entry : entries_) {
-    if (entry.perceived) perceived.push_back(entry.perceived);
-  }
-  return perceived;
+  return memory_;
+}
+
+std::size_t Tape::disk() const {
+  const std::scoped_lock lock(mutex_);
+  return disk_;
 }
 
 std::vector<StampedPose> Tape::odometry() const {

@@ -14,8 +14,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kLeastStraight = 0.1;        // share of returns
-constexpr std::size_t kMostSeen = 3'000'000;  // points that sharpness is judged by
+constexpr double kLeastStraight = 0.1;  // share of returns
+// Points that sharpness is judged by, 24 bytes each, twice while something is concluded.
+constexpr std::size_t kMostSeen = 1'000'000;
 constexpr double kLeastNoise = 0.1;  // of the recorded odometry's: a scan itself may be off
 
 /// How far the motions of two ways are apart in heading, the median.

@@ -2479,8 +2479,8 @@
         <translation>道沿いにあるものをもっと描いてください。</translation>
     </message>
     <message>
-        <source>the beginning of the run is no longer in memory</source>
-        <translation>実行の始まりはもうメモリーにありません</translation>
+        <source>the beginning of the run is no longer kept</source>
+        <translation>実行の始まりはもう残っていません</translation>
     </message>
     <message>
         <source>run its recording with the changed drawing</source>
@@ -6819,8 +6819,8 @@ Corrected by a run.</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>The beginning of the run is no longer in memory.</source>
-        <translation>実行の始めの部分はもうメモリにありません。</translation>
+        <source>The beginning of the run is no longer kept.</source>
+        <translation>実行の始めの部分はもう残っていません。</translation>
     </message>
     <message>
         <source>Run its recording with the changed drawing.</source>

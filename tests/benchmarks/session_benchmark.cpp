@@ -70,7 +70,7 @@ void doneAgain(benchmark::State& state) {
   ReplayOptions options;
   options.from = 38;
   options.kind = state.range(0) == 0 ? SourceKind::Images : SourceKind::Points;
-  constexpr std::size_t kAll = 2U << 30U;
+  constexpr TapeLimits kAll{2U << 30U, 0};
   const auto tape =
       std::make_shared<Tape>(replay(openRecording(street), options), PerceptionOptions{}, kAll);
   const auto run = [&](const char* drawing) {

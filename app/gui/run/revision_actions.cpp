@@ -115,7 +115,7 @@ void RevisionActions::revise(const std::vector<StampedPose>& given, Then then,
                              const QString& text) {
   if (!run_.canRevise()) {
     shell_.messages.show(MessageBar::Kind::Warning,
-                         tr("The beginning of the run is no longer in memory."),
+                         tr("The beginning of the run is no longer kept."),
                          tr("Run its recording with the changed drawing."));
     return;
   }

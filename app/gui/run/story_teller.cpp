@@ -1,10 +1,14 @@
 #include "app/gui/run/story_teller.h"
 
+#include <deque>
 #include <utility>
 
 namespace handmap {
 
 namespace {
+
+/// Some 40 MB for a moment. Of an hour every ninth: looks from one metre of the way are one look.
+constexpr std::size_t kMostScans = 4096;
 
 struct Answer {
   std::shared_ptr<const WallStory> story;  ///< nullptr: there was no memory for it
@@ -13,11 +17,15 @@ struct Answer {
 
 Answer answerTo(const StoryTeller::Question& question) {
   try {
-    const auto kept =
-        question.tape ? question.tape->all() : std::vector<std::shared_ptr<const Perceived>>();
+    std::deque<Scan> kept;
     std::vector<SeenScan> scans;
-    for (const auto& perceived : kept) {
-      scans.push_back({perceived->observation.time_s, &perceived->percept.scan});
+    const std::size_t end = question.tape ? question.tape->end() : 0;
+    for (std::size_t n = question.tape ? question.tape->begin() : 0; n < end;
+         n += end / kMostScans + 1) {
+      const auto perceived = question.tape->at(n);
+      if (!perceived) continue;
+      kept.push_back(perceived->percept.scan);
+      scans.push_back({perceived->observation.time_s, &kept.back()});
     }
     return {std::make_shared<const WallStory>(storyOf(question.drawing, question.refined,
                                                       question.trajectory, scans, question.building,

@@ -34,17 +34,20 @@ View imageView(const test::Scene& scene, double pan) {
   return view;
 }
 
+LocalMap mapOf(const Percept& percept, const LocalMapOptions& options = {}) {
+  return LocalMapBuilder(40.0, options).add({}, true, percept.walls);
+}
+
 TEST(Perception, MapsRangePoints) {
   Perception perception(SourceInfo{}, {});
   const auto percept = perception(
       observed({pointsView({{5.05F, 1.05F, 0, 1}}), pointsView({{-4.05F, 0.05F, 0, 1}})}));
-  EXPECT_GT(percept->local_map.get().at(5.05, 1.05), 0.0F);
-  EXPECT_GT(percept->local_map.get().at(-4.05, 0.05), 0.0F);
-  EXPECT_EQ(percept->local_map.get().range(), 40.0);
+  const LocalMap map = mapOf(*percept);
+  EXPECT_GT(map.at(5.05, 1.05), 0.0F);
+  EXPECT_GT(map.at(-4.05, 0.05), 0.0F);
   EXPECT_TRUE(percept->image.empty());
   EXPECT_TRUE(percept->disparity.empty());
   EXPECT_EQ(percept->stereo_ms, 0.0);
-  EXPECT_GT(percept->local_map_ms, 0.0);
 }
 
 TEST(Perception, APanoramaIsOneMap) {
@@ -56,10 +59,11 @@ TEST(Perception, APanoramaIsOneMap) {
       observed({imageView(scene, toRadians(90.0)), imageView(scene, toRadians(-90.0))});
   observation.standing = true;
   const auto percept = perception(observation);
+  const LocalMap map = mapOf(*percept);
   for (const double y : {-9.0, 9.0}) {
     float best = 0.0F;
     for (double d = -0.3; d <= 0.3; d += 0.1) {
-      best = std::max(best, percept->local_map.get().at(0.0, y + d));
+      best = std::max(best, map.at(0.0, y + d));
     }
     EXPECT_GT(best, 0.2F) << "wall at y = " << y;
   }
@@ -79,9 +83,8 @@ TEST(Perception, WhatTwoViewsShowCountsOnce) {
     for (const double pan : pans_deg) {
       observation.views.push_back(imageView(scene, toRadians(pan)));
     }
-    PerceptionOptions options;
-    options.local_map.saturation_votes = 1000.0;
-    return cv::sum(Perception(source, options)(observation)->local_map.get().cells())[0];
+    return cv::sum(
+        mapOf(*Perception(source, {})(observation), {.saturation_votes = 1000.0}).cells())[0];
   };
   const double once = votes({0.0});
   EXPECT_GT(once, 0.0);

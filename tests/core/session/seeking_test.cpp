@@ -59,7 +59,7 @@ class Seeking : public testing::Test {
     options.every = every;
     options.to = to;
     return std::make_shared<Tape>(replay(openRecording(street_), options), PerceptionOptions{},
-                                  1U << 30U);
+                                  TapeLimits{1U << 30U, 0});
   }
 
   std::filesystem::path street_;

@@ -16,7 +16,7 @@ Building shaped(const char* id, std::variant<Rectangle, Polygon> shape) {
   return building;
 }
 
-constexpr std::size_t kKept = 100U << 20U;  // bytes: all of it
+constexpr TapeLimits kKept{100U << 20U, 0};  // all of it
 
 /// A robot passes north of a kiosk and of an L-shaped block.
 TEST(StatedWalls, OfAWallThatIsStatedAsSeenThereAreWitnesses) {

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/map/map_io.h"
@@ -39,7 +40,7 @@ class Fronts : public ObservationSource {
 
 TEST(Tape, AsksTheSourceOnce) {
   int asked = 0;
-  Tape tape(std::make_unique<Fronts>(asked), {}, 1U << 20U);
+  Tape tape(std::make_unique<Fronts>(asked), {}, {1U << 20U, 0});
   for (int round = 0; round < 3; ++round) {
     for (std::size_t n = 0; n < 6; ++n) {
       const auto taken = tape.take(n, {});
@@ -57,13 +58,12 @@ TEST(Tape, AsksTheSourceOnce) {
   EXPECT_EQ(asked, 6);
   EXPECT_EQ(tape.end(), 6U);
   EXPECT_FALSE(tape.take(6, {}));
-  EXPECT_EQ(tape.all().size(), 5U);
   EXPECT_EQ(tape.odometry().size(), 5U);
 }
 
 TEST(Tape, KeepsTheNewestOfManyAndSaysWhatIsGone) {
   int asked = 0;
-  Tape tape(std::make_unique<Fronts>(asked), {}, 40'000);
+  Tape tape(std::make_unique<Fronts>(asked), {}, {20'000, 0});
   for (std::size_t n = 0; n < 6; ++n) tape.take(n, {});
   EXPECT_GT(tape.begin(), 0U);
   EXPECT_LT(tape.begin(), 6U);
@@ -72,9 +72,76 @@ TEST(Tape, KeepsTheNewestOfManyAndSaysWhatIsGone) {
   EXPECT_EQ(tape.odometry().size(), 5U);  // is never forgotten
 }
 
+/// An hour of a planar scanner that is driven at a metre a second.
+class LongDrive : public ObservationSource {
+ public:
+  static constexpr int kScans = 36'000;
+  LongDrive() { info_.observations = kScans; }
+  const SourceInfo& info() const override { return info_; }
+  std::optional<Observation> next() override {
+    if (next_ == kScans) return std::nullopt;
+    Observation observation;
+    observation.frame = next_;
+    observation.time_s = 0.1 * next_;
+    observation.odometry = {0.1 * next_++, 0.0, 0.0};
+    auto& points = observation.views.emplace_back().points.emplace();
+    for (float x = -4.0F; x < 4.0F; x += 0.2F) points.push_back({x, 8.0F, 1.0F, 1.0F});
+    return observation;
+  }
+
+ private:
+  SourceInfo info_;
+  int next_ = 0;
+};
+
+TEST(Tape, AnHourIsKeptInBoundedMemoryFromItsBeginning) {
+  constexpr std::size_t kMemory = 8U << 20U;
+  Tape tape(std::make_unique<LongDrive>(), {}, {kMemory, std::size_t{1} << 30U});
+  for (std::size_t n = 0; n < LongDrive::kScans; ++n) {
+    ASSERT_TRUE(tape.take(n, {}));
+  }
+  EXPECT_LE(tape.memory(), kMemory);
+  EXPECT_GT(tape.disk(), kMemory);
+  EXPECT_EQ(tape.begin(), 0U);
+  for (const int n : {0, 17'000, LongDrive::kScans - 1}) {
+    const auto taken = tape.take(static_cast<std::size_t>(n), {});
+    ASSERT_TRUE(taken && taken->entry.perceived);
+    EXPECT_EQ(taken->entry.perceived->observation.frame, n);
+    EXPECT_EQ(taken->entry.perceived->percept.points.size(), 40U);
+    EXPECT_FALSE(taken->entry.perceived->percept.scan.rays.empty());
+  }
+}
+
+TEST(Tape, OnAFullDiskTheOldestGoes) {
+  int asked = 0;
+  Tape tape(std::make_unique<Fronts>(asked), {}, {0, 60'000});
+  for (std::size_t n = 0; n < 6; ++n) tape.take(n, {});
+  EXPECT_LE(tape.disk(), 60'000U);
+  EXPECT_GT(tape.begin(), 0U);
+  EXPECT_THROW(tape.take(0, {}), Error);
+  EXPECT_TRUE(tape.take(4, {})->entry.perceived);
+}
+
+TEST(PastSight, AMomentLongPastIsSeenAsItWas) {
+  const auto tape = std::make_shared<Tape>(std::make_unique<LongDrive>(), PerceptionOptions(),
+                                           TapeLimits{0, 1U << 30U});
+  LocalMapBuilder builder(tape->info().range_limit_m, {});
+  LazyLocalMap direct;
+  for (std::size_t n = 0; n < 50; ++n) {
+    const auto perceived = tape->take(n, {})->entry.perceived;
+    const auto map = builder.add(perceived->observation.odometry, false, perceived->percept.walls);
+    if (n == 20) direct = map;
+  }
+  const PastSight sight(tape, 20);
+  EXPECT_EQ(sight.lock()->observation.frame, 20);
+  EXPECT_EQ(cv::countNonZero(sight.localMap().get().cells() != direct.get().cells()), 0);
+  EXPECT_FALSE(PastSight().lock());
+  EXPECT_FALSE(PastSight().localMap());
+}
+
 TEST(Tape, ReadersInTwoThreadsSeeTheSame) {
   int asked = 0;
-  Tape tape(std::make_unique<Fronts>(asked), {}, 1U << 20U);
+  Tape tape(std::make_unique<Fronts>(asked), {}, {1U << 20U, 0});
   std::vector<const Perceived*> seen[2];
   {
     const auto read = [&tape](std::vector<const Perceived*>& seen_by) {
@@ -90,7 +157,7 @@ TEST(Tape, ReadersInTwoThreadsSeeTheSame) {
 
 TEST(Tape, AStopIsNotTheEnd) {
   int asked = 0;
-  Tape tape(std::make_unique<Fronts>(asked), {}, 1U << 20U);
+  Tape tape(std::make_unique<Fronts>(asked), {}, {1U << 20U, 0});
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(tape.take(0, stop.get_token()));
@@ -120,7 +187,7 @@ class Interrupting : public ObservationSource {
 TEST(Tape, WhatWasInterruptedIsThereForWhoTakesItNext) {
   std::stop_source stop;
   bool is_open = false;
-  Tape tape(std::make_unique<Interrupting>(stop, is_open), {}, 1U << 20U);
+  Tape tape(std::make_unique<Interrupting>(stop, is_open), {}, {1U << 20U, 0});
   EXPECT_FALSE(tape.take(0, stop.get_token()));
   EXPECT_EQ(tape.end(), 0U);
   const auto taken = tape.take(0, {});
@@ -130,7 +197,7 @@ TEST(Tape, WhatWasInterruptedIsThereForWhoTakesItNext) {
 
 TEST(Tape, ClosedItLetsGoOfTheSourceAndKeepsWhatWasPerceived) {
   bool is_open = false;
-  Tape tape(std::make_unique<Interrupting>(std::stop_source(), is_open), {}, 1U << 20U);
+  Tape tape(std::make_unique<Interrupting>(std::stop_source(), is_open), {}, {1U << 20U, 0});
   EXPECT_TRUE(tape.take(0, {}));
   EXPECT_TRUE(is_open);
   tape.close();
@@ -146,8 +213,11 @@ struct Scene {
   RunSettings settings;
 };
 
-std::shared_ptr<Tape> tapeOf(const Scene& scene) {
-  return std::make_shared<Tape>(simulate(scene.world, {}, 7), scene.settings.perception, 1U << 30U);
+constexpr TapeLimits kAllInMemory{1U << 30U, 0};
+constexpr TapeLimits kNearlyAllOnDisk{0, 1U << 30U};
+
+std::shared_ptr<Tape> tapeOf(const Scene& scene, const TapeLimits& limits = kAllInMemory) {
+  return std::make_shared<Tape>(simulate(scene.world, {}, 7), scene.settings.perception, limits);
 }
 
 Map ranToItsEnd(RunSession& session) {
@@ -163,11 +233,13 @@ TEST(Tape, ARunFromItIsTheSameRun) {
     scene.settings.slam.slam_particles = 10;
     RunSession alone(scene.world.map, simulate(scene.world, {}, 7), scene.settings);
     const std::string expected = formatMap(ranToItsEnd(alone));
-    const auto tape = tapeOf(scene);
-    for (int i = 0; i < 2; ++i) {
-      RunSession session(scene.world.map, tape, scene.settings);
-      EXPECT_EQ(formatMap(ranToItsEnd(session)), expected);
-      EXPECT_EQ(session.frames().size(), alone.frames().size());
+    for (const TapeLimits& limits : {kAllInMemory, kNearlyAllOnDisk}) {
+      const auto tape = tapeOf(scene, limits);
+      for (int i = 0; i < 2; ++i) {
+        RunSession session(scene.world.map, tape, scene.settings);
+        EXPECT_EQ(formatMap(ranToItsEnd(session)), expected);
+        EXPECT_EQ(session.frames().size(), alone.frames().size());
+      }
     }
   }
 }

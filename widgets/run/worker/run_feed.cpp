@@ -11,9 +11,6 @@ namespace handmap {
 
 namespace {
 
-/// What may be gone over again: the better part of an hour of a planar scanner, minutes of a
-/// spinning one.
-constexpr std::size_t kMostBytes = 192U << 20U;
 constexpr auto kLookAgain = std::chrono::milliseconds(20);
 
 }  // namespace
@@ -60,7 +57,8 @@ std::shared_ptr<Tape> RunFeed::open(const std::function<void(double)>& progress)
   if (state.stop.stop_requested()) return nullptr;
   auto source = state.open(state.stop.get_token(), progress);
   if (!source) return nullptr;
-  auto opened = std::make_shared<Tape>(std::move(source), state.perception, kMostBytes);
+  auto opened =
+      std::make_shared<Tape>(std::move(source), state.perception, TapeLimits::toDoAgain());
   const std::scoped_lock lock(state.mutex);
   state.tape = std::move(opened);
   return state.tape;
