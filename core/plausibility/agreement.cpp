@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
@@ -121,11 +122,13 @@ double distanceBetween(const std::vector<Vec2>& from, const std::vector<Vec2>& t
 
 struct Look {
   std::array<double, kReadings.size()> off_m{};
+  int frame = 0;  ///< the first that does not lie on another
   std::size_t pairs = 0;
 };
 
 Look lookAt(const Recording& recording, const std::stop_token& stop) {
   Look look;
+  bool is_told = false;
   const ViewReader reader(recording);
   for (const Pair& pair : pairsOf(recording, stop)) {
     throwIfStopped(stop);
@@ -140,10 +143,14 @@ Look lookAt(const Recording& recording, const std::stop_token& stop) {
     const auto few = planar(*from.points, kFromPoints);
     const auto many = planar(*to.points, kToPoints);
     if (few.size() < 30 || many.size() < 30) continue;
-    ++look.pairs;
     for (std::size_t i = 0; i < kReadings.size(); ++i) {
-      look.off_m[i] += distanceBetween(few, many, pair.motion, kReadings[i]);
+      const double off_m = distanceBetween(few, many, pair.motion, kReadings[i]);
+      look.off_m[i] += off_m;
+      if (i == 0 && off_m >= kBad_m && !std::exchange(is_told, true)) {
+        look.frame = recording.rows[pair.from].frame;
+      }
     }
+    ++look.pairs;
   }
   for (double& off_m : look.off_m)
     off_m /= static_cast<double>(std::max<std::size_t>(1, look.pairs));
@@ -153,7 +160,7 @@ Look lookAt(const Recording& recording, const std::stop_token& stop) {
 Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look) {
   Doubt doubt;
   const Axes& axes = kReadings[best];
-  const std::string points = recording.folder.string();
+  const std::string points = placeOfFrame(recording, look.frame);
   const std::string found =
       phrase("scans that lie {:.2f} m off each other along the odometry, but {:.2f} m",
              look.off_m[0], look.off_m[best]);

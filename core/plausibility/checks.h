@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/plausibility/doubt.h"
+#include "core/plausibility/places.h"
 #include "core/plausibility/samples.h"
 
 namespace handmap {

@@ -20,6 +20,12 @@ constexpr double kBeside_m = 15.0;
 constexpr double kLookedAt_m = 300.0;  // odometry is off farther on
 constexpr std::size_t kLeastPlaces = 20;
 constexpr double kBetweenPlaces_m = 2.0;
+constexpr std::size_t kLooks = 30;
+constexpr std::size_t kReturnsALook = 60;
+constexpr std::size_t kLeastReturns = 300;
+constexpr double kNowhere_m = 10.0;  // farther from every wall tells no more
+constexpr double kFits = 0.6;        // times as far off as the drawing is
+constexpr double kDrawnOff_m = 3.0;  // of a drawing from memory
 
 void checkSizes(const Map& drawing, const std::string& file, Doubts& doubts) {
   std::vector<double> lengths_m;
@@ -28,10 +34,11 @@ void checkSizes(const Map& drawing, const std::string& file, Doubts& doubts) {
   }
   const double length_m = medianOf(lengths_m);
   if (length_m < kLong_m) return;
+  const auto first = std::ranges::find_if(lengths_m, [](double m) { return m >= kLong_m; });
   doubts.push_back(
       {"drawing_units",
-       phrase("{}: buildings: found half of them longer than {:.0f} m, expected metres", file,
-              length_m),
+       phrase("{}: buildings[{}]: found half of them longer than {:.0f} m, expected metres", file,
+              first - lengths_m.begin(), length_m),
        length_m < kMillimetres_m ? phrase("these look like centimetres")
                                  : phrase("these look like millimetres"),
        length_m >= kImpossibleLength_m,
@@ -85,6 +92,53 @@ std::vector<Vec2> placesOnWay(const Recording& recording) {
   return places;
 }
 
+double distanceToOutline(const Polygon& outline, const Vec2& point) {
+  double least_m = kNowhere_m;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    least_m = std::min(least_m,
+                       distanceTo(Segment{outline[i], outline[(i + 1) % outline.size()]}, point));
+  }
+  return least_m;
+}
+
+/// Mean distance of what was seen from the drawn outlines, as the drawing is and mirrored.
+struct Offs {
+  double drawn_m = 0.0;
+  double mirrored_m = 0.0;
+  std::size_t returns = 0;
+};
+
+Offs offsOfWalls(const Recording& recording, const Map& drawing, const std::stop_token& stop) {
+  Offs offs;
+  const auto first = recording.odometry.at(recording.rows.front().time_s);
+  const auto off_m = [&](const Vec2& seen) {
+    double least_m = kNowhere_m;
+    for (const Building& building : drawing.buildings) {
+      least_m = std::min(least_m, distanceToOutline(building.footprint(), seen));
+    }
+    return least_m;
+  };
+  for (const PointsSample& sample : samplesOf(recording, kLooks, stop)) {
+    const auto pose = first ? recording.odometry.at(recording.rows[sample.row].time_s) : first;
+    if (!pose) continue;
+    const Pose2 here = between(*first, *pose);
+    const std::size_t step = sample.points.size() / kReturnsALook + 1;
+    for (std::size_t i = 0; i < sample.points.size(); i += step) {
+      const RangePoint& p = sample.points[i];
+      const Vec2 own(p.x, p.y);
+      if (!isMeasured(p) || own.norm() > recording.range_limit_m || p.w <= 0.0F) continue;
+      const Vec2 seen = here.toOuter(own);
+      offs.drawn_m += off_m(drawing.start->toOuter(seen));
+      offs.mirrored_m += off_m(drawing.start->toOuter({seen.x(), -seen.y()}));
+      ++offs.returns;
+    }
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, offs.returns));
+  offs.drawn_m /= count;
+  offs.mirrored_m /= count;
+  return offs;
+}
+
 }  // namespace
 
 Doubts doubtsOfDrawing(const Map& drawing, const std::filesystem::path& path) {
@@ -102,11 +156,31 @@ Doubts doubtsOfDrawing(const Map& drawing, const std::filesystem::path& path) {
   return doubts;
 }
 
+namespace {
+
+Doubts doubtsOfWalls(const Recording& recording, const Map& drawing, const std::string& file,
+                     const std::stop_token& stop) {
+  const Offs offs = offsOfWalls(recording, drawing, stop);
+  const bool fits_mirrored = offs.drawn_m > kDrawnOff_m && offs.mirrored_m < kFits * offs.drawn_m;
+  if (offs.returns < kLeastReturns || !fits_mirrored) return {};
+  return {{"mirrored_drawing",
+           phrase("{}: buildings: found what is seen {:.1f} m off their walls, mirrored {:.1f} m, "
+                  "expected y up and headings counter-clockwise",
+                  file, offs.drawn_m, offs.mirrored_m),
+           phrase("is y of the drawing down, as in pictures, or do odometry and scans turn the "
+                  "wrong way?"),
+           false,
+           {}}};
+}
+
+}  // namespace
+
 Doubts doubtsOfWay(const Recording& recording, const Map& drawing,
-                   const std::filesystem::path& path) {
+                   const std::filesystem::path& path, const std::stop_token& stop) {
   if (!drawing.start || recording.odometry.empty() || recording.rows.empty()) return {};
   const std::vector<Vec2> places = placesOnWay(recording);
   if (places.size() < kLeastPlaces) return {};
+  Doubts of_walls = doubtsOfWalls(recording, drawing, path.string(), stop);
   std::size_t through = 0;
   std::size_t mirrored_through = 0;
   std::size_t mirrored_beside = 0;
@@ -119,7 +193,7 @@ Doubts doubtsOfWay(const Recording& recording, const Map& drawing,
   const auto all = static_cast<double>(places.size());
   const bool fits_mirrored =
       static_cast<double>(mirrored_through) <= kClear * all && 2 * mirrored_beside > places.size();
-  if (static_cast<double>(through) < kThrough * all || !fits_mirrored) return {};
+  if (static_cast<double>(through) < kThrough * all || !fits_mirrored) return of_walls;
   return {
       {"way_through_buildings",
        phrase("{}: found a way that leads through its buildings on {:.0f} % of {:.0f} m, "

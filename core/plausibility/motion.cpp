@@ -26,6 +26,7 @@ struct Motion {
   Vec2 way;  ///< in the odometry frame
   double heading;
   double speed_mps;
+  double time_s;  ///< of the pose that it leads to
 };
 
 std::vector<Motion> motionsOf(const std::vector<StampedPose>& poses) {
@@ -35,7 +36,8 @@ std::vector<Motion> motionsOf(const std::vector<StampedPose>& poses) {
     if (elapsed_s < kStep_s) continue;
     const Vec2 way = poses[i].pose.position() - poses[from].pose.position();
     const double turn = normalizedAngle(poses[i].pose.heading - poses[from].pose.heading);
-    motions.push_back({way, poses[from].pose.heading + 0.5 * turn, way.norm() / elapsed_s});
+    motions.push_back(
+        {way, poses[from].pose.heading + 0.5 * turn, way.norm() / elapsed_s, poses[i].time_s});
     from = i;
   }
   std::erase_if(motions, [](const Motion& m) { return m.speed_mps < kMoving_mps; });
@@ -53,8 +55,10 @@ void checkSpeed(const Recording& recording, const std::vector<Motion>& motions,
   Doubt doubt;
   doubt.code = "odometry_units";
   doubt.certain = speed_mps >= kImpossible_mps;
+  const auto fast = std::ranges::find_if(
+      motions, [](const Motion& motion) { return motion.speed_mps >= kFast_mps; });
   doubt.message = phrase("{}: found a robot that drives {:.0f} m/s, expected metres",
-                         odometryName(recording), speed_mps);
+                         placeOfPose(recording, fast->time_s), speed_mps);
   sayUnitOfOdometry(scale, doubt);
   doubts.push_back(std::move(doubt));
 }
@@ -104,10 +108,13 @@ void checkHeadings(const Recording& recording, const std::vector<Motion>& motion
     if (agreement(motions, other.reading) < kAgreesElsewhere) continue;
     Doubt doubt;
     doubt.code = "odometry_heading";
+    const auto aside = std::ranges::find_if(motions, [](const Motion& m) {
+      return agreement({m}, {1.0, 0.0}) < kAgrees;
+    });
     doubt.message = phrase(
         "{}: found a robot that does not drive where it looks, expected "
         "headings counter-clockwise from x, x forward and y left",
-        odometryName(recording));
+        placeOfPose(recording, aside->time_s));
     doubt.hint = phrase("likely {}", other.cause);
     doubt.remedy = Remedy{other.remedy};
     doubt.remedy->clockwise_headings = other.reading.sign < 0.0;
@@ -122,7 +129,7 @@ void checkHeadings(const Recording& recording, const std::vector<Motion>& motion
   doubts.push_back({"odometry_heading",
                     phrase("{}: found one heading all along a way that turns, expected that of the "
                            "robot",
-                           odometryName(recording)),
+                           placeOfPose(recording, motions.front().time_s)),
                     phrase("likely qx qy qz qw is not told (0 0 0 1), or w comes first"),
                     false,
                     {}});
@@ -149,15 +156,16 @@ void checkGaps(const Recording& recording, Doubts& doubts) {
     if (count++ == 0 || gap_s > intervals_s[longest - 1]) longest = i;
   }
   if (count == 0) return;
-  doubts.push_back({"odometry_gaps",
-                    phrase("{}: found {} gaps with frames in them, the longest of {:.1f} s from "
-                           "{} s on, expected a pose each {:.2g} s",
-                           odometryName(recording), count, intervals_s[longest - 1],
-                           formatNumber(poses[longest - 1].time_s), usual_s),
-                    phrase("there the robot is taken to go straight at one speed; --odometry scan "
-                           "or visual tells more"),
-                    false,
-                    {}});
+  doubts.push_back(
+      {"odometry_gaps",
+       phrase("{}: found {} gaps with frames in them, the longest of {:.1f} s from "
+              "{} s on, expected a pose each {:.2g} s",
+              placeOfPose(recording, poses[longest].time_s), count, intervals_s[longest - 1],
+              formatNumber(poses[longest - 1].time_s), usual_s),
+       phrase("there the robot is taken to go straight at one speed; --odometry scan "
+              "or visual tells more"),
+       false,
+       {}});
 }
 
 }  // namespace

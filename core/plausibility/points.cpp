@@ -134,9 +134,9 @@ void checkFiles(const Recording& recording, Doubts& doubts) {
   }
   if (missing < 2 || 10 * missing < looked) return;
   doubts.push_back({"points_missing",
-                    phrase("{}: frame {}: found {} of {} points files missing, the first here, "
+                    phrase("{}: points: found {} of {} points files missing, the first here, "
                            "expected all",
-                           (recording.folder / "frames.csv").string(), *first, missing, looked),
+                           placeOfFrame(recording, *first), missing, looked),
                     phrase("was the folder copied whole?"),
                     missing == looked,
                     {}});

@@ -29,10 +29,6 @@ Unit unitOf(double interval_s) {
   return {phrase("milliseconds"), 1e-3};
 }
 
-std::string tableName(const Recording& recording) {
-  return (recording.folder / "frames.csv").string();
-}
-
 void checkIntervals(const Recording& recording, Doubts& doubts) {
   std::vector<double> intervals_s;
   const auto& rows = recording.rows;
@@ -46,9 +42,8 @@ void checkIntervals(const Recording& recording, Doubts& doubts) {
   const Unit unit = unitOf(stops ? interval_s / kBetweenStops : interval_s);
   Doubt doubt;
   doubt.code = "time_units";
-  doubt.message =
-      phrase("{}: frame {}: time_s: found {:.4g} s from frame to frame, expected seconds",
-             tableName(recording), rows[1].frame, interval_s);
+  doubt.message = phrase("{}: time_s: found {:.4g} s from frame to frame, expected seconds",
+                         placeOfFrame(recording, rows[1].frame), interval_s);
   doubt.hint =
       phrase("these look like {}: multiply time_s by {}", unit.name, formatNumber(unit.seconds));
   doubt.certain = unit.seconds < 1e-3;
@@ -96,7 +91,7 @@ void checkClocks(const Recording& recording, Doubts& doubts) {
       {"two_clocks",
        phrase("{}: found times from {} to {} s, expected those of the frames, {} to "
               "{} s",
-              odometryName(recording), formatNumber(poses.front().time_s),
+              placeOfPose(recording, poses.front().time_s), formatNumber(poses.front().time_s),
               formatNumber(poses.back().time_s), formatNumber(first), formatNumber(last)),
        causeOf(recording),
        true,

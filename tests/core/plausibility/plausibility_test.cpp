@@ -56,12 +56,13 @@ class Plausibility : public testing::Test {
 
   /// The only doubt there is has this code; its remedy, where it has one, leaves none.
   static void expectDoubt(const Recording& recording, const std::string& code, bool certain,
-                          const std::string& hint) {
+                          const std::string& hint, const std::string& place = {}) {
     const Doubts doubts = doubtsOf(recording);
     ASSERT_EQ(doubts.size(), 1U) << (doubts.empty() ? "none" : doubts[1].message);
     EXPECT_EQ(doubts[0].code, code);
     EXPECT_EQ(doubts[0].certain, certain);
     EXPECT_NE(doubts[0].hint.find(hint), std::string::npos) << doubts[0].hint;
+    EXPECT_NE(doubts[0].message.find(place + ": "), std::string::npos) << doubts[0].message;
     if (!doubts[0].remedy) return;
     const Doubts left = doubtsOf(remedied(recording, *doubts[0].remedy));
     EXPECT_TRUE(left.empty()) << left[0].message;
@@ -98,17 +99,20 @@ TEST_F(Plausibility, ARightRecordingIsBelieved) { EXPECT_TRUE(doubtsOf(recorded(
 TEST_F(Plausibility, Units) {
   expectDoubt(recorded(withPoints(1000, 0, 0, 1000)), "points_units", true, "millimetres");
   expectDoubt(recorded(withPoints(100, 0, 0, 100)), "points_units", true, "centimetres");
-  expectDoubt(recorded(withPoses(1000, 1, 0)), "odometry_units", true, "millimetres");
+  expectDoubt(recorded(withPoses(1000, 1, 0)), "odometry_units", true, "millimetres",
+              "odometry.tum: line 2");
   expectDoubt(recorded(withPoses(100, 1, 0)), "odometry_units", false, "centimetres");
-  expectDoubt(recorded(withTimes(1e9)), "time_units", true, "nanoseconds");
+  expectDoubt(recorded(withTimes(1e9)), "time_units", true, "nanoseconds", "frames.csv: line 3");
   expectDoubt(recorded(withTimes(1e3)), "time_units", false, "milliseconds");
 }
 
 TEST_F(Plausibility, Axes) {
-  expectDoubt(recorded(withPoints(1, 0, 0, -1)), "opposite_turns", false, "upside down");
+  expectDoubt(recorded(withPoints(1, 0, 0, -1)), "opposite_turns", false, "upside down",
+              "frames.csv: line 2");
   expectDoubt(recorded(withPoints(0, -1, 1, 0)), "points_axes", false, "x right, y forward");
   expectDoubt(recorded(withPoints(-1, 0, 0, -1)), "points_axes", false, "x backwards");
-  expectDoubt(recorded(withPoses(1, 1, -kPi / 2)), "odometry_heading", false, "counted from y");
+  expectDoubt(recorded(withPoses(1, 1, -kPi / 2)), "odometry_heading", false, "counted from y",
+              "odometry.tum: line 2");
   expectDoubt(recorded(withPoses(1, -1, 0)), "odometry_heading", false, "clockwise");
   expectDoubt(recorded(withPoses(1, 0, 0)), "odometry_heading", false, "w comes first");
 }
@@ -116,7 +120,7 @@ TEST_F(Plausibility, Axes) {
 TEST_F(Plausibility, Clocks) {
   Drive drive;
   drive.pose = [](const StampedPose& p) { return StampedPose{p.time_s + 1.7e9, p.pose}; };
-  expectDoubt(recorded(drive), "two_clocks", true, "two clocks");
+  expectDoubt(recorded(drive), "two_clocks", true, "two clocks", "odometry.tum: line 1");
   drive.pose = [](const StampedPose& p) { return StampedPose{1e3 * p.time_s, p.pose}; };
   expectDoubt(recorded(drive), "two_clocks", true, "the odometry looks like milliseconds");
 }
@@ -124,13 +128,15 @@ TEST_F(Plausibility, Clocks) {
 TEST_F(Plausibility, WhatIsMissing) {
   Drive drive;
   drive.has_pose = [](int i) { return i < 20 || i > 35; };
-  expectDoubt(recorded(drive), "odometry_gaps", false, "straight at one speed");
+  expectDoubt(recorded(drive), "odometry_gaps", false, "straight at one speed",
+              "odometry.tum: line 21");
   drive = {};
   drive.has_points = [](int i) { return i % 2 == 0; };
   for (int i = 1; i < 60; i += 2) {
     std::filesystem::remove(folder_.path() / ("points/" + std::to_string(i) + ".bin"));
   }
-  expectDoubt(recorded(drive), "points_missing", false, "copied whole");
+  expectDoubt(recorded(drive), "points_missing", false, "copied whole",
+              "frames.csv: line 3: points");
 }
 
 TEST_F(Plausibility, RangeLimitAndKeys) {
@@ -177,11 +183,50 @@ TEST_F(Plausibility, OfADrawing) {
   EXPECT_TRUE(doubtsOfDrawing(yard(1, 1), "m").empty());
   ASSERT_EQ(doubtsOfDrawing(yard(1000, 1), "m").size(), 1U);
   EXPECT_EQ(doubtsOfDrawing(yard(1000, 1), "m")[0].hint, "these look like millimetres");
+  EXPECT_EQ(doubtsOfDrawing(yard(1000, 1), "m")[0].message.find("m: buildings[0]: found half"), 0U);
   Map misspelt = yard(1, 1);
   misspelt.buildings[0].unknown["fixd"] = "true";
   ASSERT_EQ(doubtsOfDrawing(misspelt, "m").size(), 1U);
   EXPECT_EQ(doubtsOfDrawing(misspelt, "m")[0].message,
             "m: building A: fixd: found a key that nothing knows, expected fixed");
+}
+
+/// The way is clear of buildings either way; what is seen are the walls of one side.
+TEST_F(Plausibility, ADrawingWhoseMirrorImageIsSeen) {
+  std::string table = "frame,time_s,points\n";
+  std::vector<StampedPose> poses;
+  for (int i = 0; i < 50; ++i) {
+    const double x = 1.5 * i;
+    poses.push_back({1.0 * i, {x, 0.0, 0.0}});
+    std::vector<RangePoint> points;
+    for (int wall = -15; wall < 90; ++wall) {
+      if (std::abs(wall - x) < 20.0 && wall % 30 < 18) {
+        points.push_back({static_cast<float>(wall - x), 6.0F, 0.5F, 1.0F});
+      }
+    }
+    const std::string name = "points/" + std::to_string(i) + ".bin";
+    folder_.write(name, test::pointBytes(points));
+    table += fmt::format("{},{},{}\n", i, i, name);
+  }
+  folder_.write("recording.json", R"({"format": "handmap-recording", "version": 1})");
+  folder_.write("frames.csv", table);
+  folder_.write("odometry.tum", formatTum(poses));
+  const Recording recording = openRecording(folder_.path());
+  const auto street = [](double y_sign) {
+    Map map;
+    map.start = Pose2{0, 0, 0};
+    map.buildings.resize(3);
+    for (int i = 0; i < 3; ++i) {
+      map.buildings[static_cast<std::size_t>(i)].shape =
+          Rectangle{{30.0 * i + 9.0, y_sign * 12.0}, 20.0, 10.0, 0.0};
+    }
+    return map;
+  };
+  EXPECT_TRUE(doubtsOfWay(recording, street(1), "m").empty());
+  const Doubts doubts = doubtsOfWay(recording, street(-1), "m");
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].code, "mirrored_drawing");
+  EXPECT_EQ(doubts[0].message.find("m: buildings: found what is seen "), 0U) << doubts[0].message;
 }
 
 TEST_F(Plausibility, AWayThroughBuildingsThatMirroredKeepsClear) {
