@@ -17,8 +17,7 @@ class PastSight {
   PastSight() = default;  ///< none
   PastSight(const std::shared_ptr<const Tape>& tape, std::size_t n) : tape_(tape), n_(n) {}
   /// For as long as somebody else holds it.
-  PastSight(const std::shared_ptr<const Perceived>& held)  // NOLINT(google-explicit-constructor)
-      : held_(held) {}
+  explicit PastSight(const std::shared_ptr<const Perceived>& held) : held_(held) {}
 
   /// nullptr where the run no longer keeps it.
   std::shared_ptr<const Perceived> lock() const;

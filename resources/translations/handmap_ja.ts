@@ -3659,10 +3659,6 @@
         <translation>オドメトリをセンチメートルとして読む</translation>
     </message>
     <message>
-        <source>{}: buildings: found half of them longer than {:.0f} m, expected metres</source>
-        <translation>{}: 建物の半分が {:.0f} m より長くなっています。メートルのはずです</translation>
-    </message>
-    <message>
         <source>these look like centimetres</source>
         <translation>センチメートルのようです</translation>
     </message>
@@ -3815,16 +3811,8 @@
         <translation>分からないときは w は 1 です</translation>
     </message>
     <message>
-        <source>{}: frame {}: found {} of {} points files missing, the first here, expected all</source>
-        <translation>{}: フレーム {}: 点ファイルが {} 個（{} 個のうち）ありません。最初はここです。すべて必要です</translation>
-    </message>
-    <message>
         <source>was the folder copied whole?</source>
         <translation>フォルダーは完全に複写されましたか。</translation>
-    </message>
-    <message>
-        <source>{}: frame {}: time_s: found {:.4g} s from frame to frame, expected seconds</source>
-        <translation>{}: フレーム {}: time_s: フレームの間が {:.4g} 秒です。秒のはずです</translation>
     </message>
     <message>
         <source>these look like {}: multiply time_s by {}</source>
@@ -3965,6 +3953,38 @@
     <message>
         <source>Nothing of the drawing was recognised on the last {:.0f} m: the robot may have been elsewhere all the way, however well the buildings before fitted.</source>
         <translation>最後の {:.0f} m では図面のものが一つも認識されませんでした。それまでの建物がよく合っていても、ロボットはずっと別の場所にいたのかもしれません。</translation>
+    </message>
+    <message>
+        <source>{}: buildings[{}]: found half of them longer than {:.0f} m, expected metres</source>
+        <translation>{}: buildings[{}]: 建物の半分が {:.0f} m より長くなっています。メートルのはずです</translation>
+    </message>
+    <message>
+        <source>{}: buildings: found what is seen {:.1f} m off their walls, mirrored {:.1f} m, expected y up and headings counter-clockwise</source>
+        <translation>{}: buildings: 見えたものが壁から {:.1f} m ずれていますが、鏡に映すと {:.1f} m です。y は上向き、方位は反時計回りのはずです</translation>
+    </message>
+    <message>
+        <source>is y of the drawing down, as in pictures, or do odometry and scans turn the wrong way?</source>
+        <translation>図面の y が画像のように下向きか、オドメトリとスキャンが逆向きに回っていませんか。</translation>
+    </message>
+    <message>
+        <source>{}: line {}</source>
+        <translation>{}: {} 行目</translation>
+    </message>
+    <message>
+        <source>{}: points: found {} of {} points files missing, the first here, expected all</source>
+        <translation>{}: points: 点ファイルが {} 個（{} 個のうち）ありません。最初はここです。すべて必要です</translation>
+    </message>
+    <message>
+        <source>{}: time_s: found {:.4g} s from frame to frame, expected seconds</source>
+        <translation>{}: time_s: フレームの間が {:.4g} 秒です。秒のはずです</translation>
+    </message>
+    <message>
+        <source>Nothing told the motion at {} of {} observations, first at {} s: what was seen there has too little in common with what was seen before.</source>
+        <translation>{} 個の観測（{} 個のうち）では動きを伝えるものがありませんでした。最初は {} 秒です。そこで見えたものは、それまでに見えたものと共通点が少なすぎます。</translation>
+    </message>
+    <message>
+        <source>From there on the way may be off: give odometry, or drive more slowly where little is in sight.</source>
+        <translation>そこから先の経路はずれているかもしれません。オドメトリを与えるか、見えるものが少ない所ではもっとゆっくり走ってください。</translation>
     </message>
 </context>
 <context>
@@ -5705,6 +5725,10 @@ Observations: %4</source>
     <message>
         <source>Open it</source>
         <translation>開く</translation>
+    </message>
+    <message>
+        <source>It is known again where the robot is.</source>
+        <translation>ロボットの居場所がまた分かりました。</translation>
     </message>
 </context>
 <context>

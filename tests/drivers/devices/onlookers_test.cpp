@@ -347,7 +347,7 @@ TEST(Onlookers, FoxgloveSeesWhatTheRunSees) {
   std::map<std::string, json> heard;
   EXPECT_TRUE(waitUntil([&] {
     auto snapshot = at(1.0, 8.0);
-    snapshot->seen = perceived;
+    snapshot->seen = PastSight(perceived);
     snapshot->particles = {{{1.0, 2.0, 0.0}, 0.5}, {{1.1, 2.0, 0.0}, 0.5}};
     snapshot->image = cv::Mat(20, 30, CV_8UC1, cv::Scalar(90));
     told.tell(snapshot);

@@ -164,7 +164,7 @@ TEST_F(RunOverlaysTest, WhatTheRobotSeesIsShownWhileItIsKept) {
   const auto snapshot = fullSnapshot();
   for (const LayerSpec& spec : kLayers) overlays_.setLayerVisible(spec.layer, false);
   const auto seen = seenFrom(snapshot->report.pose);
-  snapshot->seen = seen;
+  snapshot->seen = PastSight(seen);
   overlays_.show(*snapshot);
   const std::vector<std::pair<Layer, QPointF>> places = {
       {Layer::Points, {5.0, 32.0}},
