@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/phrase.h"
+#include "core/base/text.h"
 #include "core/map/certainty.h"
 #include "core/session/recognition.h"
 
@@ -125,6 +126,7 @@ double shareAlone(const RunOutcome& outcome) {
 void RunCounts::add(const Percept& percept, const FrameReport& report) {
   ++observations;
   if (report.visible_buildings > 0) ++with_building;
+  if (report.odometry_guessed && guessed++ == 0) guessed_s = report.time_s;
   points += percept.points.size();
   for (const Ray& ray : percept.scan.rays) {
     if (!ray.returned || ray.wall < kLikelyWall) continue;
@@ -133,7 +135,9 @@ void RunCounts::add(const Percept& percept, const FrameReport& report) {
   }
 }
 
-std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
+namespace {
+
+std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
   const RunCounts& counts = outcome.counts;
   const auto& buildings = outcome.refined.buildings;
   if (counts.with_building == 0) {
@@ -172,6 +176,25 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
          phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }
   return {};
+}
+
+}  // namespace
+
+std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
+  constexpr int kLeastGuessed = 3;  // one or two go on well enough at the speed of before
+  std::vector<RunWarning> warnings = warningsOfRecognition(outcome);
+  const RunCounts& counts = outcome.counts;
+  if (counts.guessed >= kLeastGuessed) {
+    warnings.push_back(
+        {"motion_guessed",
+         phrase("Nothing told the motion at {} of {} observations, first at {} s: what was seen "
+                "there has too little in common with what was seen before.",
+                counts.guessed, counts.observations, formatNumber(counts.guessed_s)),
+         phrase(
+             "From there on the way may be off: give odometry, or drive more slowly where little "
+             "is in sight.")});
+  }
+  return warnings;
 }
 
 }  // namespace handmap

@@ -25,6 +25,8 @@ struct RunCounts {
   std::size_t points = 0;   ///< ranges that came back, of a range sensor
   std::size_t walls = 0;    ///< directions in which something was taken for a wall
   double farthest_m = 0.0;  ///< of the walls
+  int guessed = 0;          ///< observations whose motion nothing told
+  double guessed_s = 0.0;   ///< the time of the first of them
 
   void add(const Percept& percept, const FrameReport& report);
 };
@@ -41,7 +43,7 @@ struct RunOutcome {
 };
 
 /// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry and
-/// end_unrecognised: the first that holds says what follows from it too.
+/// end_unrecognised: the first that holds says what follows from it too. And motion_guessed.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap

@@ -37,8 +37,10 @@ std::optional<ScanMatch> LocalMapOdometry::bestMatch(const std::vector<ScanPoint
   auto best = matchScan(scan, map_, start, kOdometryGates_m, prior);
   if (!guessed_ || explained(best) >= kExplained) return best;
   for (const double turn : kOtherTurns) {
-    const Pose2 turned{start.x, start.y, start.heading + turn};
-    auto other = matchScan(scan, map_, turned, kOdometryGates_m);
+    MotionPrior turned = prior;  // along a wall nothing else holds it
+    turned.motion.motion.heading += turn;
+    auto other =
+        matchScan(scan, map_, turned.from * turned.motion.motion, kOdometryGates_m, turned);
     if (explained(other) > explained(best)) best = std::move(other);
   }
   return best;

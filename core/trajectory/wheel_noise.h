@@ -10,7 +10,8 @@ namespace handmap {
 /// σ of odometry by the way and the turn, times two scales that are learnt; and its length.
 class WheelNoise {
  public:
-  /// Nothing is recorded, motions are guessed: they may be off by as much as robots speed up.
+  /// Nothing is recorded, motions are guessed: a robot keeps its speed from scan to scan, and
+  /// turns as it likes.
   static WheelNoise ofGuesses();
 
   /// Recorded motion, its length corrected, with its noise.
@@ -26,6 +27,7 @@ class WheelNoise {
   bool learns_ = true;
   double length_ = 1.0;
   double move_ = 2.0;  // until it is known: a start with too little doubt turns the whole way
+  double aside_ = 2.0;
   double turn_ = 3.0;
   std::deque<double> move_deviations_;
   std::deque<double> turn_deviations_;

@@ -98,5 +98,18 @@ TEST(RunWarnings, CountsWhatComesBack) {
   EXPECT_EQ(counts.farthest_m, 5.0);
 }
 
+TEST(RunWarnings, TellsWhereNothingToldTheMotion) {
+  RunCounts counts{10, 8, false, 1000, 300, 20.0};
+  FrameReport report;
+  for (report.time_s = 4.5; report.time_s < 7.0; report.time_s += 1.0) {
+    EXPECT_TRUE(warningsOf(counts, corrected(5)).empty());
+    report.odometry_guessed = true;
+    report.visible_buildings = 1;
+    counts.add({}, report);
+  }
+  EXPECT_TRUE(says(warningsOf(counts, corrected(5)), "motion_guessed",
+                   "at 3 of 13 observations, first at 4.5 s"));
+}
+
 }  // namespace
 }  // namespace handmap
