@@ -22,6 +22,7 @@
 #include "core/plausibility/drawing.h"
 #include "core/plausibility/plausibility.h"
 #include "core/recording/image_file.h"
+#include "core/session/lost_and_found.h"
 #include "core/session/redone_acts.h"
 #include "core/session/run_session.h"
 #include "drivers/pace/punctual_source.h"
@@ -260,11 +261,18 @@ int runLive(const RunArguments& arguments, Map drawing) {
                              drive.mayBeGivenPoses() ? TapeLimits::toDoAgain() : TapeLimits());
   GivenOnTheWay through(drawing, tape, arguments.settings);
   auto session = std::make_unique<RunSession>(drawing, tape, arguments.settings);
+  LostAndFound lost;
   const auto last = runToEnd(session, {}, progress, [&](std::shared_ptr<const Snapshot>& snapshot) {
     if (const auto given = drive.takeGivenPose()) {
       if (auto redone = through(*given, session, progress)) snapshot = std::move(redone);
     }
     drive.tell(snapshot);
+    const auto news = lost.hear(certaintyOf(snapshot->report).kind);
+    if (news == LostAndFound::News::Lost) {
+      progress.message("it is no longer known where the robot is");
+    } else if (news == LostAndFound::News::Found) {
+      progress.message("it is known again where the robot is");
+    }
   });
   if (!arguments.quiet) fmt::print(stderr, "{}", drive.summary());
   return finish(arguments, *session, last);

@@ -284,6 +284,26 @@ TEST_F(LiveWindow, ADeadScannerIsSaidAndSoIsARecordingThatEnds) {
   EXPECT_TRUE(window->run().isActive());
 }
 
+TEST_F(LiveWindow, WhoIsLostWithADeadScannerIsFoundWhenItReturns) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  drive.speed_m_s = 0.05;
+  drive.step_m = 0.01;
+  drive.faults = parseFaults("scanner:unplug@4+6");
+  Rig rig = virtualRig(drive);
+  rig.odometry.kind = OdometryRigKind::Scan;
+  window->sources().setRobot(liveRobot(rig, virtualDevices(drive)));
+  window->runs().runOrResume();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("It is no longer known where the robot is"); },
+      kPatienceMs));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("It is known again where the robot is"); },
+      kPatienceMs));
+  EXPECT_FALSE(message(*window).contains("no longer known"));
+}
+
 TEST_F(LiveWindow, ADriveThatWasCutOffIsOffered) {
   auto window = open();
   window->sources().openVirtualRig();

@@ -49,11 +49,14 @@ LiveWatch::LiveWatch(const Shell& shell, RunController& run, SourceActions& sour
   connect(&timer_, &QTimer::timeout, this, &LiveWatch::look);
   connect(&run_, &RunController::begun, this, [this] {
     silent_s_ = 0;
-    is_told_ended_ = was_found_ = is_lost_ = false;
+    is_told_ended_ = false;
+    lost_ = {};
   });
   connect(&run_, &RunController::stateChanged, this, &LiveWatch::follow);
   connect(&run_, &RunController::newsArrived, this, [this](const RunNews& news) {
-    if (run_.live() && run_.isActive()) tellLost(certaintyOf(news.newest->report).kind);
+    if (run_.live() && run_.isActive()) {
+      tellLost(lost_.hear(certaintyOf(news.newest->report).kind));
+    }
   });
 }
 
@@ -98,16 +101,14 @@ void LiveWatch::tellSilence(const RigStatus& status) {
                        whySilent(status), kSilentTopic);
 }
 
-void LiveWatch::tellLost(Certainty certainty) {
-  const bool lost = was_found_ && certainty == Certainty::Lost;
-  was_found_ |= certainty != Certainty::Lost;
-  if (lost && !is_lost_) {
+void LiveWatch::tellLost(LostAndFound::News news) {
+  if (news == LostAndFound::News::Lost) {
     shell_.messages.show(MessageBar::Kind::Warning, tr("It is no longer known where the robot is."),
                          tr("If you see it, say so with “Robot is here”."), kLostTopic);
-  } else if (!lost && is_lost_) {
-    shell_.messages.withdraw(kLostTopic);
+  } else if (news == LostAndFound::News::Found) {
+    shell_.messages.show(MessageBar::Kind::Info, tr("It is known again where the robot is."), {},
+                         kLostTopic);
   }
-  is_lost_ = lost;
 }
 
 void LiveWatch::tellRecording(const RecordingStatus& recording) {

@@ -9,7 +9,7 @@
 
 #include "app/gui/shell/shell.h"
 #include "core/rig/rig_monitor.h"
-#include "core/session/pose_trust.h"
+#include "core/session/lost_and_found.h"
 #include "widgets/background/background.h"
 
 namespace handmap {
@@ -34,7 +34,7 @@ class LiveWatch : public QObject {
   void look();
   void tellSilence(const RigStatus& status);
   void tellRecording(const RecordingStatus& recording);
-  void tellLost(Certainty certainty);
+  void tellLost(LostAndFound::News news);
   void note(const QString& folder);
 
   const Shell& shell_;
@@ -45,8 +45,7 @@ class LiveWatch : public QObject {
   QString noted_;     ///< the folder that this window records into
   int silent_s_ = 0;  ///< as it was told
   bool is_told_ended_ = false;
-  bool was_found_ = false;  ///< it was known where the robot is, on this drive
-  bool is_lost_ = false;
+  LostAndFound lost_;                          ///< of this drive
   std::shared_ptr<Lifeline<LiveWatch>> self_;  ///< shared with the thread that reads
 };
 
