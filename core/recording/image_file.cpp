@@ -1,5 +1,6 @@
 #include "core/recording/image_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -77,25 +78,23 @@ Header readHeader(std::string_view bytes, const std::string& file) {
   return *header;
 }
 
-}  // namespace
-
-cv::Mat readImage(const std::filesystem::path& path) {
-  return decodeImage(readFile(path, kMaxImageBytes), path.string());
-}
-
-cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
+/// Of a whole image of at most so many pixels.
+Header checkedHeader(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
   const Header header = readHeader(bytes, file);
   // The sides first: their product may be more than a number holds.
-  const bool fits = header.width <= kMaxImagePixels && header.height <= kMaxImagePixels &&
-                    header.width * header.height <= kMaxImagePixels;
+  const bool fits = header.width <= most_pixels && header.height <= most_pixels &&
+                    header.width * header.height <= most_pixels;
   if (!fits) {
     throwBadInput(file, "", phrase("{} × {} pixels", header.width, header.height),
-                  phrase("at most {} megapixels", kMaxImagePixels / 1'000'000));
+                  phrase("at most {} megapixels", most_pixels / 1'000'000));
   }
   if (!header.complete) {
     throwBadInput(file, "", phrase("an image that is cut off"), phrase("a whole one"));
   }
+  return header;
+}
 
+cv::Mat decoded(std::string_view bytes, const std::string& file, int flags) {
   cv::Mat image;
   try {
     if (bytes.size() > kMaxImageBytes) {
@@ -103,19 +102,45 @@ cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
     }
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
                          const_cast<char*>(bytes.data()));
-    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    image = cv::imdecode(buffer, flags);
   } catch (const cv::Exception& error) {
     throwBadInput(file, "", error.err, phrase("an image that can be decoded"));
   }
   if (image.empty()) {
     throwBadInput(file, "", phrase("a damaged image"), phrase("one that can be decoded"));
   }
+  return image;
+}
+
+}  // namespace
+
+cv::Mat readImage(const std::filesystem::path& path) {
+  return decodeImage(readFile(path, kMaxImageBytes), path.string());
+}
+
+cv::Mat decodeImage(std::string_view bytes, const std::string& file) {
+  checkedHeader(bytes, file, kMaxImagePixels);
+  cv::Mat image = decoded(bytes, file, cv::IMREAD_UNCHANGED);
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
     throwBadInput(file, "",
                   phrase("{} channels of {} bits", image.channels(), 8 * image.elemSize1()),
                   phrase("1 or 3 channels of 8 bits"));
   }
   return image;
+}
+
+cv::Mat readPhoto(const std::filesystem::path& path, int side_px) {
+  return decodePhoto(readFile(path, kMaxImageBytes), path.string(), side_px);
+}
+
+cv::Mat decodePhoto(std::string_view bytes, const std::string& file, int side_px) {
+  const Header header = checkedHeader(bytes, file, kMaxPhotoPixels);
+  const std::int64_t times = std::max(header.width, header.height) / std::max(1, side_px);
+  const int flags = times >= 8   ? cv::IMREAD_REDUCED_COLOR_8
+                    : times >= 4 ? cv::IMREAD_REDUCED_COLOR_4
+                    : times >= 2 ? cv::IMREAD_REDUCED_COLOR_2
+                                 : cv::IMREAD_COLOR;
+  return decoded(bytes, file, flags);
 }
 
 cv::Mat greyImage(const cv::Mat& image) {

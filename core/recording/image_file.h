@@ -18,6 +18,15 @@ cv::Mat readImage(const std::filesystem::path& path);
 /// The same of the bytes of such a file, from wherever; `name` stands for it in messages.
 cv::Mat decodeImage(std::string_view bytes, const std::string& name);
 
+inline constexpr std::int64_t kMaxPhotoPixels = 100'000'000;
+
+/// A photo that a person took: three channels, the way up that its camera says, at most 100
+/// megapixels, of which it is reduced by 2, 4 or 8 while its longer side stays at `side_px` or
+/// more. Throws BadInput as readImage() does.
+cv::Mat readPhoto(const std::filesystem::path& path, int side_px);
+/// The same of the bytes of such a file.
+cv::Mat decodePhoto(std::string_view bytes, const std::string& name, int side_px);
+
 /// One channel; an image that has one already is not copied.
 cv::Mat greyImage(const cv::Mat& image);
 
