@@ -75,6 +75,8 @@ int runProgram(int argc, char** argv) {
   addOdometryCommand(app, chosen);
   addCalibrateCommand(app, chosen);
   addCompareCommand(app, chosen);
+  addFiguresCommand(app, chosen);
+  addSketchStatsCommand(app, chosen);
   addConvertCommand(app, chosen);
   addEvaluateCommand(app, chosen);
   addValidateCommand(app, chosen);
