@@ -66,7 +66,7 @@ void measureOutlines(const std::vector<DrawnErrors>& drawings, PeopleFigures& fi
   figures.size_factor = std::exp(line.bias);
   figures.size_sigma = line.sigma;
   Mean size;
-  Mean turn;
+  std::vector<double> turns;
   Mean right;
   Mean true_right;
   Mean corners;
@@ -75,7 +75,7 @@ void measureOutlines(const std::vector<DrawnErrors>& drawings, PeopleFigures& fi
     for (const DrawnError& error : drawing.of) {
       if (!error.log_size) continue;
       size.add(std::pow(error.size * std::expm1(*error.log_size), 2));
-      turn.add(std::pow(toDegrees(*error.turn), 2));
+      turns.push_back(std::abs(toDegrees(*error.turn)));
       right.add(error.right_corners, error.corners);
       true_right.add(error.true_right_corners, error.true_corners);
       corners.add(error.corners);
@@ -83,7 +83,7 @@ void measureOutlines(const std::vector<DrawnErrors>& drawings, PeopleFigures& fi
     }
   }
   figures.size_m = size.root();
-  figures.turn_sigma_deg = turn.root();
+  figures.turn_deg = quantile(turns, 0.68);
   figures.right_corners = right.value();
   figures.true_right_corners = true_right.value();
   figures.corners = corners.value();
@@ -143,7 +143,7 @@ const std::vector<PeopleFigure>& allPeopleFigures() {
       {"size_factor", &F::size_factor},
       {"size_sigma_ln", &F::size_sigma},
       {"size_m", &F::size_m},
-      {"turn_sigma_deg", &F::turn_sigma_deg},
+      {"turn_deg_68", &F::turn_deg},
       {"right_corners_share", &F::right_corners},
       {"true_right_corners_share", &F::true_right_corners},
       {"corners", &F::corners},
@@ -164,8 +164,8 @@ PeopleFigures peopleFigures(const std::vector<DrawnErrors>& drawings) {
   return figures;
 }
 
-std::vector<Interval> peopleIntervals(const std::vector<DrawnErrors>& drawings, int draws,
-                                      std::uint64_t seed) {
+std::vector<FigureRange> peopleIntervals(const std::vector<DrawnErrors>& drawings, int draws,
+                                         std::uint64_t seed) {
   const std::vector<PeopleFigure>& all = allPeopleFigures();
   std::vector<std::vector<double>> values(all.size());
   for (int draw = 0; draw < draws; ++draw) {
@@ -173,7 +173,7 @@ std::vector<Interval> peopleIntervals(const std::vector<DrawnErrors>& drawings, 
     const PeopleFigures figures = peopleFigures(drawnAgain(drawings, random));
     for (std::size_t i = 0; i < all.size(); ++i) values[i].push_back(figures.*all[i].value);
   }
-  std::vector<Interval> intervals;
+  std::vector<FigureRange> intervals;
   for (const std::vector<double>& of : values) {
     intervals.push_back({quantile(of, 0.025), quantile(of, 0.975)});
   }

@@ -23,8 +23,8 @@ struct PeopleFigures {
   double size_factor = 0.0;  ///< drawn / true in the scale of the places: below 1 gaps are too wide
   double size_sigma = 0.0;   ///< σ of ln size about that
   double size_m = 0.0;       ///< rms error of the size
-  double turn_sigma_deg = 0.0;  ///< of an outline, to the next quarter
-  double right_corners = 0.0;   ///< share of the drawn corners
+  double turn_deg = 0.0;     ///< of outlines, to the next quarter: what 68 % are within
+  double right_corners = 0.0;  ///< share of the drawn corners
   double true_right_corners = 0.0;
   double corners = 0.0;  ///< of an outline, mean
   double true_corners = 0.0;
@@ -43,14 +43,14 @@ const std::vector<PeopleFigure>& allPeopleFigures();
 
 PeopleFigures peopleFigures(const std::vector<DrawnErrors>& drawings);
 
-struct Interval {
+struct FigureRange {
   double low = 0.0;
   double high = 0.0;
 };
 /// Of 95 %, in the order of allPeopleFigures(): persons are drawn again with replacement, and of
 /// each the things that he drew.
-std::vector<Interval> peopleIntervals(const std::vector<DrawnErrors>& drawings, int draws,
-                                      std::uint64_t seed);
+std::vector<FigureRange> peopleIntervals(const std::vector<DrawnErrors>& drawings, int draws,
+                                         std::uint64_t seed);
 
 /// How well an account of the others' errors tells those of a person who was left out.
 struct Foretold {

@@ -12,7 +12,7 @@ namespace handmap {
 struct PeopleReport {
   std::vector<DrawnErrors> drawings;
   PeopleFigures figures;
-  std::vector<Interval> intervals;
+  std::vector<FigureRange> intervals;
   std::vector<Foretold> places;
   std::vector<Foretold> sizes;
 };

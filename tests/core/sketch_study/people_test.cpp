@@ -62,7 +62,7 @@ TEST(People, AreFoundAgainFromTheirDrawings) {
 
 TEST(People, HaveIntervalsThatFollowFromTheSeed) {
   const std::vector<DrawnErrors> six = drawings(6);
-  const std::vector<Interval> intervals = peopleIntervals(six, 300, 1);
+  const std::vector<FigureRange> intervals = peopleIntervals(six, 300, 1);
   const auto& all = allPeopleFigures();
   ASSERT_EQ(intervals.size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
