@@ -225,6 +225,8 @@ void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen) {
   addNumber(*command, "--pso-particles", settings.pso_particles, 1, 1e4, "Swarm of a building");
   command->add_flag("--unrestricted", a.unrestricted,
                     "Drawings need not keep side and order of the buildings");
+  addChoice(*command, "--like", settings.like, {{"sigma", Like::Sigma}, {"people", Like::People}},
+            "Errors of the drawings: each by itself; or as people draw, their places off by sigma");
   addSeed(*command, settings.seed, "Trial I has the scene and noise of seed N + I");
   addNumber(*command, "--threads", a.threads, 0, 1024,
             "Trials at a time; 0 for all; the result is the same");

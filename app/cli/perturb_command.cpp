@@ -2,7 +2,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "core/base/error.h"
 #include "core/map/map_io.h"
+#include "core/simulation/drawn_by_people.h"
 #include "core/simulation/redrawn.h"
 #include "core/simulation/world.h"
 
@@ -13,15 +15,29 @@ namespace {
 struct PerturbArguments {
   std::string map;
   std::optional<double> sigma_m;
+  Like like = Like::Sigma;
   Redrawing redrawing;
   std::uint64_t seed = 1;
   std::string out;
 };
 
+Map drawingOf(const Map& outlined, const PerturbArguments& arguments) {
+  if (arguments.like == Like::Sigma) {
+    return perturbed(outlined, *arguments.sigma_m, arguments.seed);
+  }
+  PeopleErrors errors;
+  if (arguments.sigma_m) errors.position = *arguments.sigma_m / extentOf(outlined);
+  return drawnByPeople(outlined, errors, arguments.seed);
+}
+
 int perturb(const PerturbArguments& arguments) {
+  if (arguments.like == Like::Sigma && !arguments.sigma_m) {
+    throw Error(ErrorCode::Usage, "--sigma is required",
+                "handmap-cli perturb --help");
+  }
   checkOutputFiles({arguments.out}, {arguments.map});
   const Map outlined = redrawn(readMap(arguments.map), arguments.redrawing, arguments.seed);
-  writeMap(perturbed(outlined, *arguments.sigma_m, arguments.seed), arguments.out);
+  writeMap(drawingOf(outlined, arguments), arguments.out);
   return 0;
 }
 
@@ -36,8 +52,9 @@ void addPerturbCommand(CLI::App& app, ChosenCommand& chosen) {
       ->required()
       ->option_text("TRUTH.handmap");
   addNumber(*command, "--sigma", a.sigma_m, 0.01, 1000,
-            "Error of centres and sizes, metres, required")
-      ->required();
+            "Error of centres and sizes, metres; with --like people of centres, and not required");
+  addChoice(*command, "--like", a.like, {{"sigma", Like::Sigma}, {"people", Like::People}},
+            "Errors of every building by itself, or as people draw");
   addNumber(*command, "--corners", a.redrawing.corners_m, 0, 100,
             "Error of each corner of an outline by itself, metres");
   addNumber(*command, "--simplify", a.redrawing.simplify_m, 0, 100,

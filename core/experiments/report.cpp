@@ -34,11 +34,15 @@ std::string conditions(const Experiment& experiment, const std::vector<TrialGrou
   for (const TrialGroup& group : groups) done += group.trials.size();
   const std::size_t all = trialsOf(experiment).size();
   std::string text = fmt::format(
-      "Simulated: six buildings in two rows, known start, range points; trials from seed {} on, {}."
+      "Simulated: six buildings in two rows, known start, range points; trials from seed {} on, "
+      "{}{}."
       " paper: the published FastSLAM/PSOM, {} particles, swarms of {}.\n",
       settings.seed,
       settings.keeping == Keeping::SideAndOrder ? "drawings keep side and order of the buildings"
                                                 : "drawings need not keep side and order",
+      settings.like == Like::People
+          ? ", errors like those of people: correlated, sizes pulled to the mean, outlines turned"
+          : "",
       settings.slam_particles, settings.pso_particles);
   if (done < all) text += fmt::format("\n**Not whole: {} of {} trials are there.**\n", done, all);
   return text;
@@ -51,13 +55,14 @@ SeriesLook lookOf(Method method) {
 }
 
 Report reportOf(const Experiment& experiment, const std::map<TrialKey, Trial>& trials) {
+  const TrialSettings& settings = experiment.settings;
   const std::vector<TrialGroup> groups = groupsOf(experiment, trials);
   Report report;
   const std::string below = fmt::format("\n{}", conditions(experiment, groups));
   switch (experiment.kind) {
     case ExperimentKind::Table2:
       report.markdown = "# Table 2: success against the error of the drawing\n" + below;
-      addSuccess(groups, report);
+      addSuccess(groups, settings.like, report);
       break;
     case ExperimentKind::Figure8:
       report.markdown =

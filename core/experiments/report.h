@@ -35,8 +35,8 @@ struct TrialGroup {
 SeriesLook lookOf(Method method);
 
 // The parts that each experiment adds. Groups are in the order of σ.
-void addSuccess(const std::vector<TrialGroup>& groups, Report& report);  // Table2
-void addErrors(const std::vector<TrialGroup>& groups, Report& report);   // Figure8
-void addWay(const std::vector<TrialGroup>& groups, Report& report);      // Way
+void addSuccess(const std::vector<TrialGroup>& groups, Like like, Report& report);  // Table2
+void addErrors(const std::vector<TrialGroup>& groups, Report& report);              // Figure8
+void addWay(const std::vector<TrialGroup>& groups, Report& report);                 // Way
 
 }  // namespace handmap

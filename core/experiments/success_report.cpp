@@ -28,8 +28,8 @@ constexpr auto kSuccessNotes =
     "particles, swarms of 20), as handed down. Naive: that of a quick prototype of the published "
     "method, other seeds.\n";
 
-KnownSuccess knownAt(const TrialGroup& group) {
-  if (group.method == Method::Paper) {
+KnownSuccess knownAt(const TrialGroup& group, Like like) {
+  if (group.method == Method::Paper && like == Like::Sigma) {
     for (const KnownSuccess& known : kKnown) {
       if (known.sigma_m == group.sigma_m) return known;
     }
@@ -55,7 +55,7 @@ ChartSeries& seriesOf(Method method, Chart& chart) {
 
 }  // namespace
 
-void addSuccess(const std::vector<TrialGroup>& groups, Report& report) {
+void addSuccess(const std::vector<TrialGroup>& groups, Like like, Report& report) {
   report.markdown +=
       "\n| sigma m | method | trials | loose | strict | published | naive |\n"
       "|--------:|:-------|-------:|------:|-------:|----------:|------:|\n";
@@ -79,7 +79,7 @@ void addSuccess(const std::vector<TrialGroup>& groups, Report& report) {
     const int strict = count([](const Trial* trial) { return trial->strict(); });
     const Interval l = wilsonInterval(loose, trials);
     const Interval s = wilsonInterval(strict, trials);
-    const KnownSuccess known = knownAt(group);
+    const KnownSuccess known = knownAt(group, like);
     report.markdown += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n",
                                    formatNumber(group.sigma_m), nameOf(group.method), trials,
                                    cell(loose, l), cell(strict, s), known.published, known.naive);

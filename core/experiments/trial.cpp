@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/evaluation/comparison.h"
+#include "core/simulation/drawn_by_people.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {
@@ -42,6 +43,14 @@ void compare(const Map& drawing, const Map& refined, const Map& truth, Trial& tr
   }
 }
 
+Map drawingOf(const Map& truth, double sigma_m, std::uint64_t seed, const TrialSettings& settings) {
+  if (settings.like == Like::Sigma) return perturbed(truth, sigma_m, seed, settings.keeping);
+  PeopleErrors errors;
+  errors.position = sigma_m / extentOf(truth);
+  errors.missing = 0.0;
+  return drawnByPeople(truth, errors, seed, settings.keeping);
+}
+
 }  // namespace
 
 double Trial::stepLength() { return SimulationOptions{}.step_m; }
@@ -59,7 +68,7 @@ bool Trial::strict() const {
 TrialScene sceneOf(const TrialKey& key, const TrialSettings& settings) {
   const std::uint64_t seed = settings.seed + static_cast<std::uint64_t>(key.number);
   TrialScene scene{twoRowWorld(seed), {}, {}};
-  scene.drawing = perturbed(scene.world.map, key.sigma_m, seed, settings.keeping);
+  scene.drawing = drawingOf(scene.world.map, key.sigma_m, seed, settings);
   scene.run.method = key.method;
   scene.run.slam.slam_particles = settings.slam_particles;
   scene.run.slam.pso_particles = settings.pso_particles;

@@ -17,6 +17,7 @@ struct TrialSettings {
   int slam_particles = SlamOptions{}.slam_particles;
   int pso_particles = SlamOptions{}.pso_particles;
   Keeping keeping = Keeping::SideAndOrder;
+  Like like = Like::Sigma;  ///< People: places are off by σ, nothing is missing
 };
 
 /// Trial `number` has the scene and the noise of seed + number, whatever the method and σ: methods

@@ -20,11 +20,13 @@ constexpr double kMost_m = 1e6;
 constexpr std::size_t kMostSteps = 100000;
 
 Json toJson(const TrialSettings& settings) {
-  return {{"program", "handmap " HANDMAP_VERSION},
-          {"seed", settings.seed},
-          {"slam_particles", settings.slam_particles},
-          {"pso_particles", settings.pso_particles},
-          {"drawings_keep_side_and_order", settings.keeping == Keeping::SideAndOrder}};
+  Json json = {{"program", "handmap " HANDMAP_VERSION},
+               {"seed", settings.seed},
+               {"slam_particles", settings.slam_particles},
+               {"pso_particles", settings.pso_particles},
+               {"drawings_keep_side_and_order", settings.keeping == Keeping::SideAndOrder}};
+  if (settings.like == Like::People) json["drawings_like"] = "people";
+  return json;
 }
 
 std::string columns() {
@@ -119,14 +121,20 @@ void checkSettings(std::string_view line, const std::string& source,
   }
   const nlohmann::json json = parseJson(line.substr(2), source + ": line 1");
   const JsonValue found(json, source + ": line 1");
+  const auto refuse = [&](const std::string& key, const std::string& there,
+                          const std::string& expected) {
+    throw Error(ErrorCode::BadInput,
+                fmt::format("{}: line 1: {}: found {}, expected {}", source, key, there, expected),
+                "a folder holds trials of one setting: take the same, or another folder");
+  };
   const Json wanted = toJson(settings);
   for (const auto& [key, value] : wanted.items()) {
-    const std::string there = found.at(key).dump();
-    if (there == value.dump()) continue;
-    throw Error(
-        ErrorCode::BadInput,
-        fmt::format("{}: line 1: {}: found {}, expected {}", source, key, there, value.dump()),
-        "a folder holds trials of one setting: take the same, or another folder");
+    const auto there = found.find(key);
+    if (!there) refuse(key, "nothing", value.dump());
+    if (there->dump() != value.dump()) refuse(key, there->dump(), value.dump());
+  }
+  for (const auto& [key, there] : found.others({})) {
+    if (!wanted.contains(key)) refuse(key, there, "nothing");
   }
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/random.h"
+#include "core/simulation/possible_drawing.h"
 #include "core/simulation/route.h"
 #include "core/simulation/world.h"
 
@@ -30,9 +31,9 @@ bool sameOrder(const Place& a, const Place& true_a, const Place& b, const Place&
 
 class Perturbation {
  public:
-  Perturbation(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping)
+  Perturbation(const Map& truth, const Redraw& redraw, std::uint64_t seed, Keeping keeping)
       : truth_(truth),
-        sigma_m_(sigma_m),
+        redraw_(redraw),
         keeps_(keeping == Keeping::SideAndOrder),
         random_(seed, 0, 0, kPerturbed),
         route_(routeOf(truth)) {
@@ -60,23 +61,9 @@ class Perturbation {
     return place;
   }
 
-  double drawnSize(double size) {
-    const double least = std::min(3.0, size / 2.0);
-    for (int i = 0; i < kPlacings; ++i) {
-      const double drawn = random_.normal(size, sigma_m_);
-      if (drawn >= least) return drawn;
-    }
-    return size;
-  }
-
   void redraw(std::size_t i) {
-    const Rectangle box = truth_.buildings[i].box();
     for (int attempt = 0; attempt < kPlacings; ++attempt) {
-      Rectangle drawn = box;
-      drawn.centre += Vec2(random_.normal(0.0, sigma_m_), random_.normal(0.0, sigma_m_));
-      drawn.width = drawnSize(box.width);
-      drawn.depth = drawnSize(box.depth);
-      const Building building = truth_.buildings[i].fitted(drawn);
+      const Building building = redraw_(i, buildings_, random_);
       const Place place = placeOf(building);
       if (!possible(i, place)) continue;
       buildings_[i] = building;
@@ -101,7 +88,7 @@ class Perturbation {
   }
 
   const Map& truth_;
-  double sigma_m_;
+  const Redraw& redraw_;
   bool keeps_;
   RandomStream random_;
   std::optional<Route> route_;
@@ -110,22 +97,43 @@ class Perturbation {
   std::vector<Building> buildings_;
 };
 
+double drawnSize(double size, double sigma_m, RandomStream& random) {
+  const double least = std::min(3.0, size / 2.0);
+  for (int i = 0; i < kPlacings; ++i) {
+    const double drawn = random.normal(size, sigma_m);
+    if (drawn >= least) return drawn;
+  }
+  return size;
+}
+
 }  // namespace
 
-Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping) {
+Map possibleDrawing(const Map& truth, const Redraw& redraw, std::uint64_t seed, Keeping keeping) {
   if (truth.buildings.size() > kMaxBuildings) {
     throwBadInput(phrase("buildings"), "", std::to_string(truth.buildings.size()),
                   phrase("at most {}", kMaxBuildings));
   }
   Map drawn = truth;
-  drawn.buildings = Perturbation(truth, sigma_m, seed, keeping).draw();
+  drawn.buildings = Perturbation(truth, redraw, seed, keeping).draw();
   for (Building& building : drawn.buildings) {
     building.uncertainty.reset();
     building.estimate.reset();
   }
-  drawn.uncertainty = {sigma_m, sigma_m};
   drawn.whole = {};
   drawn.refinement.clear();
+  return drawn;
+}
+
+Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping) {
+  const auto redraw = [&](std::size_t i, const std::vector<Building>&, RandomStream& random) {
+    Rectangle box = truth.buildings[i].box();
+    box.centre += Vec2(random.normal(0.0, sigma_m), random.normal(0.0, sigma_m));
+    box.width = drawnSize(box.width, sigma_m, random);
+    box.depth = drawnSize(box.depth, sigma_m, random);
+    return truth.buildings[i].fitted(box);
+  };
+  Map drawn = possibleDrawing(truth, redraw, seed, keeping);
+  drawn.uncertainty = {sigma_m, sigma_m};
   return drawn;
 }
 

@@ -73,6 +73,10 @@ World rough(World world, std::uint64_t seed);
 /// What a drawing keeps right about the places of its buildings, however wrong the measures are.
 enum class Keeping { SideAndOrder, Nothing };
 
+/// Whose errors a drawing has: each of the same σ and by itself (see perturbed()), or those that
+/// people's drawings have (see drawnByPeople()).
+enum class Like { Sigma, People };
+
 /// The map as one remembers it: centre and width (and depth) of every building off by a normal
 /// error of `sigma_m`; sizes stay positive, buildings do not come to overlap, neither each other
 /// nor the route, and keep their side of the route and their order along it, unless they need not.

@@ -35,5 +35,27 @@ TEST_F(Perturb, MovesEveryBuildingAndTellsTheUncertainty) {
   expectDone(run({"validate", "sketch.handmap"}), "ok: sketch.handmap: map of 3 buildings\n");
 }
 
+TEST_F(Perturb, DrawsLikePeople) {
+  const auto draw = [](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"perturb", "--map", "row-truth.handmap", "--like",
+                                        "people",  "--out", "sketch.handmap"};
+    command.insert(command.end(), more.begin(), more.end());
+    expectDone(run(command), "");
+    return nlohmann::json::parse(contentOf("sketch.handmap"));
+  };
+  const auto drawn = draw({});
+  EXPECT_EQ(drawn, draw({"--seed", "1"}));
+  EXPECT_NE(drawn, draw({"--seed", "2"}));
+  ASSERT_EQ(drawn["buildings"].size(), 3U);  // as many are drawn, however many are missed
+  for (const auto& building : drawn["buildings"]) EXPECT_EQ(building["shape"], "rectangle");
+  EXPECT_EQ(draw({"--sigma", "2"})["uncertainty"]["position_m"], 2.0);
+}
+
+TEST_F(Perturb, NeedsSigmaWhereItIsNotLikePeople) {
+  expectFailed(run({"perturb", "--map", "row-truth.handmap", "--out", "sketch.handmap"}), 1,
+               "handmap-cli: error: --sigma is required\n"
+               "hint: handmap-cli perturb --help\n");
+}
+
 }  // namespace
 }  // namespace handmap

@@ -167,5 +167,28 @@ TEST(TrialFolder, IsWrittenByOneProcessATable) {
                     {"trials-1-of-2.csv: another process writes it"});
 }
 
+TEST(Experiment, TakesDrawingsLikeThoseOfPeople) {
+  TrialSettings settings;
+  const TrialScene plain = sceneOf({Method::Handmap, 10.0, 3}, settings);
+  settings.like = Like::People;
+  const TrialScene people = sceneOf({Method::Handmap, 10.0, 3}, settings);
+  ASSERT_EQ(people.drawing.buildings.size(), Trial::kBuildings.size());
+  EXPECT_NE(people.drawing.buildings, plain.drawing.buildings);
+  EXPECT_NEAR(people.drawing.uncertainty.position, 10.0, 1e-9);
+  // They do not mix with others in a folder.
+  const TemporaryFolder folder;
+  Experiment experiment = small();
+  experiment.sigmas_m = {1.0};
+  experiment.trials = 1;
+  run(experiment, folder);
+  experiment.settings.like = Like::People;
+  expectBadInput([&] { readTrials(folder.path(), experiment.settings); },
+                 {"line 1: drawings_like: found nothing, expected \"people\""});
+  const TemporaryFolder of_people;
+  TrialWriter(of_people.path(), {}, experiment.settings);
+  expectBadInput([&] { readTrials(of_people.path(), small().settings); },
+                 {"line 1: drawings_like: found \"people\", expected nothing"});
+}
+
 }  // namespace
 }  // namespace handmap
