@@ -40,7 +40,7 @@ TEST_F(Validate, WarnsOfWhatMayBeRightAndRefusesWhatCannotBe) {
   writeText("rec/odometry.tum", far);
   const Outcome refused = run({"run", "--map", "rec/sketch.handmap", "--recording", "rec"});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("error: rec/odometry.tum: line 3: found a robot that drives 1000 m/s"),
+  EXPECT_NE(refused.err.find("error: rec/odometry.tum: line 2: found a robot that drives 1000 m/s"),
             std::string::npos)
       << refused.err;
 }
