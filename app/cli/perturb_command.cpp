@@ -32,8 +32,7 @@ Map drawingOf(const Map& outlined, const PerturbArguments& arguments) {
 
 int perturb(const PerturbArguments& arguments) {
   if (arguments.like == Like::Sigma && !arguments.sigma_m) {
-    throw Error(ErrorCode::Usage, "--sigma is required",
-                "handmap-cli perturb --help");
+    throw Error(ErrorCode::Usage, "--sigma is required", "handmap-cli perturb --help");
   }
   checkOutputFiles({arguments.out}, {arguments.map});
   const Map outlined = redrawn(readMap(arguments.map), arguments.redrawing, arguments.seed);
