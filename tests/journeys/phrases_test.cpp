@@ -44,8 +44,11 @@ TEST(PhrasesOfTheSources, WhatIsThrownIsTranslated) {
                        QDir::Files, QDirIterator::Subdirectories);
     while (files.hasNext()) {
       const QString name = files.next();
-      // No window shows what experiments and emulators say.
-      if (name.contains("/core/experiments/") || name.contains("/emulators/")) continue;
+      // No window shows what experiments, studies of drawings and emulators say.
+      if (name.contains("/core/experiments/") || name.contains("/core/sketch_study/") ||
+          name.contains("/emulators/")) {
+        continue;
+      }
       const QString text = QString::fromStdString(readFile(name.toStdString(), 1 << 20));
       for (auto saying = kSaying.globalMatch(text); saying.hasNext();) {
         QString arguments = saying.next().captured(1);
