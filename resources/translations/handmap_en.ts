@@ -166,10 +166,10 @@
 <context>
     <name>handmap::SourceActions</name>
     <message numerus="yes">
-        <source>“%1” is open: %n row(s).</source>
+        <source>“%1” is open: %n frame(s).</source>
         <translation>
-            <numerusform>“%1” is open: %n row.</numerusform>
-            <numerusform>“%1” is open: %n rows.</numerusform>
+            <numerusform>“%1” is open: %n frame.</numerusform>
+            <numerusform>“%1” is open: %n frames.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -7762,9 +7762,9 @@ Corrected by a run.</source>
         <translation>記録を開く</translation>
     </message>
     <message numerus="yes">
-        <source>“%1” is open: %n row(s).</source>
+        <source>“%1” is open: %n frame(s).</source>
         <translation>
-            <numerusform>「%1」を開きました: %n 行</numerusform>
+            <numerusform>「%1」を開きました: %n フレーム</numerusform>
         </translation>
     </message>
     <message>

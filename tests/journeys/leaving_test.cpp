@@ -1,5 +1,6 @@
 // What would be lost with a run is asked about; what belongs to a recording stays with it.
 #include <QSignalSpy>
+#include <algorithm>
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/live_robot.h"
@@ -9,6 +10,7 @@
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/document/map_document.h"
+#include "widgets/messages/message_bar.h"
 #include "widgets/run/panels/timeline.h"
 
 namespace handmap {
@@ -40,6 +42,12 @@ class Leaving : public WindowTest {
     window_->runs().runOrResume();
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return window_->run().result() && !window_->run().isActive(); }, kPatienceMs));
+  }
+  bool saysWhatToPress() const {
+    const auto messages = window_->findChild<MessageBar*>()->messages();
+    return std::ranges::any_of(messages, [](const Message* message) {
+      return message->text().contains(QStringLiteral("is open: 8 "));
+    });
   }
   RunSetupPanel& setup() { return window_->runPanels().setup; }
 
@@ -117,6 +125,18 @@ TEST_F(Leaving, AnotherLanguageBringsTheRecordingAndItsRunBack) {
   EXPECT_TRUE(dialogs_->asked.isEmpty()) << "nothing is lost";
   EXPECT_EQ(opened, (QStringList{path("m.handmap"), "--recording", path("drive"), "--run", "--fast",
                                  "--seed", "1"}));
+}
+
+TEST_F(Leaving, ARunThatBeginsAtOnceIsNotAskedFor) {
+  record("drive", 8);
+  document_.reset(world_.map);
+  ASSERT_TRUE(openRecording("drive"));
+  EXPECT_TRUE(saysWhatToPress());
+  QObject::connect(&window_->sources(), &SourceActions::robotChanged, &window_->runs(),
+                   &TransportActions::runOrResume, Qt::SingleShotConnection);
+  ASSERT_TRUE(openRecording("drive"));
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(saysWhatToPress());
 }
 
 TEST_F(Leaving, WhichPartIsTakenBelongsToTheRecording) {

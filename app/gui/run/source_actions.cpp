@@ -177,16 +177,17 @@ void SourceActions::openRecording(const QString& folder, std::optional<ReplayOpt
 
 void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
                              const std::vector<Act>& acts, const Doubts& doubts) {
-  Robot robot = recordedRobot(recording);
-  robot.acts = acts;
-  setRobot(std::move(robot));
+  // Said first: a run that begins at once takes it away.
   shell_.messages.show(
       MessageBar::Kind::Info,
-      tr("“%1” is open: %n row(s).", nullptr, static_cast<int>(recording->rows.size()))
+      tr("“%1” is open: %n frame(s).", nullptr, static_cast<int>(recording->rows.size()))
           .arg(QString::fromStdString(recording->name)),
       document_.map().start ? tr("Press Run to localize on the drawing.")
                             : tr("Draw the buildings and where the robot starts, or open "
                                  "the drawing; then press Run."));
+  Robot robot = recordedRobot(recording);
+  robot.acts = acts;
+  setRobot(std::move(robot));
   tellActs();
   tellDoubts(recording, acts, doubts);
 }
