@@ -139,25 +139,6 @@ Offs offsOfWalls(const Recording& recording, const Map& drawing, const std::stop
   return offs;
 }
 
-}  // namespace
-
-Doubts doubtsOfDrawing(const Map& drawing, const std::filesystem::path& path) {
-  Doubts doubts;
-  const std::string file = path.string();
-  checkSizes(drawing, file, doubts);
-  checkKeys(drawing.unknown,
-            {"name", "start", "uncertainty", "buildings", "landmarks", "route", "underlays",
-             "georeference", "position_m", "size_m", "scale", "turn_deg"},
-            file + ": ", doubts);
-  for (const Building& building : drawing.buildings) {
-    checkKeys(building.unknown, {"name", "uncertainty", "fixed", "position_m", "size_m"},
-              phrase("{}: building {}: ", file, building.id), doubts);
-  }
-  return doubts;
-}
-
-namespace {
-
 Doubts doubtsOfWalls(const Recording& recording, const Map& drawing, const std::string& file,
                      const std::stop_token& stop) {
   const Offs offs = offsOfWalls(recording, drawing, stop);
@@ -175,12 +156,26 @@ Doubts doubtsOfWalls(const Recording& recording, const Map& drawing, const std::
 
 }  // namespace
 
+Doubts doubtsOfDrawing(const Map& drawing, const std::filesystem::path& path) {
+  Doubts doubts;
+  const std::string file = path.string();
+  checkSizes(drawing, file, doubts);
+  checkKeys(drawing.unknown,
+            {"name", "start", "uncertainty", "buildings", "landmarks", "route", "underlays",
+             "georeference", "position_m", "size_m", "scale", "turn_deg"},
+            file + ": ", doubts);
+  for (const Building& building : drawing.buildings) {
+    checkKeys(building.unknown, {"name", "uncertainty", "fixed", "position_m", "size_m"},
+              phrase("{}: building {}: ", file, building.id), doubts);
+  }
+  return doubts;
+}
+
 Doubts doubtsOfWay(const Recording& recording, const Map& drawing,
                    const std::filesystem::path& path, const std::stop_token& stop) {
   if (!drawing.start || recording.odometry.empty() || recording.rows.empty()) return {};
   const std::vector<Vec2> places = placesOnWay(recording);
   if (places.size() < kLeastPlaces) return {};
-  Doubts of_walls = doubtsOfWalls(recording, drawing, path.string(), stop);
   std::size_t through = 0;
   std::size_t mirrored_through = 0;
   std::size_t mirrored_beside = 0;
@@ -193,7 +188,9 @@ Doubts doubtsOfWay(const Recording& recording, const Map& drawing,
   const auto all = static_cast<double>(places.size());
   const bool fits_mirrored =
       static_cast<double>(mirrored_through) <= kClear * all && 2 * mirrored_beside > places.size();
-  if (static_cast<double>(through) < kThrough * all || !fits_mirrored) return of_walls;
+  if (static_cast<double>(through) < kThrough * all || !fits_mirrored) {
+    return doubtsOfWalls(recording, drawing, path.string(), stop);
+  }
   return {
       {"way_through_buildings",
        phrase("{}: found a way that leads through its buildings on {:.0f} % of {:.0f} m, "

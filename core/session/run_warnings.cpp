@@ -121,22 +121,6 @@ double shareAlone(const RunOutcome& outcome) {
          static_cast<double>(std::max<std::size_t>(1, nearest_m.size()));
 }
 
-}  // namespace
-
-void RunCounts::add(const Percept& percept, const FrameReport& report) {
-  ++observations;
-  if (report.visible_buildings > 0) ++with_building;
-  if (report.odometry_guessed && guessed++ == 0) guessed_s = report.time_s;
-  points += percept.points.size();
-  for (const Ray& ray : percept.scan.rays) {
-    if (!ray.returned || ray.wall < kLikelyWall) continue;
-    ++walls;
-    farthest_m = std::max(farthest_m, static_cast<double>(ray.range));
-  }
-}
-
-namespace {
-
 std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
   const RunCounts& counts = outcome.counts;
   const auto& buildings = outcome.refined.buildings;
@@ -179,6 +163,18 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
 }
 
 }  // namespace
+
+void RunCounts::add(const Percept& percept, const FrameReport& report) {
+  ++observations;
+  if (report.visible_buildings > 0) ++with_building;
+  if (report.odometry_guessed && guessed++ == 0) guessed_s = report.time_s;
+  points += percept.points.size();
+  for (const Ray& ray : percept.scan.rays) {
+    if (!ray.returned || ray.wall < kLikelyWall) continue;
+    ++walls;
+    farthest_m = std::max(farthest_m, static_cast<double>(ray.range));
+  }
+}
 
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
   constexpr int kLeastGuessed = 3;  // one or two go on well enough at the speed of before
