@@ -48,7 +48,7 @@ Quad ordered(const std::vector<cv::Point>& corners, double scale) {
   std::ranges::sort(
       quad, {}, [&](const cv::Point2f& p) { return std::atan2(p.y - centre.y, p.x - centre.x); });
   const auto first = std::ranges::min_element(quad, {}, [](const auto& p) { return p.x + p.y; });
-  std::ranges::rotate(quad, first);
+  std::rotate(quad.begin(), first, quad.end());
   return quad;
 }
 
