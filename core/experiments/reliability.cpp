@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {

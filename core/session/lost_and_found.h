@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 
 namespace handmap {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 
 namespace handmap {
 

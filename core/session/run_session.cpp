@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/phrase.h"
+#include "core/method/estimation_method.h"
+#include "core/method/pose_trust.h"
 #include "core/odometry/given_poses.h"
-#include "core/session/estimation_method.h"
-#include "core/session/pose_trust.h"
 #include "core/session/run_report.h"
 
 namespace handmap {

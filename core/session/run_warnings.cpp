@@ -7,7 +7,7 @@
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/map/certainty.h"
-#include "core/session/recognition.h"
+#include "core/method/recognition.h"
 
 namespace handmap {
 

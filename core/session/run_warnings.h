@@ -1,21 +1,16 @@
-// What went wrong without ending a run: it has an end and a map, and nobody was helped by it.
+// What went wrong without ending a run, told by its outcome.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/map/map.h"
+#include "core/method/run_warning.h"
+#include "core/method/snapshot.h"
 #include "core/perception/perception.h"
 #include "core/recording/trajectory.h"
-#include "core/session/snapshot.h"
 
 namespace handmap {
-
-struct RunWarning {
-  std::string code;     ///< stable, for programs: see runWarnings()
-  std::string message;  ///< what was looked at, and what was missing
-  std::string hint;     ///< what to try
-};
 
 /// What a run has looked at, added up over its observations.
 struct RunCounts {

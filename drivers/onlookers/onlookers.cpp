@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
-#include "core/session/tape.h"
+#include "core/tape/tape.h"
 #include "drivers/device/reconnect.h"
 #include "drivers/foxglove/foxglove_server.h"
 #include "drivers/onlookers/run_state.h"

@@ -5,9 +5,9 @@
 #include <functional>
 #include <memory>
 
+#include "core/method/snapshot.h"
 #include "core/rig/rig.h"
 #include "core/rig/rig_monitor.h"
-#include "core/session/snapshot.h"
 
 namespace handmap {
 

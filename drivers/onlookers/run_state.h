@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/method/pose_trust.h"
 #include "core/rig/rig.h"
 #include "core/rig/rig_monitor.h"
-#include "core/session/pose_trust.h"
 
 namespace handmap {
 

@@ -10,8 +10,8 @@
 #include "app/gui/run/act_recorder.h"
 #include "app/gui/run/said_acts.h"
 #include "app/gui/shell/shell.h"
+#include "core/method/snapshot.h"
 #include "core/recording/trajectory.h"
-#include "core/session/snapshot.h"
 #include "widgets/background/time_left.h"
 #include "widgets/run/worker/run_worker.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/evaluation/comparison.h"
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 

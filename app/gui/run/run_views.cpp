@@ -8,7 +8,7 @@
 #include "app/gui/run/run_log.h"
 #include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
-#include "core/session/witness_windows.h"
+#include "core/explain/witness_windows.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/document/map_document.h"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/session/tape.h"
-#include "core/session/wall_story.h"
+#include "core/explain/wall_story.h"
+#include "core/tape/tape.h"
 #include "widgets/background/background.h"
 
 namespace handmap {

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/evaluation/comparison.h"
 #include "core/map/map_io.h"
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 #include "core/simulation/simulated_source.h"
 
 namespace handmap {

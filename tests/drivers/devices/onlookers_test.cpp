@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/session/tape.h"
+#include "core/tape/tape.h"
 #include "drivers/emulators/rosbridge_emulator.h"
 #include "tests/drivers/devices/foxglove_viewer.h"
 #include "tests/drivers/devices/peer.h"

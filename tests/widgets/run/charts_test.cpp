@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 #include "widgets/run/panels/change_series.h"
 #include "widgets/run/panels/charts_panel.h"
 #include "widgets/run/panels/frame_budget.h"

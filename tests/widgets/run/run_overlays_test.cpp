@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/certainty.h"
-#include "core/session/tape.h"
+#include "core/tape/tape.h"
 #include "widgets/run/overlays/particles_item.h"
 
 namespace handmap {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/map/map_io.h"
-#include "core/session/phase.h"
+#include "core/method/phase.h"
 #include "core/simulation/simulated_source.h"
 #include "widgets/background/background.h"
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {

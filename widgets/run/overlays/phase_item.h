@@ -7,7 +7,7 @@
 #include <QList>
 #include <QPainterPath>
 
-#include "core/session/phase.h"
+#include "core/method/phase.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 #include "widgets/run/overlays/scene_points.h"
 
 namespace handmap {

@@ -4,7 +4,7 @@
 
 #include <QGraphicsItem>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {

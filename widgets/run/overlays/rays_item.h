@@ -7,7 +7,7 @@
 #include <QPolygonF>
 #include <optional>
 
-#include "core/session/wall_story.h"
+#include "core/explain/wall_story.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {

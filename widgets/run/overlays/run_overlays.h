@@ -11,10 +11,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/explain/wall_story.h"
 #include "core/map/map_changes.h"
-#include "core/session/phase.h"
-#include "core/session/snapshot.h"
-#include "core/session/wall_story.h"
+#include "core/method/phase.h"
+#include "core/method/snapshot.h"
 #include "widgets/run/overlays/layers.h"
 
 class QGraphicsItem;

@@ -4,7 +4,7 @@
 
 #include <QFrame>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 #include "widgets/run/overlays/follow_robot.h"
 
 class QLabel;

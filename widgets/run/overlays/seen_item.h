@@ -8,8 +8,8 @@
 #include <QPolygonF>
 #include <memory>
 
-#include "core/session/seen_walls.h"
-#include "core/session/tape.h"
+#include "core/explain/seen_walls.h"
+#include "core/tape/tape.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {

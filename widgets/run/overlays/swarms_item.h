@@ -6,7 +6,7 @@
 #include <QList>
 #include <vector>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 #include "widgets/style/colours.h"
 
 namespace handmap {

@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 

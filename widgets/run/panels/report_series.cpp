@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/session/pose_trust.h"
+#include "core/method/pose_trust.h"
 
 namespace handmap {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 

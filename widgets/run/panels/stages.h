@@ -5,7 +5,7 @@
 #include <QtGlobal>
 #include <array>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 

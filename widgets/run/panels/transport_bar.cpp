@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 #include "widgets/run/panels/timeline.h"
 
 namespace handmap {

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "core/session/wall_story.h"
+#include "core/explain/wall_story.h"
 
 class QComboBox;
 class QLabel;

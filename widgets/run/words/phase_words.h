@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "core/session/phase.h"
+#include "core/method/phase.h"
 
 namespace handmap {
 

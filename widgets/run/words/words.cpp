@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/map/certainty.h"
-#include "core/session/pose_trust.h"
-#include "core/session/recognition.h"
+#include "core/method/pose_trust.h"
+#include "core/method/recognition.h"
 
 namespace handmap {
 

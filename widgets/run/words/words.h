@@ -8,8 +8,8 @@
 
 #include "core/map/concerns.h"
 #include "core/map/map_changes.h"
-#include "core/session/pose_trust.h"
-#include "core/session/snapshot.h"
+#include "core/method/pose_trust.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 

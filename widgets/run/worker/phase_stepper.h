@@ -4,7 +4,7 @@
 #include <QObject>
 #include <memory>
 
-#include "core/session/phase.h"
+#include "core/method/phase.h"
 
 namespace handmap {
 

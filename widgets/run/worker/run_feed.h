@@ -7,7 +7,7 @@
 #include <memory>
 #include <stop_token>
 
-#include "core/session/tape.h"
+#include "core/tape/tape.h"
 
 namespace handmap {
 

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "core/session/snapshot.h"
+#include "core/method/snapshot.h"
 #include "widgets/background/background.h"
 
 namespace handmap {

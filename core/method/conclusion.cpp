@@ -1,0 +1,73 @@
+#include "core/method/conclusion.h"
+
+#include "core/explain/seen_walls.h"
+#include "core/map_match/matched_trajectory.h"
+#include "core/outlines/refinement.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kMargin = 0.015;     // of sharpness: less is chance
+constexpr double kMostlyRight = 0.6;  // of the buildings that were seen
+
+// What decides is asked for what it must be, so that what is no number decides against.
+
+/// The ways of walls and buildings are dropped where they make what was seen less sharp.
+const TrajectoryHypothesis& believed(const RunKnowledge& known, double sharpness_alone) {
+  const double needed = sharpness_alone - kMargin;
+  if (known.walls && known.sharpness(known.walls->poses) >= needed) return *known.walls;
+  return known.sharpness(known.buildings.poses) >= needed ? known.buildings : known.alone;
+}
+
+/// As if the drawing were right: the way laid on its walls. nullopt unless that leaves what was
+/// seen as sharp as it is, and most buildings where they are drawn.
+std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
+                                  double sharpness_alone, std::uint64_t seed,
+                                  const std::stop_token& stop) {
+  Map from_here = drawing;
+  from_here.start = known.alone.poses.front();
+  MatchedTrajectory laid(from_here, known.seen);
+  laid.lay(known.alone.poses,
+           known.alone.by == TrajectoryHypothesis::By::Scans ? TrajectoryNoise::Scans
+                                                             : TrajectoryNoise::Recorded,
+           stop);
+  if (stop.stop_requested()) return std::nullopt;
+  TrajectoryHypothesis trajectory{known.alone.by, laid.poses()};
+  if (!(known.sharpness(trajectory.poses) >= sharpness_alone - kMargin)) return std::nullopt;
+  const PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
+  const double limit_m = known.seen.rangeLimit();
+  if (!(supportOf(drawing, placed, limit_m, stop) >= kMostlyRight)) return std::nullopt;
+  auto refined = refine(drawing, std::nullopt, placed, limit_m, seed, stop);
+  if (!refined || !(refined->right >= kMostlyRight)) return std::nullopt;
+  WallRays::of(refined->map, placed, {}).state(drawing, refined->map);
+  return Conclusion{std::move(trajectory), std::move(refined->map), laid.covariance()};
+}
+
+}  // namespace
+
+std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known,
+                                   std::uint64_t seed, const std::stop_token& stop,
+                                   const std::function<void(double)>& progress) {
+  if (stop.stop_requested()) return std::nullopt;
+  const double alone = known.sharpness(known.alone.poses);
+  if (stop.stop_requested()) return std::nullopt;
+  PlacedRays placed = placeRays(known.seen, known.alone.poses, stop);
+  if (!known.walls && placed.showsStructure()) {
+    if (auto conclusion = asDrawn(drawing, known, alone, seed, stop)) return conclusion;
+  }
+  TrajectoryHypothesis trajectory = believed(known, alone);
+  std::optional<FoundMap> found;
+  if (trajectory.by == TrajectoryHypothesis::By::Buildings)
+    found.emplace(FoundMap{known.found, known.motion});
+  if (trajectory.by != known.alone.by) placed = placeRays(known.seen, trajectory.poses, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
+  if (!refined) return std::nullopt;
+  const Pose2 onto_map = inverse(refined->motion);
+  WallRays::of(refined->map, placed, onto_map).state(drawing, refined->map);
+  for (Pose2& pose : trajectory.poses) pose = onto_map * pose;
+  return Conclusion{std::move(trajectory), std::move(refined->map), std::nullopt};
+}
+
+}  // namespace handmap

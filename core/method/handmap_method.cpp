@@ -1,0 +1,323 @@
+#include "core/method/handmap_method.h"
+
+#include <algorithm>
+
+#include "core/base/phrase.h"
+#include "core/estimation/estimator.h"
+#include "core/explain/seen_walls.h"
+#include "core/map_match/matched_trajectory.h"
+#include "core/method/conclusions.h"
+#include "core/method/doubt.h"
+#include "core/method/handmap_phases.h"
+#include "core/method/pose_trust.h"
+#include "core/method/recognition.h"
+#include "core/method/wheel_uncertainty.h"
+#include "core/trajectory/scan_trajectory.h"
+
+namespace handmap {
+
+namespace {
+
+EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& settings) {
+  EstimatorOptions options;
+  options.range_limit_m = source.range_limit_m;
+  options.particles = settings.slam.slam_particles;
+  options.assignment.free_scale = settings.free_scale;
+  options.assignment.free_turn = settings.free_turn;
+  return options;
+}
+
+/// What a map's frame and a start are off at best: as much as the reference poses of real places.
+constexpr double kReference_m = 0.3;
+/// A way of matched scans is turned about its start, and what is found along it with it. So far are
+/// the live poses of whole drives off as seen from there, rms: six rough simulated quarters 0.34°,
+/// rough campuses 0.17°; real ones 0.56° (a campus) and 0.38° (a street).
+constexpr double kMatchedTurn = toRadians(0.3);
+
+class HandmapMethod : public EstimationMethod {
+ public:
+  HandmapMethod(const Map& drawing, const SourceInfo& source, const RunSettings& settings)
+      : drawing_(drawing),
+        shared_drawing_(std::make_shared<const Map>(drawing)),
+        start_(*drawing.start * inverse(source.start_odometry)),
+        seed_(settings.seed),
+        on_the_way_(settings.conclude_on_the_way),
+        seen_(source.range_limit_m),
+        trajectory_({.range_limit_m = source.range_limit_m}),
+        estimator_(drawing, estimatorOptions(source, settings), settings.seed) {
+    estimator_.startFrom(source.start_odometry);
+  }
+
+  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+            const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
+            const std::function<void(double)>& progress) override {
+    if (stop.stop_requested()) return false;
+    if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
+    if (observations_ == 0) matchToWalls(odometry);
+    const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
+    driven_m_ += between(before, odometry).position().norm();
+    trajectory_.add(time_s, odometry, percept.points, stop);
+    wheels_.add(odometry);
+    followTrajectory();
+    const Pose2& here = trajectory_.poses().back();
+    if (recorder_ != nullptr) {
+      estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_, *this));
+    }
+    estimator_.step(time_s, here, percept.scan, stop, progress);
+    estimator_.watch({});
+    const std::size_t kept = seen_.frames().size();
+    seen_.add(observations_++, odometry, percept.scan, percept.points);
+    if (seen_.frames().size() > kept) {
+      look(percept.scan);
+    }
+    if (matched_) {
+      matched_->add(trajectory_.poses(),
+                    by_scans_ ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
+    }
+    if (concluded_) {
+      shown_writer_.push_back({time_s, onward_ * newestBy(concluded_->trajectory.by)});
+      shown_trajectory_ = shown_writer_.share();
+    }
+    if (on_the_way_) conclusions_.begin(driven_m_, [this] { return concluding(); });
+    return true;
+  }
+
+  void trace(PhaseRecorder* recorder) override { recorder_ = recorder; }
+
+  bool finish(const std::stop_token& stop, const std::function<void(double)>& progress) override {
+    conclusions_.end();
+    estimator_.finish(stop);
+    if (matched_) matched_->finish(stop);
+    auto last = conclude(drawing_, known(), seed_, stop, progress);
+    if (!last) return true;
+    show(std::move(*last));
+    finished_ = true;
+    return true;
+  }
+
+  std::vector<RunWarning> warnings() const override {
+    if (conclusions_.trouble().empty()) return {};
+    return {{"conclusion_failed",
+             phrase("The correction on the way failed: {}", conclusions_.trouble()),
+             phrase("The end of the run does not depend on it.")}};
+  }
+
+  void describe(FrameReport& report) const override {
+    report.effective_sample_size = estimator_.effectiveSampleSize();
+    report.visible_buildings = estimator_.visibleBuildings();
+    report.log_likelihood = estimator_.logLikelihood();
+    report.loops = trajectory_.loops();
+    report.pose = pose();
+    report.unrecognised_m = recognition_.unrecognised_m();
+    Eigen::Matrix3d covariance = poseCovariance();
+    recognition_.widen(covariance);
+    stateTrust(covariance, report);
+  }
+  std::vector<ParticleView> particles() const override {
+    std::vector<ParticleView> views;
+    for (const PoseParticle& particle : estimator_.particles()) {
+      views.push_back({particle.pose, particle.weight});
+    }
+    return views;
+  }
+  std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
+  SharedList<StampedPose> trajectory() const override {
+    return concluded_ ? shown_trajectory_ : estimator_.trajectory();
+  }
+  std::function<Map()> refinedMap() const override {
+    const bool goes_on = !concluded_ || (!finished_ && concluded_->trajectory.by ==
+                                                           TrajectoryHypothesis::By::Buildings);
+    return [drawing = shared_drawing_, concluded = concluded_ ? concluded_->map : Map(),
+            since = goes_on ? estimatedMap() : std::function<Map()>()] {
+      Map now = since ? since() : concluded;
+      for (std::size_t b = 0; since && b < concluded.buildings.size(); ++b) {
+        if (isRecognised(concluded.buildings[b])) now.buildings[b] = concluded.buildings[b];
+      }
+      stateDoubt(*drawing, now);
+      return now;
+    };
+  }
+
+ private:
+  /// Which walls rays end on.
+  void look(const Scan& scan) {
+    std::vector<PlacedOutline> placed;
+    for (NearbyBuilding& building : estimator_.nearby())
+      placed.push_back({building.building, std::move(building.outline), building.found});
+    recognition_.look(wall_rays_.add(placed, estimator_.pose(), scan), driven_m_ - looked_at_m_);
+    looked_at_m_ = driven_m_;
+  }
+
+  /// The drawing as the estimator has it now.
+  std::function<Map()> estimatedMap() const {
+    return [drawing = shared_drawing_, later = estimator_.refinedMapLater(), rays = wall_rays_] {
+      Map map = later();
+      rays.state(*drawing, map);
+      return map;
+    };
+  }
+
+  /// A drawing that says that it is true as a whole, and nearly so in its parts, is one to lay the
+  /// way on.
+  void matchToWalls(const Pose2& odometry) {
+    constexpr double kNearlyTrue_m = 1.0;
+    const auto& [scale, turn] = drawing_.whole;
+    if (!scale || *scale > 0.0 || !turn || *turn > 0.0) return;
+    if (drawing_.uncertainty.position > kNearlyTrue_m) return;
+    Map from_here = drawing_;
+    from_here.start = start_ * odometry;
+    matched_.emplace(from_here, seen_);
+  }
+
+  /// Where matched scans tell the way the buildings are found along that, and laid anew with it
+  /// where a loop was closed.
+  void followTrajectory() {
+    const bool changed = trajectory_.usable() != by_scans_ || trajectory_.loops() != loops_;
+    if (!changed) return;
+    by_scans_ = trajectory_.usable();
+    loops_ = trajectory_.loops();
+    std::vector<Pose2> before = trajectory_.poses();
+    before.pop_back();  // the newest is not with the estimator yet
+    estimator_.reviseOdometry(before, trajectory_.noiseScale());
+  }
+
+  /// All poses as one source tells them, as it told them first in the map frame.
+  std::vector<Pose2> posesBy(TrajectoryHypothesis::By by) const {
+    std::vector<Pose2> poses;
+    if (by == TrajectoryHypothesis::By::Walls) return matched_->poses();
+    if (by == TrajectoryHypothesis::By::Buildings) {
+      for (const StampedPose& pose : estimator_.trajectory().all()) poses.push_back(pose.pose);
+      return poses;
+    }
+    const bool scans = by == TrajectoryHypothesis::By::Scans;
+    for (const Pose2& pose : scans ? trajectory_.scanPoses() : trajectory_.recorded()) {
+      poses.push_back(start_ * pose);
+    }
+    return poses;
+  }
+  Pose2 newestBy(TrajectoryHypothesis::By by) const {
+    switch (by) {
+      case TrajectoryHypothesis::By::Walls:
+        return matched_->pose();
+      case TrajectoryHypothesis::By::Scans:
+        return start_ * trajectory_.scanPoses().back();
+      case TrajectoryHypothesis::By::Odometry:
+        return start_ * trajectory_.recorded().back();
+      case TrajectoryHypothesis::By::Buildings:
+        break;
+    }
+    return estimator_.pose();
+  }
+  Pose2 pose() const {
+    return concluded_ ? onward_ * newestBy(concluded_->trajectory.by) : estimator_.pose();
+  }
+
+  RunKnowledge known() const {
+    const TrajectoryHypothesis::By alone =
+        trajectory_.usable() ? TrajectoryHypothesis::By::Scans : TrajectoryHypothesis::By::Odometry;
+    std::optional<TrajectoryHypothesis> walls;
+    if (matched_)
+      walls = TrajectoryHypothesis{TrajectoryHypothesis::By::Walls,
+                                   posesBy(TrajectoryHypothesis::By::Walls)};
+    return {{alone, posesBy(alone)},
+            {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
+            std::move(walls),
+            estimator_.refinedMap(),
+            estimator_.drawingMotion(),
+            seen_,
+            trajectory_.sharpnessLater()};
+  }
+
+  Conclusions::Make concluding() const {
+    return [drawing = drawing_, seed = seed_, known = known()](const std::stop_token& stop) {
+      return conclude(drawing, known, seed, stop);
+    };
+  }
+
+  /// From now on the way is the believed one, and goes on as that does.
+  void show(Conclusion conclusion) {
+    concluded_ = std::move(conclusion);
+    std::vector<Pose2>& poses = concluded_->trajectory.poses;
+    const std::vector<Pose2> told = posesBy(concluded_->trajectory.by);
+    onward_ = poses.back() * inverse(told[poses.size() - 1]);
+    for (std::size_t i = poses.size(); i < told.size(); ++i) poses.push_back(onward_ * told[i]);
+    shown_writer_ = {};
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      shown_writer_.push_back({estimator_.trajectory()[i].time_s, poses[i]});
+    }
+    shown_trajectory_ = shown_writer_.share();
+  }
+
+  /// Of the stated pose. A way without the buildings was told by one thing alone: where the
+  /// buildings would have had the robot farther away than either says, it is as much less sure.
+  Eigen::Matrix3d poseCovariance() const {
+    const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
+    Eigen::Matrix3d covariance = buildings;
+    const TrajectoryHypothesis::By by =
+        concluded_ ? concluded_->trajectory.by : TrajectoryHypothesis::By::Buildings;
+    if (concluded_ && concluded_->covariance) {
+      covariance = *concluded_->covariance;
+    } else if (by == TrajectoryHypothesis::By::Walls) {
+      covariance = matched_->covariance();
+    } else if (by != TrajectoryHypothesis::By::Buildings) {
+      const Eigen::Matrix3d turn = rotation(start_.heading);
+      const bool scans = by == TrajectoryHypothesis::By::Scans;
+      covariance =
+          turn * (scans ? trajectory_.covariance() : wheels_.covariance()) * turn.transpose();
+      const Vec2 apart = pose().position() - estimator_.pose().position();
+      const double stated = (covariance + buildings).topLeftCorner<2, 2>().trace();
+      if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
+    }
+    covariance.diagonal().head<2>().array() += kReference_m * kReference_m;
+    const bool laid =
+        by == TrajectoryHypothesis::By::Walls || (concluded_ && concluded_->covariance);
+    if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);
+    if (const auto& start = drawing_.start_uncertainty) {
+      // The walls are corrected from where the robot is: what its start is off, all is off.
+      turnAboutStart(start->heading, covariance);
+      covariance.diagonal().head<2>().array() += start->position * start->position;
+    }
+    return covariance;
+  }
+
+  /// The whole way may be turned about its start by so much, one σ, radians.
+  void turnAboutStart(double sigma, Eigen::Matrix3d& covariance) const {
+    Eigen::Vector3d by;
+    by << perpendicular(pose().position() - drawing_.start->position()), 1.0;
+    covariance += sigma * sigma * by * by.transpose();
+  }
+
+  Map drawing_;
+  std::shared_ptr<const Map> shared_drawing_;  ///< the same, for what is made later
+  Pose2 start_;                                ///< of the odometry frame, map frame
+  std::uint64_t seed_;
+  bool on_the_way_;
+  SeenFrames seen_;
+  std::size_t observations_ = 0;
+  ScanTrajectory trajectory_;
+  WheelUncertainty wheels_;
+  bool by_scans_ = false;
+  int loops_ = 0;
+  HandmapEstimator estimator_;
+  Recognition recognition_;
+  double looked_at_m_ = 0.0;  ///< driven by then
+  WallRays wall_rays_;        ///< of the buildings as the estimator had them when they were met
+  PhaseRecorder* recorder_ = nullptr;
+  std::optional<MatchedTrajectory> matched_;
+  double driven_m_ = 0.0;  ///< by the recorded odometry
+  Conclusions conclusions_;
+  std::optional<Conclusion> concluded_;  ///< the newest
+  Pose2 onward_;                         ///< from what tells its way to where that lies on the map
+  SharedListWriter<StampedPose> shown_writer_;
+  SharedList<StampedPose> shown_trajectory_;  ///< the believed way, once there is a conclusion
+  bool finished_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<EstimationMethod> makeHandmapMethod(const Map& drawing, const SourceInfo& source,
+                                                    const RunSettings& settings) {
+  return std::make_unique<HandmapMethod>(drawing, source, settings);
+}
+
+}  // namespace handmap

@@ -1,0 +1,39 @@
+#include "core/method/wheel_uncertainty.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "core/estimation/smoothing/odometry_noise.h"
+
+namespace handmap {
+
+Eigen::Matrix3d rotation(double heading_rad) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(heading_rad).toRotationMatrix();
+  return rotation;
+}
+
+/// A step adds its noise; the heading before it swings the end of it.
+void WheelUncertainty::add(const Pose2& odometry) {
+  if (!last_) {
+    last_ = odometry;
+    return;
+  }
+  const Pose2 motion = between(*last_, odometry);
+  const OdometryNoise usual;
+  // A metre at a time, as it drifts, however often it is asked.
+  const double length = motion.position().norm();
+  const Eigen::Vector3d variance(
+      usual.length_per_m * usual.length_per_m * length,
+      usual.side_per_m * usual.side_per_m * length,
+      usual.heading_variance_per_m * length + std::pow(usual.heading_per_rad * motion.heading, 2));
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+  slope.topRightCorner<2, 1>() = perpendicular(odometry.position() - last_->position());
+  const Eigen::Matrix3d turn = rotation(last_->heading);
+  covariance_ =
+      slope * covariance_ * slope.transpose() + turn * variance.asDiagonal() * turn.transpose();
+  last_ = odometry;
+}
+
+}  // namespace handmap
