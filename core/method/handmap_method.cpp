@@ -108,10 +108,7 @@ class HandmapMethod : public EstimationMethod {
     report.log_likelihood = estimator_.logLikelihood();
     report.loops = trajectory_.loops();
     report.pose = pose();
-    report.unrecognised_m = recognition_.unrecognised_m();
-    Eigen::Matrix3d covariance = poseCovariance();
-    recognition_.widen(covariance);
-    stateTrust(covariance, report);
+    recognition_.state(poseCovariance(), report);
   }
   std::vector<ParticleView> particles() const override {
     std::vector<ParticleView> views;
@@ -299,7 +296,7 @@ class HandmapMethod : public EstimationMethod {
   bool by_scans_ = false;
   int loops_ = 0;
   HandmapEstimator estimator_;
-  Recognition recognition_;
+  Recognition recognition_{Recognition::Drawing::FromMemory};
   double looked_at_m_ = 0.0;  ///< driven by then
   WallRays wall_rays_;        ///< of the buildings as the estimator had them when they were met
   PhaseRecorder* recorder_ = nullptr;

@@ -3,7 +3,7 @@
 #include "core/base/random.h"
 #include "core/estimation/samples.h"
 #include "core/map_match/matched_trajectory.h"
-#include "core/method/pose_trust.h"
+#include "core/method/recognition.h"
 #include "core/trajectory/scan_trajectory.h"
 
 namespace handmap {
@@ -19,7 +19,10 @@ class LocalizationMethod : public EstimationMethod {
         seed_(settings.seed),
         seen_(source.range_limit_m),
         trajectory_({.range_limit_m = source.range_limit_m}),
-        matched_(*map_, seen_) {}
+        matched_(*map_, seen_),
+        outlines_(outlinesOf(*map_)) {
+    for (PlacedOutline& outline : outlines_) outline.found = true;
+  }
 
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
@@ -39,7 +42,7 @@ class LocalizationMethod : public EstimationMethod {
     report.effective_sample_size = particles_;
     report.visible_buildings = matched_.visibleBuildings();
     report.pose = matched_.pose();
-    stateTrust(matched_.covariance(), report);
+    recognition_.state(matched_.covariance(), report);
   }
   std::vector<ParticleView> particles() const override {
     constexpr std::uint32_t kPose = 0;
@@ -71,11 +74,14 @@ class LocalizationMethod : public EstimationMethod {
   }
   void add(double time_s, const Pose2& odometry, const Scan& scan,
            const std::vector<RangePoint>& points, const std::stop_token& stop) {
+    const Pose2 before = times_.empty() ? odometry : trajectory_.recorded().back();
     trajectory_.add(time_s, odometry, points, stop);
     if (!times_.empty()) seen_.add(times_.size(), odometry, scan, points);
     times_.push_back(time_s);
     matched_.add(trajectory_.poses(),
                  trajectory_.usable() ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
+    recognition_.look(wall_rays_.add(outlines_, matched_.pose(), scan),
+                      between(before, odometry).position().norm());
   }
 
   std::shared_ptr<const Map> map_;
@@ -86,6 +92,10 @@ class LocalizationMethod : public EstimationMethod {
   SeenFrames seen_;
   ScanTrajectory trajectory_;
   MatchedTrajectory matched_;
+  std::vector<PlacedOutline>
+      outlines_;  ///< all taken for found: the map is right, or it is not this one
+  WallRays wall_rays_;
+  Recognition recognition_{Recognition::Drawing::True};
 };
 
 }  // namespace

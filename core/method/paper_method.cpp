@@ -57,10 +57,7 @@ class PaperMethod : public EstimationMethod {
       report.log_likelihood = std::log(slam_.lastStep().likelihood);
     }
     report.pose = slam_.best().pose;
-    report.unrecognised_m = recognition_.unrecognised_m();
-    Eigen::Matrix3d covariance = covarianceOf(slam_.particles(), report.pose);
-    recognition_.widen(covariance);
-    stateTrust(covariance, report);
+    recognition_.state(covarianceOf(slam_.particles(), report.pose), report);
   }
   std::vector<ParticleView> particles() const override {
     std::vector<ParticleView> views;
@@ -93,7 +90,7 @@ class PaperMethod : public EstimationMethod {
   std::shared_ptr<const Map> drawing_;
   FastSlamPsom slam_;
   WallRays wall_rays_;
-  Recognition recognition_;
+  Recognition recognition_{Recognition::Drawing::FromMemory};
   PhaseRecorder* recorder_ = nullptr;
 };
 

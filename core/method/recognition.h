@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/explain/seen_walls.h"
+#include "core/method/snapshot.h"
 
 namespace handmap {
 
@@ -13,16 +14,21 @@ inline constexpr double kUnrecognised_m = 50.0;
 
 class Recognition {
  public:
+  enum class Drawing { FromMemory, True };
+  struct Rates;
+
+  explicit Recognition(Drawing drawing);
+
   /// `share`: of what was seen `driven_m` after the look before.
   void look(const WallRays::Share& share, double driven_m);
-  /// Metres since walls of the drawing were last recognised. What sees no walls says nothing.
-  double unrecognised_m() const { return unrecognised_m_; }
-  /// Of the stated pose: less sure where more speaks against it than for it.
-  void widen(Eigen::Matrix3d& covariance) const;
+  /// The trust in a pose of this covariance: less sure where more speaks against it than for it.
+  void state(Eigen::Matrix3d covariance, FrameReport& report) const;
 
  private:
-  double unrecognised_m_ = 0.0;
-  double balance_m_ = 0.0;  ///< metres that speak for it, less those that speak against it
+  bool is_true_;
+  const Rates& rates_;
+  double unrecognised_m_ = 0.0;  ///< what sees no walls says nothing
+  double balance_m_ = 0.0;       ///< metres that speak for it, less those that speak against it
 };
 
 }  // namespace handmap

@@ -265,6 +265,18 @@ TEST(RunSession, LocalizesOnAMapThatIsRightAndLeavesItAsItIs) {
   EXPECT_EQ(report["settings"]["method"], "localization");
 }
 
+TEST(RunSession, SaysThatItIsLostOnTheMapOfAnotherPlace) {
+  RunSettings ours;
+  ours.slam.refine = false;
+  ours.threads = 1;
+  Map elsewhere = quarterWorld(4).map;
+  const World world = twoRowWorld(21);
+  RunSession session(elsewhere, simulate(world, laserOnTheMove(1.0), 21), ours);
+  while (session.step()) {
+  }
+  EXPECT_EQ(certaintyOf(session.frames().back()).kind, Certainty::Lost);
+}
+
 TEST(RunSession, IsNoSurerThanAWayOfMatchedScansIsStraight) {
   const World world = quarterWorld(4);
   RunSettings ours;
