@@ -48,36 +48,21 @@ class HandmapMethod : public EstimationMethod {
     estimator_.startFrom(source.start_odometry);
   }
 
+  /// The page of README.md, a line a step.
   bool step(double time_s, const Pose2& odometry, const Percept& percept,
             const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
             const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
     if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
     if (observations_ == 0) matchToWalls(odometry);
-    const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
-    driven_m_ += between(before, odometry).position().norm();
-    trajectory_.add(time_s, odometry, percept.points, stop);
-    wheels_.add(odometry);
-    followTrajectory();
-    const Pose2& here = trajectory_.poses().back();
-    if (recorder_ != nullptr) {
-      estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_, *this));
-    }
-    estimator_.step(time_s, here, percept.scan, stop, progress);
-    estimator_.watch({});
-    const std::size_t kept = seen_.frames().size();
-    seen_.add(observations_++, odometry, percept.scan, percept.points);
-    if (seen_.frames().size() > kept) {
-      look(percept.scan);
-    }
+    drive(time_s, odometry, percept, stop);
+    findBuildings(time_s, percept, stop, progress);
+    if (keep(odometry, percept)) look(percept.scan);
     if (matched_) {
       matched_->add(trajectory_.poses(),
                     by_scans_ ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
     }
-    if (concluded_) {
-      shown_writer_.push_back({time_s, onward_ * newestBy(concluded_->trajectory.by)});
-      shown_trajectory_ = shown_writer_.share();
-    }
+    if (concluded_) goOn(time_s);
     if (on_the_way_) conclusions_.begin(driven_m_, [this] { return concluding(); });
     return true;
   }
@@ -136,6 +121,39 @@ class HandmapMethod : public EstimationMethod {
   }
 
  private:
+  /// The way without the drawing.
+  void drive(double time_s, const Pose2& odometry, const Percept& percept,
+             const std::stop_token& stop) {
+    const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
+    driven_m_ += between(before, odometry).position().norm();
+    trajectory_.add(time_s, odometry, percept.points, stop);
+    wheels_.add(odometry);
+    followTrajectory();
+  }
+
+  /// Along that way, and what they make of it.
+  void findBuildings(double time_s, const Percept& percept, const std::stop_token& stop,
+                     const std::function<void(double)>& progress) {
+    if (recorder_ != nullptr) {
+      estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_, *this));
+    }
+    estimator_.step(time_s, trajectory_.poses().back(), percept.scan, stop, progress);
+    estimator_.watch({});
+  }
+
+  /// For the outlines; whether it was worth it.
+  bool keep(const Pose2& odometry, const Percept& percept) {
+    const std::size_t before = seen_.frames().size();
+    seen_.add(observations_++, odometry, percept.scan, percept.points);
+    return seen_.frames().size() > before;
+  }
+
+  /// The believed way, as what tells it tells on.
+  void goOn(double time_s) {
+    shown_writer_.push_back({time_s, onward_ * newestBy(concluded_->trajectory.by)});
+    shown_trajectory_ = shown_writer_.share();
+  }
+
   /// Which walls rays end on.
   void look(const Scan& scan) {
     std::vector<PlacedOutline> placed;
