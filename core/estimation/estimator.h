@@ -98,6 +98,8 @@ class HandmapEstimator {
   Map refinedMap() const { return refinedMapLater()(); }
   /// The same, to be made later and in any thread.
   std::function<Map()> refinedMapLater() const;
+  /// Likewise, every building by what the others say, as if it had not been found itself.
+  std::function<Map()> predictedMapLater() const;
   std::vector<NearbyBuilding> nearby() const;
   /// How the drawing as a whole lies.
   const DrawingMotion& drawingMotion() const;

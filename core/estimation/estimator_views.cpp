@@ -137,4 +137,8 @@ std::function<Map()> HandmapEstimator::refinedMapLater() const {
   return state_->correction.mapLater();
 }
 
+std::function<Map()> HandmapEstimator::predictedMapLater() const {
+  return state_->correction.predictedLater();
+}
+
 }  // namespace handmap

@@ -29,23 +29,31 @@ Sides sidesOf(const RefinedBuilding& refined, const FoundBox* found, double head
 
 }  // namespace
 
+Building MapCorrection::stated(std::size_t b, const RefinedBuilding& refined,
+                               const FoundBox* found) const {
+  Building building = drawing_.buildings[b].fitted(refined.box());
+  building.estimate = refined.estimate;
+  forgetCertainty(building);
+  setSides(building, sidesOf(refined, found, building.box().heading));
+  return building;
+}
+
 void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
                             const HasReached& has_reached) {
   constexpr double kSlightDoubt = 0.1;  // choice: nobody asks about less
   const Labels::Label label = labels_.of(b, found);
   const Building& drawn = drawing_.buildings[b];
   if (drawn.fixed) return;
+  const Uncertainty uncertainty = drawing_.uncertaintyOf(drawn);
+  const RefinedBuilding predicted = refinedBuilding(drawn, uncertainty, motionBeside(b), nullptr);
   const RefinedBuilding refined =
-      refinedBuilding(drawn, drawing_.uncertaintyOf(drawn),
-                      label.found ? labels_.motion() : motionBeside(b), label.found);
-  Building building = drawn.fitted(refined.box());
-  building.estimate = refined.estimate;
-  forgetCertainty(building);
-  setSides(building, sidesOf(refined, label.found, building.box().heading));
+      label.found ? refinedBuilding(drawn, uncertainty, labels_.motion(), label.found) : predicted;
+  Building building = stated(b, refined, label.found);
   // Of what the robot has not come to yet nothing can be said.
   if (label.doubt > kSlightDoubt && (label.found || has_reached(refined.box()))) {
     setDoubt(building, label.doubt);
   }
+  predicted_.set(b, label.found ? stated(b, predicted, nullptr) : building);
   corrected_.set(b, std::move(building));
 }
 
@@ -73,23 +81,34 @@ void MapCorrection::predict() {
 DrawingMotion MapCorrection::motionBeside(std::size_t b) const {
   const Vec2 here = drawing_.buildings[b].box().centre;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Displaced& other : found_) nearest = std::min(nearest, (other.drawn - here).norm());
+  for (const Displaced& other : found_) {
+    if (other.drawn != here) nearest = std::min(nearest, (other.drawn - here).norm());
+  }
   return predictedMotion(labels_.expectedMotion(), labels_.motion(), shareAt(nearest, share_));
 }
 
-std::function<Map()> MapCorrection::mapLater() const {
-  return [rest = rest_, buildings = buildings_] {
+std::function<Map()> MapCorrection::mapLater() const { return later(buildings_); }
+
+std::function<Map()> MapCorrection::predictedLater() const { return later(predicted_buildings_); }
+
+std::function<Map()> MapCorrection::later(const SharedList<Building>& buildings) const {
+  return [rest = rest_, buildings] {
     Map map = *rest;
     map.buildings = buildings.all();
     return map;
   };
 }
 
+void MapCorrection::share() {
+  buildings_ = corrected_.share();
+  predicted_buildings_ = predicted_.share();
+}
+
 void MapCorrection::correctAll(std::span<const FoundBox> found, const HasReached& has_reached) {
   for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) compare(b, found);
   predict();
   for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) correct(b, found, has_reached);
-  buildings_ = corrected_.share();
+  share();
 }
 
 void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReached& has_reached) {
@@ -101,7 +120,7 @@ void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReache
     last_ = (last_ + 1) % drawing_.buildings.size();
     if (!labels_.isNearby(last_)) correct(last_, found, has_reached);
   }
-  buildings_ = corrected_.share();
+  share();
 }
 
 }  // namespace handmap

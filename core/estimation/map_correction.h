@@ -26,6 +26,7 @@ class MapCorrection {
       : drawing_(drawing),
         labels_(labels),
         corrected_(drawing.buildings),
+        predicted_(drawing.buildings),
         displaced_(drawing.buildings.size()) {
     auto rest = std::make_shared<Map>(drawing);
     rest->buildings.clear();
@@ -37,21 +38,29 @@ class MapCorrection {
   void correctSome(std::span<const FoundBox> found, const HasReached& has_reached);
   /// A building that is probably another one, or not there, has a member "doubtful".
   std::function<Map()> mapLater() const;
+  /// Each as if it had not been found itself.
+  std::function<Map()> predictedLater() const;
   const Building& corrected(std::size_t building) const { return corrected_[building]; }
 
  private:
   void compare(std::size_t building, std::span<const FoundBox> found);
   void predict();
-  /// How the drawing lies at a building that was not found.
+  /// How the drawing lies at a building, by the others that were found.
   DrawingMotion motionBeside(std::size_t building) const;
   void correct(std::size_t building, std::span<const FoundBox> found,
                const HasReached& has_reached);
+  Building stated(std::size_t building, const RefinedBuilding& refined,
+                  const FoundBox* found) const;
+  std::function<Map()> later(const SharedList<Building>& buildings) const;
+  void share();
 
   const Map& drawing_;
   const Labels& labels_;
   std::shared_ptr<const Map> rest_;  ///< the drawing without its buildings
   SharedListWriter<Building> corrected_;
-  SharedList<Building> buildings_;                   ///< the same, to be shown
+  SharedList<Building> buildings_;  ///< the same, to be shown
+  SharedListWriter<Building> predicted_;
+  SharedList<Building> predicted_buildings_;
   std::vector<std::optional<Displaced>> displaced_;  ///< by building; of those that were found
   std::vector<Displaced> found_;                     ///< those that were
   double share_ = 0.0;                               ///< of the whole's motion; predictiveShare()

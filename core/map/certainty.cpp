@@ -1,5 +1,6 @@
 #include "core/map/certainty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handmap {
@@ -40,6 +41,10 @@ std::vector<SideEstimate> wallsOf(const Building& building) {
 std::size_t sideFacing(double heading_rad, const Vec2& outwards) {
   const double turn = std::atan2(outwards.y(), outwards.x()) - heading_rad;
   return static_cast<std::size_t>((std::lround(normalizedAngle(turn) / (kPi / 2.0)) + 4) % 4);
+}
+
+bool hasSeenWall(const Building& building) {
+  return isRecognised(building) && std::ranges::any_of(sidesOf(building), &SideEstimate::seen);
 }
 
 void setDoubt(Building& building, double doubt) { building.doubt = std::round(doubt * 1e2) / 1e2; }

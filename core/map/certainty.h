@@ -25,6 +25,9 @@ inline bool isRecognised(const Building& building) {
   return building.estimate && building.estimate->observations > 0;
 }
 
+/// Whether it is, and by one of its walls at least.
+bool hasSeenWall(const Building& building);
+
 /// 0 where the run has not said so.
 inline double doubtOf(const Building& building) { return building.doubt.value_or(0.0); }
 /// To the hundredth, as a file has it.

@@ -163,11 +163,18 @@ class HandmapMethod : public EstimationMethod {
     looked_at_m_ = driven_m_;
   }
 
-  /// The drawing as the estimator has it now.
+  /// The drawing as the estimator has it now. What was found by less than a wall is shown where
+  /// the drawing has it: its outline would be another one with each look.
   std::function<Map()> estimatedMap() const {
-    return [drawing = shared_drawing_, later = estimator_.refinedMapLater(), rays = wall_rays_] {
+    return [drawing = shared_drawing_, later = estimator_.refinedMapLater(),
+            predicted_later = estimator_.predictedMapLater(), rays = wall_rays_] {
       Map map = later();
       rays.state(*drawing, map);
+      Map predicted = predicted_later();
+      for (std::size_t b = 0; b < map.buildings.size(); ++b) {
+        if (!drawing->buildings[b].fixed && !hasSeenWall(map.buildings[b]))
+          map.buildings[b] = std::move(predicted.buildings[b]);
+      }
       return map;
     };
   }

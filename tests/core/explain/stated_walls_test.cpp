@@ -1,4 +1,6 @@
 // What a run states of its walls, and why they stand where they do, is one thing.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/explain/wall_story.h"
@@ -55,6 +57,29 @@ TEST(StatedWalls, OfAWallThatIsStatedAsSeenThereAreWitnesses) {
   }
   EXPECT_GE(seen_walls, 4);
   EXPECT_GE(unseen_walls, 2) << "the lower ones";
+}
+
+/// One that is seen by a corner only would be another outline with each look.
+TEST(StatedWalls, WhatIsShownAsCorrectedOnTheWayHasAWallThatWasSeen) {
+  const World world = twoRowWorld(3);
+  Map sketch = perturbed(world.map, 5.0, 3);
+  sketch.uncertainty = {5.0, 5.0};
+  RunSettings settings;
+  settings.threads = 1;
+  RunSession session(sketch, simulate(world, {}, 3), settings);
+  int corrected = 0;
+  while (const auto snapshot = session.step()) {
+    const bool last = snapshot->report.frame == session.source().observations - 1;
+    for (const Building& building : snapshot->map->buildings) {
+      const Sides sides = sidesOf(building);
+      const bool seen = std::ranges::any_of(sides, &SideEstimate::seen);
+      if (!last) {
+        EXPECT_EQ(isRecognised(building), seen) << building.id << " at " << snapshot->index;
+      }
+      corrected += isRecognised(building) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(corrected, 0);
 }
 
 }  // namespace
