@@ -16,7 +16,7 @@ constexpr std::size_t kBuildings = Trial::kBuildings.size();
 
 constexpr auto kErrorNotes =
     "\nAbsolute errors in metres, as they are (no alignment), mean / median, of the drawing → of "
-    "the refined map. The charts of the buildings show medians with their distribution-free 95 % "
+    "the corrected map. The charts of the buildings show medians with their distribution-free 95 % "
     "intervals, those against sigma the mean of the six. The paper's own Fig. 8 (Matsuo and Miura, "
     "IROS 2012) has the mean absolute errors of x and width of each building; noise up to about "
     "25 % of the widths, and both rise with it. Its numbers are not handed down.\n";

@@ -22,7 +22,7 @@ constexpr std::array kKnown = {KnownSuccess{1.0, "5/5", "10/10"}, KnownSuccess{5
                                KnownSuccess{15.0, "1/5", "5/10"}};
 
 constexpr auto kSuccessNotes =
-    "\nLoose: every building of the refined map overlaps its true one, the paper's measure. "
+    "\nLoose: every building of the corrected map overlaps its true one, the paper's measure. "
     "Strict: every one has an IoU of at least 0.5. In brackets Wilson's 95 % interval. "
     "Published: loose success in the paper's own Table II (Matsuo and Miura, IROS 2012; 100 "
     "particles, swarms of 20), as handed down. Naive: that of a quick prototype of the published "

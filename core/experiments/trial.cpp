@@ -34,7 +34,7 @@ void compare(const Map& drawing, const Map& refined, const Map& truth, Trial& tr
   const MapComparison found = compareMaps(refined, truth, false);
   if (drawn.buildings.size() != trial.buildings.size() ||
       found.buildings.size() != trial.buildings.size()) {
-    throw Error(ErrorCode::RunFailed, "trial: buildings are missing from the refined map");
+    throw Error(ErrorCode::RunFailed, "trial: buildings are missing from the corrected map");
   }
   for (std::size_t i = 0; i < trial.buildings.size(); ++i) {
     const BuildingError& error = found.buildings[i];

@@ -48,7 +48,7 @@
         <translation>別の図面の出発点として、この図面を残します。</translation>
     </message>
     <message>
-        <source>Export &amp;Refined Map…</source>
+        <source>Export Co&amp;rrected Map…</source>
         <translation>補正した地図を書き出す(&amp;R)…</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@
         <translation>実行を終えます。</translation>
     </message>
     <message>
-        <source>&amp;Accept Refinement</source>
+        <source>&amp;Accept Correction</source>
         <translation>補正を取り込む(&amp;A)</translation>
     </message>
     <message>
@@ -879,8 +879,8 @@
         <translation>カメラ画像を描画しています</translation>
     </message>
     <message>
-        <source>x of buildings %1 → %2 m</source>
-        <translation>建物の x %1 → %2 m</translation>
+        <source>buildings along x %1 → %2 m</source>
+        <translation>建物の x 方向 %1 → %2 m</translation>
     </message>
     <message>
         <source>front walls %1 → %2 m</source>
@@ -3986,6 +3986,14 @@
         <source>From there on the way may be off: give odometry, or drive more slowly where little is in sight.</source>
         <translation>そこから先の経路はずれているかもしれません。オドメトリを与えるか、見えるものが少ない所ではもっとゆっくり走ってください。</translation>
     </message>
+    <message>
+        <source>Nothing of the drawing was recognised for {:.0f} m on the way, up to {} s: nothing tells whether the robot was where it is shown there.</source>
+        <translation>途中の {:.0f} m（{} 秒まで）では図面のものが一つも認識されませんでした。そこでロボットが示された場所にいたかどうかはわかりません。</translation>
+    </message>
+    <message>
+        <source>Draw what stands there; where it is drawn, check the start.</source>
+        <translation>そこにあるものを描いてください。描いてあるなら、出発点を確かめてください。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -4672,7 +4680,7 @@ Observations: %4</source>
         <translation>補正を取り込む</translation>
     </message>
     <message>
-        <source>Accept Refinement takes the blue map into the drawing; one Undo takes it back. Then save or export it.</source>
+        <source>Accept Correction takes the blue map into the drawing; one Undo takes it back. Then save or export it.</source>
         <translation>「補正を取り込む」で青い地図が図面に入ります。「元に戻す」一回で取り消せます。その後、保存または書き出します。</translation>
     </message>
     <message>
@@ -4991,7 +4999,7 @@ Observations: %4</source>
         <translation>図面を保存</translation>
     </message>
     <message>
-        <source>The refined map</source>
+        <source>The corrected map</source>
         <translation>補正した地図</translation>
     </message>
     <message>
@@ -5584,7 +5592,7 @@ Observations: %4</source>
     </message>
     <message>
         <source>The parts of the corrected walls that the robot sees now</source>
-        <translation>修正後の壁のうち、ロボットが今見ている部分</translation>
+        <translation>補正した壁のうち、ロボットが今見ている部分</translation>
     </message>
     <message>
         <source>Visibility range</source>
@@ -5910,7 +5918,7 @@ Observations: %4</source>
         <translation>地理座標</translation>
     </message>
     <message>
-        <source>Accept Refinement</source>
+        <source>Accept Correction</source>
         <translation>補正を取り込む</translation>
     </message>
 </context>
@@ -6275,7 +6283,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Correction</source>
-        <translation>修正</translation>
+        <translation>補正</translation>
     </message>
     <message>
         <source>The particles go on by the odometry and its noise; the best one moved by %1 m and turned by %2°.</source>
@@ -6703,7 +6711,7 @@ Corrected by a run.</source>
         <translation>実行が終わりました。%1</translation>
     </message>
     <message>
-        <source>Accept refinement</source>
+        <source>Accept correction</source>
         <translation>補正を取り込む</translation>
     </message>
     <message numerus="yes">
@@ -6725,15 +6733,15 @@ Corrected by a run.</source>
         <translation>すべて取り込む</translation>
     </message>
     <message>
-        <source>Export the refined map</source>
+        <source>Export the corrected map</source>
         <translation>補正した地図を書き出す</translation>
     </message>
     <message>
-        <source>-refined</source>
+        <source>-corrected</source>
         <translation>-補正</translation>
     </message>
     <message>
-        <source>The refined map</source>
+        <source>The corrected map</source>
         <translation>補正した地図</translation>
     </message>
     <message>
@@ -6760,7 +6768,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Look before you accept: %1.</source>
-        <translation>受け入れる前に見てください: %1。</translation>
+        <translation>取り込む前に見てください: %1。</translation>
     </message>
     <message>
         <source>They are hatched.</source>
@@ -6783,8 +6791,8 @@ Corrected by a run.</source>
         <translation>実行が補正した内容は図面に入っていません。</translation>
     </message>
     <message>
-        <source>&amp;Accept refinement</source>
-        <translation>補正を受け入れる(&amp;A)</translation>
+        <source>&amp;Accept correction</source>
+        <translation>補正を取り込む(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Leave it behind</source>

@@ -74,11 +74,11 @@ TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
                      path("canvas.png"),      path("canvas.svg"),      path("canvas.pdf"),
                      path("way.tum")};
   trigger("file.export_map");
-  EXPECT_TRUE(texts().first().startsWith("The refined map is in “refined.handmap”"))
+  EXPECT_TRUE(texts().first().startsWith("The corrected map is in “refined.handmap”"))
       << texts().first().toStdString();
   dialogs_->choices = {0, 1};
   trigger("file.export_geojson");
-  EXPECT_TRUE(texts().first().startsWith("The refined map is in “refined.geojson”"));
+  EXPECT_TRUE(texts().first().startsWith("The corrected map is in “refined.geojson”"));
   trigger("file.export_geojson");
   EXPECT_TRUE(texts().first().startsWith("The drawing is in “drawn.geojson”"));
   for (int i = 0; i < 3; ++i) trigger("file.export_png");

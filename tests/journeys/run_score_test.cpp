@@ -33,7 +33,7 @@ TEST(RunScore, ComparesDrawingAndWayWithTheTruth) {
   EXPECT_NEAR(score.maps->corrected.x, 1.0, 1e-9);
   EXPECT_NEAR(score.trajectories->odometry.rms_m, 2.0, 1e-9);
   EXPECT_NEAR(score.trajectories->corrected.rms_m, 0.5, 1e-9);
-  EXPECT_TRUE(scoreInWords(score).contains("x of buildings 3.00 → 1.00 m"));
+  EXPECT_TRUE(scoreInWords(score).contains("buildings along x 3.00 → 1.00 m"));
   EXPECT_TRUE(scoreInWords(score).contains("way of the robot 2.00 → 0.50 m"));
   EXPECT_TRUE(scoreTable(score).contains("overlap with truth"));
 }

@@ -348,6 +348,9 @@ class DocumentTest : public QObject {
     document_->acceptRefinement(refined);
     QCOMPARE(building(*document_, "N1").shape, refined.find("N1")->shape);
     QVERIFY2(document_->editedSince(given).isEmpty(), "what a run corrected nobody has edited");
+    const int steps = document_->undoStack().count();
+    document_->acceptRefinement(refined);
+    QCOMPARE(document_->undoStack().count(), steps);  // it is in the drawing already
   }
 
   void aDoubtGoesWithItsShape() {

@@ -28,7 +28,7 @@ constexpr std::array kActions = {
     ActionSpec{"file.keep_template", QT_TRANSLATE_NOOP("Actions", "&Keep as Template…"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Keep the drawing, to begin others with it."),
                Menu::File},
-    ActionSpec{"file.export_map", QT_TRANSLATE_NOOP("Actions", "Export &Refined Map…"), "export",
+    ActionSpec{"file.export_map", QT_TRANSLATE_NOOP("Actions", "Export Co&rrected Map…"), "export",
                "Ctrl+E", QT_TRANSLATE_NOOP("Actions", "Save the map that the run has corrected."),
                Menu::File, ToolBar::None, Push, true},
     ActionSpec{"file.export_geojson", QT_TRANSLATE_NOOP("Actions", "Export &GeoJSON…"), "", "",
@@ -279,7 +279,7 @@ constexpr std::array kActions = {
                Menu::Run, ToolBar::Transport},
     ActionSpec{"run.stop", QT_TRANSLATE_NOOP("Actions", "&Stop"), "stop", "Shift+F5",
                QT_TRANSLATE_NOOP("Actions", "End the run."), Menu::Run, ToolBar::Transport},
-    ActionSpec{"run.accept", QT_TRANSLATE_NOOP("Actions", "&Accept Refinement"), "accept",
+    ActionSpec{"run.accept", QT_TRANSLATE_NOOP("Actions", "&Accept Correction"), "accept",
                "Ctrl+Return",
                QT_TRANSLATE_NOOP(
                    "Actions",

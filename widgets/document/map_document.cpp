@@ -394,9 +394,11 @@ void MapDocument::acceptRefinement(const Map& refined, const QStringList& kept) 
     if (place == places.end() || keep.contains(QString::fromStdString(building.id))) continue;
     accepted.push_back(corrected(map_.buildings[place->second], building));
   }
-  push({swapItems(&Map::buildings, differing(accepted, map_.buildings)),
+  auto differing_ones = differing(accepted, map_.buildings);
+  if (differing_ones.empty() && map_.refinement == refined.refinement) return;
+  push({swapItems(&Map::buildings, std::move(differing_ones)),
         swapMember(&Map::refinement, refined.refinement)},
-       tr("Accept Refinement"));
+       tr("Accept Correction"));
 }
 
 QStringList MapDocument::editedSince(const Map& before) const {

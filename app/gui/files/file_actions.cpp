@@ -173,7 +173,7 @@ QString FileActions::askPath(const QString& title, const QString& suggestion, co
 std::optional<Map> FileActions::chosenMap(QString& what) {
   constexpr int kRefined = 0;
   constexpr int kDrawing = 1;
-  const QStringList names = {tr("The refined map"), tr("The drawing")};
+  const QStringList names = {tr("The corrected map"), tr("The drawing")};
   const std::optional<Map> corrected = corrected_();
   const int choice =
       corrected ? shell_.dialogs.choose({tr("Export"), tr("Which map?"), names}) : kDrawing;

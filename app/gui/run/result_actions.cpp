@@ -137,7 +137,7 @@ void ResultActions::summarize(const RunScore& score) {
   }
   summary.addAction(
       tr("Review…"), [this] { shell_.docks.show(buildings_); }, Message::Then::Stay);
-  summary.addAction(tr("Accept refinement"), [this, number = run_.number()] {
+  summary.addAction(tr("Accept correction"), [this, number = run_.number()] {
     if (number == run_.number()) accept();
   });
 }
@@ -216,7 +216,7 @@ bool ResultActions::mayLeave(bool coming_back) {
                                          "it has corrected is not in the drawing.")
                                     : tr("What the run has corrected is not in the drawing.");
   const QStringList answers = unaccepted
-                                  ? QStringList{tr("&Accept refinement"), tr("&Leave it behind")}
+                                  ? QStringList{tr("&Accept correction"), tr("&Leave it behind")}
                                   : QStringList{tr("&Leave it behind")};
   const int answer = shell_.dialogs.choose({tr("Leave this run?"), text, answers});
   if (answer < 0) return false;
@@ -237,10 +237,10 @@ std::optional<Map> ResultActions::refinedMap() const {
 void ResultActions::exportMap() {
   std::optional<Map> map = refinedMap();
   if (!map) return;
-  files_.exportAs({tr("Export the refined map"),
-                   QFileInfo(document_.displayName()).completeBaseName() + tr("-refined") +
+  files_.exportAs({tr("Export the corrected map"),
+                   QFileInfo(document_.displayName()).completeBaseName() + tr("-corrected") +
                        QStringLiteral(".handmap"),
-                   FileActions::mapFilter(), QStringLiteral("handmap"), tr("The refined map")},
+                   FileActions::mapFilter(), QStringLiteral("handmap"), tr("The corrected map")},
                   [this, &map](const QString& path) {
                     moveReferences(*map, document_.origin().toStdString(), path.toStdString());
                     writeMap(*map, path.toStdString());

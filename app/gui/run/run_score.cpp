@@ -35,7 +35,7 @@ QString scoreInWords(const RunScore& score) {
   QStringList parts;
   if (score.maps) {
     const auto& [drawn, corrected] = *score.maps;
-    parts << QObject::tr("x of buildings %1 → %2 m").arg(metres(drawn.x), metres(corrected.x))
+    parts << QObject::tr("buildings along x %1 → %2 m").arg(metres(drawn.x), metres(corrected.x))
           << QObject::tr("front walls %1 → %2 m").arg(metres(drawn.front), metres(corrected.front))
           << QObject::tr("widths %1 → %2 m").arg(metres(drawn.width), metres(corrected.width));
   }

@@ -65,7 +65,7 @@ void Batch::writeReport(const QString& folder) {
   fmt::print("{}\n{}\n", window_.runs().stateInWords().toStdString(),
              scoreTable(*score).toStdString());
   for (const auto& [what, name] :
-       {std::pair("refined map", "refined.handmap"), std::pair("trajectory", "trajectory.tum"),
+       {std::pair("corrected map", "refined.handmap"), std::pair("trajectory", "trajectory.tum"),
         std::pair("screenshot", "screenshot.png")}) {
     fmt::print("{:<12} {}\n", what, path(name).toStdString());
   }

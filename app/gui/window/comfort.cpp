@@ -35,7 +35,7 @@ std::vector<Tour::Step> stepsOf(const Comfort::Sights& sights) {
        Comfort::tr("Open a recording, connect a robot or take the simulator, then press Run: "
                    "the blue map is the drawing as the robot corrects it.")},
       {&sights.transport, Comfort::tr("Take the correction over"),
-       Comfort::tr("Accept Refinement takes the blue map into the drawing; one Undo takes it back. "
+       Comfort::tr("Accept Correction takes the blue map into the drawing; one Undo takes it back. "
                    "Then save or export it.")},
   };
 }

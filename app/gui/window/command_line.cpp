@@ -72,7 +72,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
       {"exit-after-run", "Leave when the run has ended."},
       {"verbose", "Say on stderr what the run does."},
       {"offscreen-report",
-       "Run as fast as possible, print the errors before and after, write the refined map, the "
+       "Run as fast as possible, print the errors before and after, write the corrected map, the "
        "trajectory and a screenshot to DIR, and leave.",
        "DIR"},
       {"guide-pictures", "Make the pictures of the guide in DIR, and leave.", "DIR"},
