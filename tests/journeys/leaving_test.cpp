@@ -80,6 +80,17 @@ TEST_F(Leaving, AFinishedRunThatNobodyAcceptedIsAskedAbout) {
   EXPECT_TRUE(dialogs_->asked.isEmpty());
 }
 
+TEST_F(Leaving, WhatWasAcceptedAndTakenBackIsAskedAbout) {
+  record("drive", 8);
+  document_.reset(world_.map);
+  ASSERT_TRUE(openRecording("drive"));
+  runToTheEnd();
+  action(*window_, "run.accept")->trigger();
+  action(*window_, "edit.undo")->trigger();
+  EXPECT_FALSE(window_->files().mayLeave()) << "cancelled";
+  EXPECT_EQ(dialogs_->asked, QStringList{"Leave this run?"});
+}
+
 TEST_F(Leaving, WhatMayGoIsAskedAboutOnce) {
   record("drive", 8);
   document_.reset(world_.map);

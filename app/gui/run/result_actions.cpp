@@ -200,8 +200,10 @@ bool ResultActions::isUnrecorded() const {
 bool ResultActions::isUnaccepted() const {
   const auto result = run_.result();
   if (!result || run_.isActive() || isSimulated()) return false;
-  if (accepted_ == run_.number() || left_ == run_.number()) return false;
   const Map& map = result->map();
+  const bool in_drawing =
+      accepted_ == run_.number() && document_.map().refinement == map.refinement;  // not undone
+  if (in_drawing || left_ == run_.number()) return false;
   return std::ranges::any_of(map.buildings, [](const Building& building) {
     return !building.fixed && isRecognised(building);
   });
