@@ -1,4 +1,5 @@
 // The canvas with real mouse, wheel and key events.
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -57,6 +58,15 @@ class CanvasTest : public QObject {
   void cleanup() {
     tools_.reset();
     canvas_.reset();
+  }
+
+  void whatGoesWithTheFocusSelectsNothing() {
+    QPushButton button(canvas_.get());
+    button.show();
+    button.setFocus();
+    QVERIFY(button.hasFocus());
+    button.hide();
+    QVERIFY(document_->selection().isEmpty());
   }
 
   void whatIsBelowTheCursorStaysThereWhileZooming() {

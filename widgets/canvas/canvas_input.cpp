@@ -177,9 +177,10 @@ bool MapCanvas::event(QEvent* event) {
   return QGraphicsView::event(event);
 }
 
+/// What lies on it and goes with the focus asks too: that is no key.
 bool MapCanvas::focusNextPrevChild(bool next) {
   const QKeyEvent key(QEvent::KeyPress, next ? Qt::Key_Tab : Qt::Key_Backtab, Qt::NoModifier);
-  return giveKey(key) || QGraphicsView::focusNextPrevChild(next);
+  return (hasFocus() && giveKey(key)) || QGraphicsView::focusNextPrevChild(next);
 }
 
 bool MapCanvas::giveKey(const QKeyEvent& event) {

@@ -1,5 +1,6 @@
 #include "widgets/messages/message_bar.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -104,6 +105,9 @@ void MessageBar::keepBounded() {
 }
 
 void MessageBar::remove(Message& message) {
+  // Back to what it lies on, not on to whatever comes next.
+  if (parentWidget() != nullptr && message.isAncestorOf(QApplication::focusWidget()))
+    parentWidget()->setFocus();
   layout_->removeWidget(&message);
   message.setParent(nullptr);  // found no more, though the slot of its button may still work
   message.deleteLater();
