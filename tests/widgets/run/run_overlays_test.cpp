@@ -1,5 +1,7 @@
 #include "widgets/run/overlays/run_overlays.h"
 
+#include <QApplication>
+#include <QFontMetricsF>
 #include <QGraphicsScene>
 #include <QPainter>
 
@@ -141,6 +143,24 @@ TEST_F(RunOverlaysTest, EachLayerHasItsSwitch) {
     overlays_.setLayerVisible(layer, true);
     EXPECT_FALSE(isBlank(darkestNear(picture(), at.x(), at.y())));
   }
+}
+
+/// In the middle of a building stands its name.
+TEST_F(RunOverlaysTest, HowFarABuildingMovedIsSaidBelowItsName) {
+  Map drawing = drawnElsewhere();
+  std::get<Rectangle>(drawing.buildings[0].shape).centre = {37.0, 45.0};
+  for (const LayerSpec& spec : kLayers)
+    overlays_.setLayerVisible(spec.layer, spec.layer == Layer::Changes);
+  overlays_.setDrawing(drawing);
+  overlays_.show(*fullSnapshot());
+  const QImage shown = picture();
+  for (double x = 29.0; x < 36.5; x += 0.25)
+    EXPECT_TRUE(isBlank(darkestNear(shown, x, 45.0))) << "at x = " << x;
+  const double line_m = QFontMetricsF(QApplication::font()).height() / kScale;
+  bool is_said = false;
+  for (double x = 38.0; x < 42.0; x += 0.25)
+    is_said = is_said || !isBlank(darkestNear(shown, x, 45.0 - 1.5 * line_m));
+  EXPECT_TRUE(is_said);
 }
 
 /// The robot of fullSnapshot() looks up: rays to the lower wall of the building, which lies 10 m

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double kHeadPx = 9.0;
 constexpr double kLabelPx = 20.0;         // around the end: the name of the building
-constexpr double kLeastPx = 6.0;          // shorter arrows would be a blot
+constexpr double kLeastPx = 24.0;         // shorter arrows would be a blot in the name
 constexpr double kLeastForTextPx = 14.0;  // shorter ones have no words: zoom in to read them
 constexpr double kMarginM = 20.0;         // room for words when zoomed out far
+constexpr double kMostLines = 2.0;        // of a name
 
 void paintArrow(QPainter& painter, QLineF line) {
   line.setLength(std::max(0.6 * line.length(), line.length() - kLabelPx));
@@ -27,6 +28,13 @@ void paintArrow(QPainter& painter, QLineF line) {
     side.setAngle(barb.angle() + turn);
     painter.drawLine(side);
   }
+}
+
+/// Below the name, or below the building where that leaves no room.
+QPointF belowName(const QPointF& middle, const QRectF& building, double line_height) {
+  const double below = middle.y() + 0.5 * (kMostLines + 1.0) * line_height;
+  const bool has_room = below + line_height < building.bottom();
+  return {middle.x(), has_room ? below : building.bottom() + 0.75 * line_height};
 }
 
 }  // namespace
@@ -47,8 +55,10 @@ void ChangesItem::setChanges(const Map& drawing, const Map& refined) {
   for (const BuildingChange& change : changesOf(drawing, refined).moved) {
     // Inside, also of an L, whose middle is not.
     const Vec2 from = innerPoint(drawing.buildings[change.building].footprint());
+    const Polygon outline = refined.buildings[change.building].footprint();
     arrows_.push_back({{toScene(from), toScene(Vec2(from + change.now - change.drawn))},
-                       tr("moved %1 m").arg(change.moved_m(), 0, 'f', 1)});
+                       tr("moved %1 m").arg(change.moved_m(), 0, 'f', 1),
+                       toScene(outline).boundingRect()});
     bounds_ |= QRectF(arrows_.back().line.p1(), arrows_.back().line.p2()).normalized();
   }
   if (!arrows_.empty()) bounds_.adjust(-kMarginM, -kMarginM, kMarginM, kMarginM);
@@ -68,11 +78,7 @@ void ChangesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   for (const Arrow& arrow : arrows_) {
     const QLineF line = to_device.map(arrow.line);
     if (line.length() < kLeastForTextPx) continue;
-    // Beside the tail, where the name of the building is not.
-    const QPointF off = line.length() > 0.0 ? (line.p1() - line.p2()) / line.length() : QPointF();
-    const double width = painter->fontMetrics().horizontalAdvance(arrow.text);
-    const QPointF at =
-        line.p1() + QPointF(off.x() * (0.5 * width + 6.0), off.y() * (0.5 * height + 4.0));
+    const QPointF at = belowName(line.p2(), to_device.mapRect(arrow.bounds), height);
     paintLabel(*painter, at, arrow.text, *colours_, true);
   }
   painter->restore();

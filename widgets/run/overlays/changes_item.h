@@ -26,6 +26,7 @@ class ChangesItem : public QGraphicsItem {
   struct Arrow {
     QLineF line;  ///< metres
     QString text;
+    QRectF bounds;  ///< of the building now
   };
 
   const Colours* colours_ = &Colours::light();
