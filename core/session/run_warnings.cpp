@@ -159,6 +159,15 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
                 outcome.unrecognised_m),
          phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }
+  if (counts.unrecognised_m >= kUnrecognised_m) {
+    return {
+        {"part_unrecognised",
+         phrase(
+             "Nothing of the drawing was recognised for {:.0f} m on the way, up to {} s: nothing "
+             "tells whether the robot was where it is shown there.",
+             counts.unrecognised_m, formatNumber(counts.unrecognised_until_s)),
+         phrase("Draw what stands there; where it is drawn, check the start.")}};
+  }
   return {};
 }
 
@@ -168,6 +177,10 @@ void RunCounts::add(const Percept& percept, const FrameReport& report) {
   ++observations;
   if (report.visible_buildings > 0) ++with_building;
   if (report.odometry_guessed && guessed++ == 0) guessed_s = report.time_s;
+  if (report.unrecognised_m > unrecognised_m) {
+    unrecognised_m = report.unrecognised_m;
+    unrecognised_until_s = report.time_s;
+  }
   points += percept.points.size();
   for (const Ray& ray : percept.scan.rays) {
     if (!ray.returned || ray.wall < kLikelyWall) continue;

@@ -15,13 +15,15 @@ namespace handmap {
 /// What a run has looked at, added up over its observations.
 struct RunCounts {
   int observations = 0;
-  int with_building = 0;    ///< observations with a building in sight
-  bool images = false;      ///< seen by cameras, not by ranges
-  std::size_t points = 0;   ///< ranges that came back, of a range sensor
-  std::size_t walls = 0;    ///< directions in which something was taken for a wall
-  double farthest_m = 0.0;  ///< of the walls
-  int guessed = 0;          ///< observations whose motion nothing told
-  double guessed_s = 0.0;   ///< the time of the first of them
+  int with_building = 0;              ///< observations with a building in sight
+  bool images = false;                ///< seen by cameras, not by ranges
+  std::size_t points = 0;             ///< ranges that came back, of a range sensor
+  std::size_t walls = 0;              ///< directions in which something was taken for a wall
+  double farthest_m = 0.0;            ///< of the walls
+  int guessed = 0;                    ///< observations whose motion nothing told
+  double guessed_s = 0.0;             ///< the time of the first of them
+  double unrecognised_m = 0.0;        ///< the most of FrameReport's
+  double unrecognised_until_s = 0.0;  ///< the time of that
 
   void add(const Percept& percept, const FrameReport& report);
 };
@@ -37,8 +39,9 @@ struct RunOutcome {
   double unrecognised_m = 0.0;  ///< at the end, see Recognition
 };
 
-/// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry and
-/// end_unrecognised: the first that holds says what follows from it too. And motion_guessed.
+/// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry,
+/// end_unrecognised and part_unrecognised: the first that holds says what follows from it too. And
+/// motion_guessed.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap

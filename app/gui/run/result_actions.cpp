@@ -120,7 +120,10 @@ bool ResultActions::warn() {
               QString::fromStdString(warning.hint))
         .addAction(tr("Place the start"), [this] { shell_.actions["draw.start"].trigger(); });
   }
-  return !result->warnings.empty();
+  // A gap in a drive that is right otherwise does not make its outcome worthless.
+  return std::ranges::any_of(result->warnings, [](const RunWarning& warning) {
+    return warning.code != "part_unrecognised";
+  });
 }
 
 void ResultActions::summarize(const RunScore& score) {

@@ -40,7 +40,7 @@ class ResultActions : public QObject {
   void alarm();
   void onFinished(bool cancelled);
   void onFrameSkipped(int frame, const QString& reason);
-  /// Of a run at its end; true: there was something to tell.
+  /// Of a run at its end; true: its outcome is hardly worth a summary.
   bool warn();
   void summarize(const RunScore& score);
   void accept();

@@ -80,6 +80,24 @@ TEST(RunWarnings, TellsThatTheEndWasAmongOtherWalls) {
   EXPECT_TRUE(says(ended(107.0), "end_unrecognised", "on the last 107 m"));
 }
 
+/// A grid of like houses, started a block off: what stands there is recognised again.
+TEST(RunWarnings, TellsThatAPartOfTheWayWasAmongOtherWalls) {
+  const std::vector<StampedPose> way{{0.0, {0.0, 0.0, 0.0}}, {1.0, {20.0, 0.0, 0.0}}};
+  const Map refined = corrected(4);
+  RunCounts counts{10, 8, false, 1000, 300, 20.0};
+  FrameReport report;
+  const auto drive = [&](double time_s, double unrecognised_m) {
+    report.time_s = time_s;
+    report.unrecognised_m = unrecognised_m;
+    report.visible_buildings = 1;
+    counts.add({}, report);
+    return runWarnings({counts, 80.0, oneBuilding(), refined, way, true, unrecognised_m});
+  };
+  EXPECT_TRUE(drive(5.0, 49.0).empty()) << "a gap between buildings";
+  drive(12.5, 82.0);
+  EXPECT_TRUE(says(drive(13.0, 0.0), "part_unrecognised", "for 82 m on the way, up to 12.5 s"));
+}
+
 TEST(RunWarnings, CountsWhatComesBack) {
   RunCounts counts;
   Percept percept;
