@@ -154,7 +154,7 @@ TEST_F(RunOverlaysTest, HowFarABuildingMovedIsSaidBelowItsName) {
   overlays_.setDrawing(drawing);
   overlays_.show(*fullSnapshot());
   const QImage shown = picture();
-  for (double x = 29.0; x < 36.5; x += 0.25)
+  for (double x = 29.0; x < 35.5; x += 0.25)
     EXPECT_TRUE(isBlank(darkestNear(shown, x, 45.0))) << "at x = " << x;
   const double line_m = QFontMetricsF(QApplication::font()).height() / kScale;
   bool is_said = false;

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/run/words/words.h"
+#include "widgets/style/elided_label.h"
 
 namespace handmap {
 
@@ -33,21 +34,22 @@ QString signOf(Certainty certainty) {
 
 RunStrip::RunStrip(QWidget& over)
     : QFrame(&over),
-      certainty_(new QLabel),
-      place_(new QLabel),
+      certainty_(new ElidedLabel),
+      place_(new ElidedLabel),
       follow_(new QToolButton),
       phase_(new QLabel) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   certainty_->setToolTip(tr("How far off the shown place is at most, nine times of ten"));
   place_->setToolTip(tr("Where the robot is"));
+  place_->setMinimumWidth(1);  // how sure it is comes first
   follow_->setAutoRaise(true);
   follow_->setToolTip(tr("Whether the view follows the robot: off, follow, follow and turn"));
   follow_->setFocusPolicy(Qt::TabFocus);
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(8, 2, 4, 2);
   rows->setSpacing(0);
-  rows->setSizeConstraint(QLayout::SetNoConstraint);  // on a narrow canvas it is cut off
+  rows->setSizeConstraint(QLayout::SetNoConstraint);  // on a narrow canvas it is narrower
   auto* layout = new QHBoxLayout;
   rows->addLayout(layout);
   layout->addWidget(certainty_);

@@ -3,14 +3,13 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
-#include <QStyle>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "core/method/snapshot.h"
 #include "widgets/run/panels/timeline.h"
+#include "widgets/style/elided_label.h"
 
 namespace handmap {
 
@@ -24,17 +23,6 @@ constexpr Speed kSpeeds[] = {{0.1, "0.1\u00d7"}, {0.25, "0.25\u00d7"}, {0.5, "0.
                              {1.0, "1\u00d7"},   {2.0, "2\u00d7"},     {5.0, "5\u00d7"},
                              {10.0, "10\u00d7"}, {20.0, "20\u00d7"},   {0.0, "max"}};
 constexpr int kUsual = 3;  // of kSpeeds
-
-/// What does not fit ends in an ellipsis.
-class ElidedLabel : public QLabel {
- protected:
-  void paintEvent(QPaintEvent* /*event*/) override {
-    QPainter painter(this);
-    style()->drawItemText(
-        &painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
-        fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()), foregroundRole());
-  }
-};
 
 }  // namespace
 
