@@ -6287,7 +6287,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>The particles go on by the odometry and its noise; the best one moved by %1 m and turned by %2°.</source>
-        <translation>粒子はオドメトリーとその雑音に従って進みます。最良の粒子は %1 m 動き、%2° 回りました。</translation>
+        <translation>粒子はオドメトリとその雑音に従って進みます。最良の粒子は %1 m 動き、%2° 回りました。</translation>
     </message>
     <message>
         <source>The walls seen over the last metres, laid at the best particle.</source>
@@ -6317,7 +6317,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>The robot drove %1 m and turned %2°, by odometry or matched scans.</source>
-        <translation>オドメトリーまたはスキャンの照合によると、ロボットは %1 m 進み、%2° 回りました。</translation>
+        <translation>オドメトリまたはスキャンの照合によると、ロボットは %1 m 進み、%2° 回りました。</translation>
     </message>
     <message>
         <source>The last poses and buildings fitted together: the robot moved by %1 m and turned by %2°.</source>
@@ -6904,11 +6904,11 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Recomputing with the poses of the file</source>
-        <translation>ファイルの姿勢を使って再計算しています</translation>
+        <translation>ファイルの位置を使って計算し直しています</translation>
     </message>
     <message>
         <source>Forget given poses</source>
-        <translation>与えた姿勢を忘れる</translation>
+        <translation>指定した位置を忘れる</translation>
     </message>
     <message>
         <source>Robot is here</source>
@@ -6916,7 +6916,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Recomputing with what is still said</source>
-        <translation>残っている発言で再計算しています</translation>
+        <translation>残りの指示で計算し直しています</translation>
     </message>
     <message>
         <source>The robot was at x %1 m, y %2 m</source>
@@ -6932,7 +6932,7 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>The poses given before do not count</source>
-        <translation>それまでに与えた姿勢は使わない</translation>
+        <translation>それまでに指定した位置は使わない</translation>
     </message>
     <message>
         <source>%1 s: %2</source>
@@ -7646,7 +7646,7 @@ Corrected by a run.</source>
     <name>handmap::SaidActs</name>
     <message>
         <source>Take back what was said</source>
-        <translation>言ったことを取り消す</translation>
+        <translation>指示を取り消す</translation>
     </message>
 </context>
 <context>
@@ -7755,11 +7755,11 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>A &amp;live robot (virtual rig)</source>
-        <translation>実時間のロボット (仮想)(&amp;L)</translation>
+        <translation>動作中のロボット（仮想）(&amp;L)</translation>
     </message>
     <message>
         <source>A live robot with a &amp;stereo head</source>
-        <translation>ステレオカメラで見回すロボット（実時間）(&amp;S)</translation>
+        <translation>ステレオカメラで見回す動作中のロボット(&amp;S)</translation>
     </message>
     <message>
         <source>no recording or simulator is open</source>
@@ -7861,11 +7861,11 @@ Corrected by a run.</source>
     </message>
     <message>
         <source>Press Run; Stop ends the drive.</source>
-        <translation>実行を押します。停止が走行を終えます。</translation>
+        <translation>「実行」を押します。「停止」で走行が終わります。</translation>
     </message>
     <message>
         <source>Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends the drive.</source>
-        <translation>どこから始まるかを描きます: 押して、向いている方へ引き、離します。それから実行を押します。停止が走行を終えます。</translation>
+        <translation>ロボットの出発点を押し、見る方向へドラッグして離します。それから「実行」を押します。「停止」で走行が終わります。</translation>
     </message>
 </context>
 <context>
