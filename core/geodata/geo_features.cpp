@@ -92,6 +92,8 @@ class Reader {
   std::vector<GeoFeature> read() {
     const QuietErrors quiet;
     CPLErrorReset();
+    // Editors write nodes in any order; GDAL's own index wants them sorted.
+    CPLSetThreadLocalConfigOption("OSM_USE_CUSTOM_INDEXING", "NO");
     const Dataset dataset(
         GDALOpenEx(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers, nullptr, nullptr));
     if (!dataset) refuse(phrase("no geographic data"));

@@ -98,6 +98,18 @@ TEST_F(GeoMapTest, TakesTheBuildingsOfOpenStreetMap) {
   EXPECT_EQ(geo.map.whole.scale, 0.0);
 }
 
+/// As editors write them.
+TEST_F(GeoMapTest, TakesNodesOfOpenStreetMapInAnyOrder) {
+  const GeoMap geo = readGeoMap(write("unsorted.osm", R"(<?xml version="1.0"?>
+<osm version="0.6" generator="an editor">
+ <node id="9" lat="52.0" lon="13.0"/> <node id="2" lat="52.0" lon="13.0003"/>
+ <node id="8" lat="52.0002" lon="13.0003"/> <node id="4" lat="52.0002" lon="13.0"/>
+ <way id="10"><nd ref="9"/><nd ref="2"/><nd ref="8"/><nd ref="4"/><nd ref="9"/>
+  <tag k="building" v="yes"/></way>
+</osm>)"));
+  EXPECT_EQ(geo.map.buildings.size(), 1u);
+}
+
 TEST_F(GeoMapTest, TakesEveryPolygonWhereNoKindIsTold) {
   const GeoMap geo = readGeoMap(write("areas.geojson", R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"name":"A"},"geometry":{"type":"MultiPolygon","coordinates":
