@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
+#include "core/bag_import/bag_import.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
 #include "core/logs/log.h"
@@ -22,6 +23,7 @@ struct ImportArguments {
   std::string name;
   bool quiet = false;
   LogOptions options;
+  ToldTopics topics;
 };
 
 /// What a word of --units means: one of length, of time or of angle.
@@ -80,19 +82,43 @@ Log readAsking(ImportArguments& arguments) {
   }
 }
 
+void sayNotes(const ImportArguments& arguments, const std::vector<std::string>& notes) {
+  if (arguments.quiet) return;
+  for (const std::string& note : notes) fmt::print(stderr, "handmap-cli: note: {}\n", note);
+  for (const Doubt& doubt : doubtsOf(openRecording(arguments.out))) {
+    fmt::print(stderr, "handmap-cli: warning: {}\nhint: {}\n", doubt.message, doubt.hint);
+  }
+}
+
+int importFromBag(const ImportArguments& arguments, const std::string& name) {
+  if (arguments.files.size() > 1) {
+    throw Error(ErrorCode::Usage,
+                fmt::format("{}: found {} files, expected one bag, or the folder of its parts",
+                            arguments.files.front(), arguments.files.size()));
+  }
+  const auto bag = openBag(arguments.files.front());
+  const BagPlan plan = planOf(*bag, arguments.topics);
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < bag->topics().size(); ++i) {
+    const std::string role = plan.roleOf(i, *bag);
+    if (!role.empty()) notes.push_back(fmt::format("{} as {}", bag->topics()[i].name, role));
+  }
+  const ImportedBag imported = importBag(*bag, plan, arguments.out, name, notes);
+  sayNotes(arguments, notes);
+  fmt::print("{}: recording of {} pairs of images, {} scans and {} poses\n", arguments.out,
+             imported.pairs, imported.scans, imported.poses);
+  return 0;
+}
+
 int import(ImportArguments arguments) {
   checkOutputFolder(arguments.out);
-  const Log log = readAsking(arguments);
-  std::vector<std::string> notes = log.notes;
   std::string name = arguments.name;
   if (name.empty()) name = std::filesystem::path(arguments.files.front()).stem().string();
+  if (isBag(arguments.files.front())) return importFromBag(arguments, name);
+  const Log log = readAsking(arguments);
+  std::vector<std::string> notes = log.notes;
   const std::size_t scans = writeLog(log, arguments.out, name, notes);
-  if (!arguments.quiet) {
-    for (const std::string& note : notes) fmt::print(stderr, "handmap-cli: note: {}\n", note);
-    for (const Doubt& doubt : doubtsOf(openRecording(arguments.out))) {
-      fmt::print(stderr, "handmap-cli: warning: {}\nhint: {}\n", doubt.message, doubt.hint);
-    }
-  }
+  sayNotes(arguments, notes);
   fmt::print("{}: recording of {} scans and {} poses\n", arguments.out, scans, log.poses.size());
   return 0;
 }
@@ -102,12 +128,15 @@ int import(ImportArguments arguments) {
 void addImportCommand(CLI::App& app, ChosenCommand& chosen) {
   const auto arguments = std::make_shared<ImportArguments>();
   ImportArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("import", "Make a recording of logs of other programs");
+  CLI::App* command =
+      app.add_subcommand("import", "Make a recording of bags and logs of other programs");
   command->callback([&chosen, arguments] { chosen = [arguments] { return import(*arguments); }; });
   command
-      ->add_option("log", a.files,
-                   "CARMEN logs, tables with a header (.csv), poses (.tum), arrays of numpy (.npy, "
-                   ".npz); several together, as scans and poses")
+      ->add_option(
+          "log", a.files,
+          "A bag of ROS 1 (.bag) or ROS 2 (.mcap, .db3 or its folder); or CARMEN logs, "
+          "tables with a header (.csv), poses (.tum), arrays of numpy (.npy, .npz), several "
+          "together, as scans and poses")
       ->required()
       ->option_text("FILE ...");
   command->add_option("--out", a.out, "The recording, a new folder (required)")
@@ -135,6 +164,18 @@ void addImportCommand(CLI::App& app, ChosenCommand& chosen) {
             "Scans a second, where there are no times");
   addNumber(*command, "--max-range", a.options.most_range_m, 0.1, 1e4,
             "Nothing came back from N metres on");
+  for (const auto& [role, what] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"left", "images of the left camera"},
+           {"right", "images of the right camera"},
+           {"scan", "a LaserScan"},
+           {"points", "a PointCloud2"},
+           {"odometry", "poses in the odometry frame"},
+           {"truth", "true poses, for scoring"}}) {
+    text((std::string("--") + role).c_str(),
+         [&a, role = std::string(role)](const std::string& topic) { a.topics[role] = topic; },
+         (std::string("Of a bag: ") + what + ", or none (default: by names and types)").c_str(),
+         "TOPIC");
+  }
   addQuiet(*command, a.quiet);
 }
 

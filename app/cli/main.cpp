@@ -71,6 +71,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(app, chosen);
   addSimulateCommand(app, chosen);
   addPerturbCommand(app, chosen);
+  addInfoCommand(app, chosen);
   addImportCommand(app, chosen);
   addOdometryCommand(app, chosen);
   addCalibrateCommand(app, chosen);

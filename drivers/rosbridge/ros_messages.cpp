@@ -1,14 +1,14 @@
 #include "drivers/rosbridge/ros_messages.h"
 
-#include <QtEndian>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "core/base/phrase.h"
 #include "core/recording/image_file.h"
+#include "core/recording/laser_scan.h"
 
 namespace handmap {
 
@@ -63,18 +63,7 @@ std::string frameOf(const RosValue& message) {
   return frame ? frameName(frame->text(kMostName)) : std::string();
 }
 
-/// Where a coordinate lies in the bytes of a point.
-struct Field {
-  std::int64_t offset = 0;
-  bool is_double = false;
-  double read(const char* point, bool big) const {
-    const char* at = point + offset;
-    if (is_double) return big ? qFromBigEndian<double>(at) : qFromLittleEndian<double>(at);
-    return static_cast<double>(big ? qFromBigEndian<float>(at) : qFromLittleEndian<float>(at));
-  }
-};
-
-Field fieldOf(const RosValue& message, const std::string& name, std::int64_t point_bytes) {
+PackedField fieldOf(const RosValue& message, const std::string& name, std::int64_t point_bytes) {
   const RosValue fields = message.at("fields");
   for (const RosValue& field : fields.items(100)) {
     if (field.at("name").text(200) != name) continue;
@@ -84,7 +73,8 @@ Field fieldOf(const RosValue& message, const std::string& name, std::int64_t poi
           .fail(fmt::format("{}", type), phrase("{} or {}", "7 (float32)", "8 (float64)"));
     }
     const std::int64_t size = type == kFloat32 ? 4 : 8;
-    return {field.at("offset").integer(0, point_bytes - size), type == kFloat64};
+    return {static_cast<std::size_t>(field.at("offset").integer(0, point_bytes - size)),
+            type == kFloat64};
   }
   fields.fail(phrase("no field {}", name), phrase("x, y and z"));
 }
@@ -100,33 +90,15 @@ RosOdometryMessage readOdometry(const RosValue& message) {
 RosPoseMessage readPose(const RosValue& message) { return {planarPose(message), frameOf(message)}; }
 
 RosPointsMessage readLaserScan(const RosValue& message) {
-  const double first = message.at("angle_min").number(-100.0, 100.0);
-  const double step = message.at("angle_increment").number(-1.0, 1.0);
+  LaserScan scan;
+  scan.first_rad = message.at("angle_min").number(-100.0, 100.0);
+  scan.step_rad = message.at("angle_increment").number(-1.0, 1.0);
   const double between_s = message.at("time_increment").number(0.0, 1.0);
-  const double nearest = message.at("range_min").number(0.0, kFarthestPoint_m);
-  const double farthest = message.at("range_max").number(0.0, 1e9);
-  const std::vector<double> ranges = message.at("ranges").numbers(kMostRays);
-  // In the precision of the ranges: the end of the range itself, or 0, is what many drivers give
-  // where nothing came back. As an infinite range (REP 117) it is told by no point.
-  const auto end = static_cast<float>(std::min(farthest, kFarthestPoint_m));
-  RosPointsMessage scan;
-  scan.reach_m = end;
-  const auto rays = static_cast<double>(ranges.size());
-  scan.stamp_s = stampOf(message) + 0.5 * std::min(between_s * rays, 1.0);
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const double range = ranges[i];
-    const auto rounded = static_cast<float>(range);
-    if (rounded == 0.0F || rounded >= end) continue;  // nothing came back
-    const double bearing = first + step * static_cast<double>(i);
-    if (!(rounded >= static_cast<float>(nearest))) {
-      scan.points.push_back(notMeasured(bearing, 0.0F));
-      continue;
-    }
-    const Vec2 point = range * unitVector(bearing);
-    scan.points.push_back(
-        {static_cast<float>(point.x()), static_cast<float>(point.y()), 0.0F, 1.0F});
-  }
-  return scan;
+  scan.nearest_m = message.at("range_min").number(0.0, kFarthestPoint_m);
+  scan.farthest_m = message.at("range_max").number(0.0, 1e9);
+  scan.ranges = message.at("ranges").numbers(kMostRays);
+  const auto rays = static_cast<double>(scan.ranges.size());
+  return {stampOf(message) + 0.5 * std::min(between_s * rays, 1.0), pointsOf(scan), reachOf(scan)};
 }
 
 RosPointsMessage readPointCloud(const RosValue& message) {
@@ -139,27 +111,25 @@ RosPointsMessage readPointCloud(const RosValue& message) {
   const std::int64_t step = message.at("point_step").integer(1, kMostPointBytes);
   const std::int64_t row = message.at("row_step").integer(width * step, std::int64_t{kMostBytes});
   const bool big = message.at("is_bigendian").flag();
-  const Field x = fieldOf(message, "x", step);
-  const Field y = fieldOf(message, "y", step);
-  const Field z = fieldOf(message, "z", step);
+  const PackedField x = fieldOf(message, "x", step);
+  const PackedField y = fieldOf(message, "y", step);
+  const PackedField z = fieldOf(message, "z", step);
   const QByteArray data = message.at("data").bytes(kMostBytes);
   const std::int64_t needed = height == 0 ? 0 : row * (height - 1) + width * step;
   if (data.size() < needed) {
     message.at("data").fail(phrase("{} bytes", data.size()), fmt::format("{}", needed));
   }
-  RosPointsMessage cloud;
-  cloud.stamp_s = stampOf(message);
-  cloud.points.reserve(static_cast<std::size_t>(width * height));
-  for (std::int64_t v = 0; v < height; ++v) {
-    for (std::int64_t u = 0; u < width; ++u) {
-      const char* point = data.constData() + v * row + u * step;
-      const Eigen::Vector3d p(x.read(point, big), y.read(point, big), z.read(point, big));
-      if (!(p.cwiseAbs().maxCoeff() <= kFarthestPoint_m) || !p.allFinite()) continue;
-      cloud.points.push_back(
-          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 1.0F});
-    }
-  }
-  return cloud;
+  const auto size = [](std::int64_t count) { return static_cast<std::size_t>(count); };
+  const PackedPoints packed{size(width),
+                            size(height),
+                            size(step),
+                            size(row),
+                            big,
+                            x,
+                            y,
+                            z,
+                            {data.constData(), size(data.size())}};
+  return {stampOf(message), pointsOf(packed)};
 }
 
 RosImageMessage readCompressedImage(const RosValue& message) {

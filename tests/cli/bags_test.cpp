@@ -1,0 +1,68 @@
+#include "core/bags/mcap_writer.h"
+#include "tests/cli/program.h"
+
+namespace handmap {
+namespace {
+
+using BagsCli = CliTest;
+
+void writeDrive(const std::filesystem::path& path, bool scans) {
+  McapWriter writer(path);
+  const auto odometry = writer.addTopic("/odom", "nav_msgs/msg/Odometry", "");
+  const auto laser = writer.addTopic("/scan", "sensor_msgs/msg/LaserScan", "");
+  for (int i = 0; i < 3; ++i) {
+    const double time_s = 10.0 + i;
+    FieldWriter pose = FieldWriter::cdr();
+    pose.stamp(time_s);
+    pose.text("odom");
+    pose.text("laser");
+    for (const double value : {1.0 * i, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}) pose.put(value);
+    writer.write(odometry, time_s, pose.bytes());
+    if (!scans) continue;
+    FieldWriter scan = FieldWriter::cdr();
+    scan.stamp(time_s);
+    scan.text("laser");
+    for (const float value : {-1.0F, 1.0F, 1.0F, 0.0F, 0.0F, 0.1F, 30.0F}) scan.put(value);
+    scan.count(3);
+    for (const float range : {4.0F, 5.0F, 6.0F}) scan.put(range);
+    scan.count(0);
+    writer.write(laser, time_s, scan.bytes());
+  }
+  writer.finish();
+}
+
+TEST_F(BagsCli, InfoListsWhatServesAsWhat) {
+  writeDrive("drive.mcap", true);
+  expectDone(run({"info", "drive.mcap"}),
+             "drive.mcap: MCAP of 6 messages in 2.0 s\n"
+             "topic  type                   messages  rate_hz   first_s    last_s  serves_as\n"
+             "/odom  nav_msgs/Odometry             3      1.0      0.00      2.00  odometry\n"
+             "/scan  sensor_msgs/LaserScan         3      1.0      0.00      2.00  scan\n"
+             "import: what serves as something makes a recording\n");
+}
+
+TEST_F(BagsCli, ImportMakesARecording) {
+  writeDrive("drive.mcap", true);
+  const Outcome outcome = run({"import", "drive.mcap", "--out", "rec"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "rec: recording of 0 pairs of images, 3 scans and 3 poses\n");
+  EXPECT_NE(outcome.err.find("note: /scan as scan\n"), std::string::npos) << outcome.err;
+  EXPECT_EQ(run({"validate", "rec"}).status, 0);
+}
+
+TEST_F(BagsCli, ImportSaysWhyThereIsNothingToImport) {
+  writeDrive("blind.mcap", false);
+  expectFailed(
+      run({"import", "blind.mcap", "--out", "rec"}), 2,
+      "handmap-cli: error: blind.mcap: found nothing that sees, expected scans, points or a "
+      "pair of images with camera infos; it holds /odom (nav_msgs/Odometry), /scan "
+      "(sensor_msgs/LaserScan)\n");
+  expectFailed(run({"import", "blind.mcap", "--out", "rec", "--odometry", "/wheels"}), 2,
+               "handmap-cli: error: blind.mcap: --odometry: found /wheels, expected /odom\n");
+  writeText("a.bag", "no bag at all");
+  expectFailed(run({"info", "a.bag"}), 2,
+               "handmap-cli: error: a.bag: found another beginning, expected #ROSBAG V2.0\n");
+}
+
+}  // namespace
+}  // namespace handmap
