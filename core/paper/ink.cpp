@@ -15,7 +15,6 @@ constexpr double kWindow = 0.08;        // of the longer side: of the median tha
 constexpr double kMargin = 0.003;       // of the longer side
 constexpr double kShareOfStrong = 0.4;  // printed squares are fainter than the strokes by more
 constexpr double kStrong = 0.98;        // quantile: printed squares may be most of what is seen
-constexpr double kLeastContrast = 0.1;  // of the paper's brightness; fainter than any pencil
 constexpr double kNoises = 6.0;
 constexpr double kLeastInk = 1e-4;  // of the page
 
@@ -119,7 +118,7 @@ int marginOf(const cv::Size& page) {
   return static_cast<int>(kMargin * std::max(page.width, page.height)) + 1;
 }
 
-Ink separatedInk(const cv::Mat& page) {
+Ink separatedInk(const cv::Mat& page, double least_contrast) {
   cv::Mat grey = page;
   if (page.channels() == 3) cv::cvtColor(page, grey, cv::COLOR_BGR2GRAY);
   Ink ink;
@@ -128,7 +127,7 @@ Ink separatedInk(const cv::Mat& page) {
   const cv::Mat contrast = contrastOf(channel, barePaper(channel), ink.dark_page);
   const std::array<double, 256> counts = histogramOf(contrast);
   const double noise = 1.5 * quantile(counts, 0, 0.7);  // half of the pixels are at or below 0
-  const int faint = static_cast<int>(std::clamp(kNoises * noise, 255.0 * kLeastContrast, 200.0));
+  const int faint = static_cast<int>(std::clamp(kNoises * noise, 255.0 * least_contrast, 200.0));
   const int strong = quantile(counts, static_cast<std::size_t>(faint), kStrong);
   cv::threshold(contrast, ink.mask, std::max<double>(faint, kShareOfStrong * strong), 255,
                 cv::THRESH_BINARY);

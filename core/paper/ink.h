@@ -15,7 +15,11 @@ struct Ink {
 /// The edge of a page, which is no ink, pixels.
 int marginOf(const cv::Size& page);
 
-/// Of a straightened page; pen, pencil, coloured pen on light paper, or light on dark paper.
-Ink separatedInk(const cv::Mat& page);
+/// A share of the paper's brightness: fainter than any pencil.
+inline constexpr double kLeastContrast = 0.1;
+
+/// Of a straightened page; pen, pencil, coloured pen on light paper, or light on dark paper. What
+/// differs less from the paper than `least_contrast` is none.
+Ink separatedInk(const cv::Mat& page, double least_contrast = kLeastContrast);
 
 }  // namespace handmap

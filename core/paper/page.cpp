@@ -5,6 +5,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/paper/sheet_marks.h"
+
 namespace handmap {
 
 namespace {
@@ -136,6 +138,12 @@ Page straightened(const cv::Mat& photo, const Quad& quad, double aspect) {
 Page pageOf(const cv::Mat& photo) {
   const auto width = static_cast<float>(photo.cols);
   const auto height = static_cast<float>(photo.rows);
+  if (const auto seen = sheetOn(photo)) {
+    Page page = straightened(photo, seen->grid, kSheetWidth_mm / kSheetHeight_mm);
+    page.edges_found = true;
+    page.sheet = seen->code;
+    return page;
+  }
   if (const auto quad = pageOutline(photo)) {
     Page page = straightened(photo, *quad, aspectOf(*quad, photo.size()));
     page.edges_found = true;

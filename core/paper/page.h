@@ -1,23 +1,23 @@
 // The page on a photo: found, straightened, seen from above.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include <opencv2/core/mat.hpp>
+
+#include "core/paper/quad.h"
+#include "core/paper/sheet.h"
 
 namespace handmap {
 
 /// The longer side of a straightened page: a pen of 0.5 mm on A4 is three pixels wide then.
 inline constexpr int kPageSide_px = 1800;
 
-/// Top left, top right, bottom right, bottom left.
-using Quad = std::array<cv::Point2f, 4>;
-
 struct Page {
   cv::Mat image;                                ///< 8 bit, three channels
   cv::Matx33d from_photo = cv::Matx33d::eye();  ///< pixels of the photo to those of the page
   bool edges_found = false;                     ///< else the photo is taken to be the page
+  std::optional<SheetCode> sheet;               ///< of a printed sheet: the page is its grid
 };
 
 /// The outline of a page that differs from the table it lies on; nullopt where none is seen, also
@@ -31,7 +31,7 @@ double aspectOf(const Quad& quad, const cv::Size& photo);
 /// over height of the page.
 Page straightened(const cv::Mat& photo, const Quad& quad, double aspect);
 
-/// With the page found, or the whole photo.
+/// With the sheet or the page found, or the whole photo.
 Page pageOf(const cv::Mat& photo);
 
 }  // namespace handmap

@@ -20,6 +20,7 @@ constexpr double kWorthShowing = 0.2;
 constexpr double kOverlap = 0.3;  // of the smaller: two shapes are one ink read twice
 constexpr double kDark = 40.0;    // mean grey level
 constexpr double kSharp = 12.0;   // grey levels over two pixels, of the sharpest 0.02 %
+constexpr double kPrintedContrast = kDarkestPrint + 0.06;  // and what the camera adds
 
 /// Without lesser readings of the same ink.
 std::vector<std::size_t> chosen(const std::vector<Candidate>& candidates,
@@ -71,6 +72,8 @@ TracedShape shapeOf(const Region& region, double confidence, const Ink& ink,
   const std::vector<ShapeGuess> guesses = recognizedShapes(stroke, scale.stroke_px / 2.0);
   shape.outline =
       guesses.empty() ? strokeOutline(stroke, scale.stroke_px) : guesses.front().outline;
+  if (!guesses.empty() && guesses.front().kind == StrokeShape::Rectangular)
+    shape.rectangle = guesses.front().rectangle;
   shape.misfit = guesses.empty() ? 1.0 : guesses.front().misfit / diagonalOf(stroke);
   shape.confidence = confidence;
   shape.box = region.box;
@@ -95,7 +98,7 @@ cv::Mat reduced(const cv::Mat& photo) {
 Trace traced(Page page) {
   Trace trace;
   trace.page = std::move(page);
-  trace.ink = separatedInk(trace.page.image);
+  trace.ink = separatedInk(trace.page.image, trace.page.sheet ? kPrintedContrast : kLeastContrast);
   if (!trace.ink.any) return trace;
   const PageScale scale(trace.ink);
   const std::vector<Candidate> candidates = candidatesOf(trace.ink, scale);

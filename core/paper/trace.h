@@ -15,12 +15,13 @@ inline constexpr double kSureOfShape = 0.5;
 
 /// A closed shape of the drawing.
 struct TracedShape {
-  Polygon outline;          ///< pixels of the page, x right, y up from its lower left corner
-  double confidence = 0.0;  ///< 0 … 1, that it is a building
-  double misfit = 0.0;      ///< of the ink to the outline, rms, a share of its diagonal
-  cv::Rect box;             ///< on the page, y down: the crop with its ink
-  cv::Mat ink;              ///< within the box: what it was drawn with
-  std::optional<cv::Rect> writing;  ///< on the page, y down: handwriting in the shape
+  Polygon outline;  ///< pixels of the page, x right, y up from its lower left corner
+  std::optional<Rectangle> rectangle;  ///< the outline, where it is one
+  double confidence = 0.0;             ///< 0 … 1, that it is a building
+  double misfit = 0.0;                 ///< of the ink to the outline, rms, a share of its diagonal
+  cv::Rect box;                        ///< on the page, y down: the crop with its ink
+  cv::Mat ink;                         ///< within the box: what it was drawn with
+  std::optional<cv::Rect> writing;     ///< on the page, y down: handwriting in the shape
 };
 
 /// The longer side that photos are reduced to before the page is looked for.

@@ -20,17 +20,24 @@ double sizeOf(const Building& building) {
   return std::sqrt(std::abs(signedArea(building.footprint())));
 }
 
+/// Mean of ln size.
+double middleSize(const Map& map) {
+  double middle = 0.0;
+  const auto count = static_cast<double>(map.buildings.size());
+  for (const Building& building : map.buildings) middle += std::log(sizeOf(building)) / count;
+  return middle;
+}
+
 class PeoplesHand {
  public:
-  PeoplesHand(const Map& truth, const PeopleErrors& errors) : truth_(truth), errors_(errors) {
+  PeoplesHand(const Map& truth, const PeopleErrors& errors)
+      : truth_(truth), errors_(errors), middle_(middleSize(truth)) {
     const double extent = extentOf(truth);
     sigma_m_ = errors.position * extent;
     const auto count = static_cast<Eigen::Index>(truth.buildings.size());
     Eigen::MatrixXd covariance(count, count);
     for (Eigen::Index i = 0; i < count; ++i) {
       places_.push_back(truth.buildings[static_cast<std::size_t>(i)].box().centre);
-      middle_ += std::log(sizeOf(truth.buildings[static_cast<std::size_t>(i)])) /
-                 static_cast<double>(count);
     }
     for (Eigen::Index i = 0; i < count; ++i) {
       for (Eigen::Index j = 0; j < count; ++j) {
@@ -60,18 +67,6 @@ class PeoplesHand {
     return building;
   }
 
-  /// What the drawing is off by, one σ.
-  Uncertainty uncertainty() const {
-    double square = 0.0;
-    for (const Building& building : truth_.buildings) {
-      const double size = sizeOf(building);
-      const double pull = (errors_.size_slope - 1.0) * (std::log(size) - middle_);
-      square += size * size * (errors_.size_sigma * errors_.size_sigma + pull * pull);
-    }
-    const auto count = static_cast<double>(std::max<std::size_t>(1, truth_.buildings.size()));
-    return {sigma_m_, std::sqrt(square / count)};
-  }
-
  private:
   /// Of the normal distribution of one error where the others are known.
   Vec2 offGiven(std::size_t i, const std::vector<Building>& drawn, RandomStream& random) const {
@@ -91,8 +86,8 @@ class PeoplesHand {
 
   const Map& truth_;
   PeopleErrors errors_;
+  double middle_;  ///< of ln true size
   double sigma_m_ = 0.0;
-  double middle_ = 0.0;  ///< of ln true size
   std::vector<Vec2> places_;
   Eigen::MatrixXd information_;
 };
@@ -110,6 +105,18 @@ double extentOf(const Map& map) {
   return std::sqrt(square / (2.0 * count));
 }
 
+Uncertainty uncertaintyOfPeople(const Map& drawing, const PeopleErrors& errors) {
+  const double middle = middleSize(drawing);
+  double square = 0.0;
+  for (const Building& building : drawing.buildings) {
+    const double size = sizeOf(building);
+    const double pull = (errors.size_slope - 1.0) * (std::log(size) - middle);
+    square += size * size * (errors.size_sigma * errors.size_sigma + pull * pull);
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, drawing.buildings.size()));
+  return {errors.position * extentOf(drawing), std::sqrt(square / count)};
+}
+
 Map drawnByPeople(const Map& truth, const PeopleErrors& errors, std::uint64_t seed,
                   Keeping keeping) {
   if (truth.buildings.size() > kMostCorrelated) {
@@ -121,7 +128,7 @@ Map drawnByPeople(const Map& truth, const PeopleErrors& errors, std::uint64_t se
     return hand.draw(i, drawn, random);
   };
   Map drawn = possibleDrawing(truth, redraw, seed, keeping);
-  drawn.uncertainty = hand.uncertainty();
+  drawn.uncertainty = uncertaintyOfPeople(truth, errors);
   RandomStream random(seed, 0, 0, kMissing);
   std::size_t left = drawn.buildings.size();
   std::erase_if(drawn.buildings, [&](const Building& building) {

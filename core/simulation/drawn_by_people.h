@@ -26,6 +26,9 @@ struct PeopleErrors {
 Map drawnByPeople(const Map& truth, const PeopleErrors& errors, std::uint64_t seed,
                   Keeping keeping = Keeping::SideAndOrder);
 
+/// What a drawing that people made is off by, one σ, as far as the drawing itself tells.
+Uncertainty uncertaintyOfPeople(const Map& drawing, const PeopleErrors& errors = {});
+
 /// σ of the coordinates of the buildings, metres.
 double extentOf(const Map& map);
 

@@ -1,0 +1,42 @@
+// The drawing that a person made on paper, as a map.
+#pragma once
+
+#include <string>
+
+#include "core/map/map.h"
+#include "core/paper/trace.h"
+
+namespace handmap {
+
+/// Of a building: a box on the picture of the page, "[x, y, width, height]" in its pixels, y down,
+/// with the handwriting in the shape.
+inline constexpr auto kWritingKey = "handmap:writing";
+/// Of the underlay that is the page.
+inline constexpr auto kPaperKey = "handmap:paper";
+
+/// Where a page lies on the map, upright.
+struct PagePlace {
+  Vec2 corner = Vec2::Zero();  ///< its lower left, metres
+  double metres_per_pixel = 0.1;
+};
+
+PagePlace placeOf(const Page& page, const Sheet& sheet);
+/// So large that the page is so wide, its middle at the origin.
+PagePlace placeOfPage(const Page& page, double width_m);
+/// The same where the shapes that are surely buildings are, all together, so wide; as the page
+/// where there is none.
+PagePlace placeOfDrawing(const Trace& trace, double width_m);
+
+/// Without id.
+Building buildingOf(const TracedShape& shape, const PagePlace& place);
+/// `image`: its path, see Underlay.
+Underlay underlayOf(const Page& page, const PagePlace& place, const std::string& image);
+/// Of the shapes that are surely buildings, B1, B2 … from left to right, off by as much as people's
+/// drawings are.
+Map mapOf(const Trace& trace, const PagePlace& place);
+/// `drawn` over what was printed: a shape over a building is its new outline, all else is new.
+Map drawnOver(Map printed, const Map& drawn);
+/// Where the handwriting in a building is on the picture of its page; nullopt: there is none.
+std::optional<cv::Rect> writingOf(const Building& building);
+
+}  // namespace handmap
