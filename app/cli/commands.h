@@ -20,6 +20,8 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen);
 void addEvaluateCommand(CLI::App& app, ChosenCommand& chosen);
 void addFiguresCommand(CLI::App& app, ChosenCommand& chosen);
 void addSketchStatsCommand(CLI::App& app, ChosenCommand& chosen);
+void addTraceCommand(CLI::App& app, ChosenCommand& chosen);
+void addSheetCommand(CLI::App& app, ChosenCommand& chosen);
 void addInfoCommand(CLI::App& app, ChosenCommand& chosen);
 void addImportCommand(CLI::App& app, ChosenCommand& chosen);
 void addTryCommand(CLI::App& app, ChosenCommand& chosen);

@@ -71,6 +71,8 @@ int runProgram(int argc, char** argv) {
   addRunCommand(app, chosen);
   addSimulateCommand(app, chosen);
   addPerturbCommand(app, chosen);
+  addTraceCommand(app, chosen);
+  addSheetCommand(app, chosen);
   addInfoCommand(app, chosen);
   addImportCommand(app, chosen);
   addOdometryCommand(app, chosen);
