@@ -1,13 +1,12 @@
 #include "core/paper/traced_map.h"
 
 #include <algorithm>
-#include <array>
 #include <unordered_set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/map/certainty.h"
+#include "core/paper/handwriting.h"
 #include "core/simulation/drawn_by_people.h"
 
 namespace handmap {
@@ -45,7 +44,7 @@ PagePlace placeOfDrawing(const Trace& trace, double width_m) {
   return placeOfPage(trace.page, width_m / share);
 }
 
-Building buildingOf(const TracedShape& shape, const PagePlace& place) {
+Building buildingOf(const TracedShape& shape, const Ink& ink, const PagePlace& place) {
   Building building;
   building.shape = moved(shape.outline, place);
   if (shape.rectangle) {
@@ -55,11 +54,7 @@ Building buildingOf(const TracedShape& shape, const PagePlace& place) {
     box.depth *= place.metres_per_pixel;
     building.shape = box;
   }
-  if (shape.writing) {
-    const cv::Rect& box = *shape.writing;
-    building.unknown[kWritingKey] =
-        fmt::format("[{}, {}, {}, {}]", box.x, box.y, box.width, box.height);
-  }
+  if (shape.writing) building.unknown[kWritingKey] = writingText(ink.mask(*shape.writing));
   return building;
 }
 
@@ -78,53 +73,46 @@ Map mapOf(const Trace& trace, const PagePlace& place) {
   Map map;
   for (const TracedShape& shape : trace.shapes) {
     if (shape.confidence < kSureOfShape) continue;
-    map.buildings.push_back(buildingOf(shape, place));
+    map.buildings.push_back(buildingOf(shape, trace.ink, place));
     map.buildings.back().id = fmt::format("B{}", map.buildings.size());
   }
-  if (map.buildings.empty()) return map;
-  map.uncertainty = uncertaintyOfPeople(map);
-  // Of one building, or of some at one place, the extent tells nothing.
-  map.uncertainty.position = std::max(map.uncertainty.position, map.uncertainty.size);
+  if (!map.buildings.empty()) map.uncertainty = uncertaintyOnPaper(map);
   return map;
 }
 
+Uncertainty uncertaintyOnPaper(const Map& map) {
+  Uncertainty uncertainty = uncertaintyOfPeople(map);
+  // Of one building, or of some at one place, the extent tells nothing.
+  uncertainty.position = std::max(uncertainty.position, uncertainty.size);
+  return uncertainty;
+}
+
+const Building* buildingUnder(const Map& printed, const Building& drawn) {
+  const Polygon outline = drawn.footprint();
+  const auto under = std::ranges::find_if(printed.buildings, [&](const Building& known) {
+    return intersectionOverUnion(known.footprint(), outline) >= kSameBuilding;
+  });
+  return under == printed.buildings.end() ? nullptr : &*under;
+}
+
 Map drawnOver(Map printed, const Map& drawn) {
+  const Map before = printed;
   std::unordered_set<std::string> taken;
-  for (const Building& building : printed.buildings) taken.insert(building.id);
-  const std::size_t before = printed.buildings.size();
+  for (const Building& building : before.buildings) taken.insert(building.id);
   std::size_t number = 0;
   for (Building building : drawn.buildings) {
-    const Polygon outline = building.footprint();
-    const auto end = printed.buildings.begin() + static_cast<std::ptrdiff_t>(before);
-    const auto under = std::find_if(printed.buildings.begin(), end, [&](const Building& known) {
-      return intersectionOverUnion(known.footprint(), outline) >= kSameBuilding;
-    });
-    if (under != end) {
-      under->shape = building.shape;
-      forgetCertainty(*under);
+    if (const Building* under = buildingUnder(before, building)) {
+      Building& changed =
+          printed.buildings[static_cast<std::size_t>(under - before.buildings.data())];
+      changed.shape = building.shape;
+      forgetCertainty(changed);
       continue;
     }
     do building.id = fmt::format("B{}", ++number);
     while (!taken.insert(building.id).second);
     printed.buildings.push_back(std::move(building));
   }
-  printed.underlays.insert(printed.underlays.end(), drawn.underlays.begin(), drawn.underlays.end());
   return printed;
-}
-
-std::optional<cv::Rect> writingOf(const Building& building) {
-  const auto text = building.unknown.find(kWritingKey);
-  if (text == building.unknown.end()) return std::nullopt;
-  const nlohmann::json box = nlohmann::json::parse(text->second, nullptr, false);
-  if (!box.is_array() || box.size() != 4) return std::nullopt;
-  std::array<int, 4> numbers{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!box[i].is_number_integer()) return std::nullopt;
-    const auto number = box[i].get<std::int64_t>();
-    if (number < 0 || number > kPageSide_px) return std::nullopt;
-    numbers[i] = static_cast<int>(number);
-  }
-  return cv::Rect(numbers[0], numbers[1], numbers[2], numbers[3]);
 }
 
 }  // namespace handmap

@@ -8,9 +8,6 @@
 
 namespace handmap {
 
-/// Of a building: a box on the picture of the page, "[x, y, width, height]" in its pixels, y down,
-/// with the handwriting in the shape.
-inline constexpr auto kWritingKey = "handmap:writing";
 /// Of the underlay that is the page.
 inline constexpr auto kPaperKey = "handmap:paper";
 
@@ -27,16 +24,18 @@ PagePlace placeOfPage(const Page& page, double width_m);
 /// where there is none.
 PagePlace placeOfDrawing(const Trace& trace, double width_m);
 
-/// Without id.
-Building buildingOf(const TracedShape& shape, const PagePlace& place);
+/// Without id; with the handwriting in it.
+Building buildingOf(const TracedShape& shape, const Ink& ink, const PagePlace& place);
 /// `image`: its path, see Underlay.
 Underlay underlayOf(const Page& page, const PagePlace& place, const std::string& image);
 /// Of the shapes that are surely buildings, B1, B2 … from left to right, off by as much as people's
 /// drawings are.
 Map mapOf(const Trace& trace, const PagePlace& place);
+/// What a drawing on paper is off by: as people's drawings are.
+Uncertainty uncertaintyOnPaper(const Map& map);
 /// `drawn` over what was printed: a shape over a building is its new outline, all else is new.
 Map drawnOver(Map printed, const Map& drawn);
-/// Where the handwriting in a building is on the picture of its page; nullopt: there is none.
-std::optional<cv::Rect> writingOf(const Building& building);
+/// The building of `printed` that this one is drawn over; nullptr: none.
+const Building* buildingUnder(const Map& printed, const Building& drawn);
 
 }  // namespace handmap

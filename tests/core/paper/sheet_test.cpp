@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/map/map_io.h"
+#include "core/paper/handwriting.h"
 #include "core/paper/sheet_marks.h"
 #include "core/paper/traced_map.h"
 #include "tests/core/paper/photographed.h"
@@ -188,17 +190,34 @@ TEST(TracedMap, DrawnOverAMapChangesWhatIsUnderItAndAddsTheRest) {
   EXPECT_EQ(both.buildings[1].id, "B2");
 }
 
-TEST(TracedMap, FindsTheWritingAgainAndNoneInOtherWords) {
+TEST(Handwriting, IsKeptInTheMapAndReadAgain) {
+  Ink ink;
+  ink.mask = cv::Mat::zeros(200, 600, CV_8U);
+  cv::putText(ink.mask, "Library", {20, 120}, cv::FONT_HERSHEY_SIMPLEX, 3.0, 255, 8);
   TracedShape shape;
   shape.outline = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  shape.writing = cv::Rect(3, 4, 5, 6);
-  Building building = buildingOf(shape, {});
-  EXPECT_EQ(writingOf(building), shape.writing);
-  for (const char* other :
-       {"[1,2,3]", "[1,2,3,\"x\"]", "[1,2,-3,4]", "[1,2,3,99999999999]", "{}"}) {
+  shape.writing = cv::Rect(10, 30, 480, 120);
+  Map map;
+  map.buildings = {buildingOf(shape, ink, {})};
+  map.buildings[0].id = "B1";
+  const Map again = parseMap(formatMap(map), "map");
+  const cv::Mat writing = writingOf(again.buildings[0]);
+  ASSERT_EQ(writing.size(), cv::Size(192, 48));
+  cv::Mat larger;
+  cv::resize(writing, larger, shape.writing->size(), 0, 0, cv::INTER_LINEAR);
+  const cv::Mat differs = (larger > 127) != ink.mask(*shape.writing);
+  EXPECT_LT(cv::countNonZero(differs), 0.25 * cv::countNonZero(ink.mask));
+}
+
+TEST(Handwriting, InOtherWordsIsNone) {
+  Building building;
+  for (const char* other : {"[2,2]", "[2,2,3]", "[2,2,5]", "[2,2,-1,5]", "[2,2,\"x\",4]", "{}",
+                            "[99999999999,1,1]", "[0,0,0]"}) {
     building.unknown[kWritingKey] = other;
-    EXPECT_EQ(writingOf(building), std::nullopt) << other;
+    EXPECT_TRUE(writingOf(building).empty()) << other;
   }
+  building.unknown[kWritingKey] = "[2,2,1,2,1]";
+  EXPECT_EQ(cv::countNonZero(writingOf(building)), 2);
 }
 
 }  // namespace
