@@ -103,6 +103,33 @@
     </message>
 </context>
 <context>
+    <name>handmap::PaperActions</name>
+    <message numerus="yes">
+        <source>%n closed shape(s) are found.</source>
+        <translation>
+            <numerusform>One closed shape is found.</numerusform>
+            <numerusform>%n closed shapes are found.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) are taken over; the page lies under the drawing.</source>
+        <translation>
+            <numerusform>One building is taken over; the page lies under the drawing.</numerusform>
+            <numerusform>%n buildings are taken over; the page lies under the drawing.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PaperTool</name>
+    <message numerus="yes">
+        <source>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the %n ticked · Esc: none</source>
+        <translation>
+            <numerusform>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the one ticked · Esc: none</numerusform>
+            <numerusform>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the %n ticked · Esc: none</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::PhaseWords</name>
     <message numerus="yes">
         <source>Samples of %n building(s) in sight, before they move; score %1.</source>

@@ -815,6 +815,22 @@
         <source>Let a simulated robot drive through what you have drawn.</source>
         <translation>描いた図面の中をシミュレーターのロボットに走らせます。</translation>
     </message>
+    <message>
+        <source>&amp;From Paper…</source>
+        <translation>紙から(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Make buildings of a photo of a drawing on paper.</source>
+        <translation>紙に描いた図の写真から建物を作ります。</translation>
+    </message>
+    <message>
+        <source>Print a S&amp;heet…</source>
+        <translation>用紙を印刷(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Make a page to draw on, whose photo tells scale and start.</source>
+        <translation>描くための用紙を作ります。その写真から縮尺と出発点が分かります。</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -3994,6 +4010,30 @@
         <source>Draw what stands there; where it is drawn, check the start.</source>
         <translation>そこにあるものを描いてください。描いてあるなら、出発点を確かめてください。</translation>
     </message>
+    <message>
+        <source>the sheet</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>{} × {} m</source>
+        <translation>{} × {} m</translation>
+    </message>
+    <message>
+        <source>at most 4800 × 3200 m</source>
+        <translation>最大 4800 × 3200 m</translation>
+    </message>
+    <message>
+        <source>the photo is dark</source>
+        <translation>写真が暗すぎます</translation>
+    </message>
+    <message>
+        <source>the photo has hardly a pixel</source>
+        <translation>写真に画素がほとんどありません</translation>
+    </message>
+    <message>
+        <source>the photo is blurred, or there is no ink on it</source>
+        <translation>写真がぼけているか、何も描かれていません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -4212,6 +4252,10 @@ Observations: %4</source>
     <message>
         <source>Lock Building</source>
         <translation>建物をロック</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>手書き</translation>
     </message>
 </context>
 <context>
@@ -6237,6 +6281,122 @@ Corrected by a run.</source>
     <message>
         <source>Find by id or name</source>
         <translation>ID または名前で検索</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PaperActions</name>
+    <message>
+        <source>Open a photo of a drawing</source>
+        <translation>図の写真を開く</translation>
+    </message>
+    <message>
+        <source>Photos (*.png *.jpg *.jpeg)</source>
+        <translation>写真 (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>Reading the drawing on “%1”…</source>
+        <translation>「%1」の図を読んでいます…</translation>
+    </message>
+    <message>
+        <source>“%1” has no closed shapes.</source>
+        <translation>「%1」に閉じた形がありません。</translation>
+    </message>
+    <message>
+        <source>Draw each building as a closed outline, with a pen, and take the photo from above.</source>
+        <translation>建物を一つずつペンで閉じた輪郭に描き、上から写真を撮ってください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n closed shape(s) are found.</source>
+        <translation>
+            <numerusform>閉じた形が %n 個見つかりました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click those that are no buildings, then press Enter.</source>
+        <translation>建物でないものをクリックし、Enter を押してください。</translation>
+    </message>
+    <message>
+        <source>Another drawing is printed on this sheet, or this one has changed.</source>
+        <translation>この用紙には別の図面が印刷されているか、図面が変わっています。</translation>
+    </message>
+    <message>
+        <source>Its place has to be told by its width.</source>
+        <translation>場所は幅で示す必要があります。</translation>
+    </message>
+    <message>
+        <source>How large is it?</source>
+        <translation>大きさは？</translation>
+    </message>
+    <message>
+        <source>From the leftmost building to the rightmost</source>
+        <translation>左端の建物から右端の建物まで</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Take Over from Paper</source>
+        <translation>紙から取り込む</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n building(s) are taken over; the page lies under the drawing.</source>
+        <translation>
+            <numerusform>建物を %n 棟取り込みました。紙は図面の下にあります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Say with the start tool (T) where the robot begins.</source>
+        <translation>出発点の道具（T）でロボットの始まる所を示してください。</translation>
+    </message>
+    <message>
+        <source>Print a sheet to draw on</source>
+        <translation>描くための用紙を印刷</translation>
+    </message>
+    <message>
+        <source>What is to be on the sheet?</source>
+        <translation>用紙に何を印刷しますか？</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>The drawing</source>
+        <translation>図面</translation>
+    </message>
+    <message>
+        <source>Width of the place</source>
+        <translation>場所の幅</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The sheet</source>
+        <translation>用紙</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::PaperTool</name>
+    <message>
+        <source>Choose “From Paper…” to open a photo of a drawing</source>
+        <translation>「紙から…」で図の写真を開いてください</translation>
+    </message>
+    <message numerus="yes">
+        <source>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the %n ticked · Esc: none</source>
+        <translation>
+            <numerusform>形をクリックで取捨 · キーでは Tab と Del · Enter: 印の付いた %n 個を取り込む · Esc: 取り込まない</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✓ changes one</source>
+        <translation>✓ 既存を変更</translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,8 @@ enum class ToolId {
   Eraser,
   RobotPose,
   Picture,
-  GeoPin
+  GeoPin,
+  Paper
 };
 
 /// A pointer event in the map frame.

@@ -3,9 +3,11 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <algorithm>
 
 #include "core/map/map_limits.h"
+#include "core/paper/handwriting.h"
 #include "widgets/canvas/building_handles.h"
 #include "widgets/panels/sure_box.h"
 #include "widgets/panels/vertex_table.h"
@@ -40,6 +42,8 @@ BuildingPage::BuildingPage(MapDocument& document) : PropertyPage(document, tr("B
   name_ = addText("name", tr("Name"), [this](const QString& name) {
     edit(tr("Name Building"), [&](Building& building) { building.name = name.toStdString(); });
   });
+  writing_ = new QLabel;
+  addField("writing", tr("Written"), writing_);
   x_ = addCoordinate("x", tr("x"), [this](double x) {
     editBox(tr("Change x"), [x](Rectangle& box) { box.centre.x() = x; });
   });
@@ -157,6 +161,9 @@ void BuildingPage::refresh() {
   name_->setPlaceholderText(name ? QString() : tr("several"));
   showText(*name_, QString::fromStdString(name.value_or("")));
 
+  showField(*writing_, single && shown.front().unknown.contains(kWritingKey));
+  if (single) refreshWriting(shown.front());
+
   const auto box = [&](auto get) {
     return common(shown, [&](const Building& b) { return get(b.box()); });
   };
@@ -173,6 +180,21 @@ void BuildingPage::refresh() {
   if (polygon != nullptr) vertices_->showPolygon(*polygon);
   refreshUncertainty(shown);
   refreshEstimate(shown);
+}
+
+/// As somebody wrote it on paper, in the colour of text.
+void BuildingPage::refreshWriting(const Building& shown) {
+  const cv::Mat ink = writingOf(shown);
+  QImage picture;
+  if (!ink.empty()) {
+    picture = QImage(ink.data, ink.cols, ink.rows, static_cast<qsizetype>(ink.step),
+                     QImage::Format_Alpha8)
+                  .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    QPainter tint(&picture);
+    tint.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    tint.fillRect(picture.rect(), palette().color(QPalette::Text));
+  }
+  writing_->setPixmap(QPixmap::fromImage(picture));
 }
 
 /// What is locked is not moved by numbers either.

@@ -30,9 +30,11 @@ class BuildingPage : public PropertyPage {
   void editBox(const QString& text, const std::function<void(Rectangle&)>& change);
   void refreshLock(const std::vector<Building>& shown);
   void refreshUncertainty(const std::vector<Building>& shown);
+  void refreshWriting(const Building& shown);
   void refreshEstimate(const std::vector<Building>& shown);
 
   QLineEdit* name_;
+  QLabel* writing_;
   NumberField* x_;
   NumberField* y_;
   NumberField* width_;

@@ -8,6 +8,7 @@
 #include "widgets/tools/geo_pin_tool.h"
 #include "widgets/tools/landmark_tool.h"
 #include "widgets/tools/measure_tool.h"
+#include "widgets/tools/paper_tool.h"
 #include "widgets/tools/picture_tool.h"
 #include "widgets/tools/polygon_tool.h"
 #include "widgets/tools/rectangle_tool.h"
@@ -39,6 +40,7 @@ Toolbox::Toolbox(MapDocument& document, MapCanvas& canvas, QObject* parent)
   add<EraserTool>();
   picture_ = add<PictureTool>([&canvas](std::size_t place) { return canvas.pictureSize(place); });
   geo_pin_ = add<GeoPinTool>();
+  paper_ = add<PaperTool>();
   const auto* robot_pose = add<RobotPoseTool>();
   connect(robot_pose, &RobotPoseTool::given, this, [this](const Pose2& pose) {
     canvas_.setTool(ToolId::Select);

@@ -9,6 +9,7 @@ namespace handmap {
 
 class FreehandTool;
 class GeoPinTool;
+class PaperTool;
 class PictureTool;
 class SelectTool;
 
@@ -20,6 +21,7 @@ class Toolbox : public QObject {
 
   PictureTool& pictureTool() { return *picture_; }
   GeoPinTool& geoPinTool() { return *geo_pin_; }
+  PaperTool& paperTool() { return *paper_; }
   /// Whether the freehand tool guesses what a stroke was meant to be.
   void setRecognizing(bool on);
   bool canAddCorner() const;
@@ -40,6 +42,7 @@ class Toolbox : public QObject {
   FreehandTool* freehand_;
   PictureTool* picture_;
   GeoPinTool* geo_pin_;
+  PaperTool* paper_;
 };
 
 }  // namespace handmap

@@ -15,6 +15,7 @@
 
 #include "app/gui/editing/edit_actions.h"
 #include "app/gui/editing/georeference_actions.h"
+#include "app/gui/editing/paper_actions.h"
 #include "app/gui/editing/picture_actions.h"
 #include "app/gui/files/disk_watch.h"
 #include "app/gui/files/file_actions.h"
@@ -101,6 +102,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   auto* trust = new ReferenceTrust(shell_, document_, *files_, this);
   pictures_ = new PictureActions(shell_, document_, *canvas_, tools_->pictureTool(),
                                  editing_panels_.properties, *trust, this);
+  new PaperActions(shell_, document_, *canvas_, tools_->paperTool(), *files_, *trust, this);
   model_ = new MapModel(shell_, document_, *files_, *teach_, this);
   connect(trust, &ReferenceTrust::granted, model_, &MapModel::loadOfDrawing);
   templates_ = new TemplateMenu(shell_, document_, *files_, this);

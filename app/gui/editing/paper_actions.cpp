@@ -1,0 +1,250 @@
+#include "app/gui/editing/paper_actions.h"
+
+#include <QBuffer>
+#include <QFile>
+#include <QFileInfo>
+#include <QSettings>
+#include <variant>
+
+#include "app/gui/files/file_actions.h"
+#include "app/gui/files/reference_trust.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/map/references.h"
+#include "core/recording/image_file.h"
+#include "core/simulation/drawn_by_people.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/background/failure.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/messages/dialogs.h"
+#include "widgets/messages/message_bar.h"
+#include "widgets/tools/paper_tool.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr auto kPaperFolderKey = "paper/folder";
+constexpr auto kPaperTopic = "paper";
+constexpr double kPaperWidth_m = 200.0;
+constexpr double kLargestSheet_m = 4800.0;
+
+std::filesystem::path localFile(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+QImage imageOf(const cv::Mat& page) {
+  return QImage(page.data, page.cols, page.rows, static_cast<qsizetype>(page.step),
+                QImage::Format_BGR888)
+      .copy();
+}
+
+std::string pngOf(const QImage& image) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return bytes.toStdString();
+}
+
+/// Opaque where there is ink.
+QImage inkImage(const cv::Mat& ink) {
+  return QImage(ink.data, ink.cols, ink.rows, static_cast<qsizetype>(ink.step),
+                QImage::Format_Alpha8)
+      .copy();
+}
+
+}  // namespace
+
+PaperActions::PaperActions(const Shell& shell, MapDocument& document, MapCanvas& canvas,
+                           PaperTool& tool, FileActions& files, ReferenceTrust& trust,
+                           QObject* parent)
+    : QObject(parent),
+      shell_(shell),
+      document_(document),
+      canvas_(canvas),
+      tool_(tool),
+      files_(files),
+      trust_(trust),
+      self_(std::make_shared<Lifeline<PaperActions>>(*this)) {
+  shell_.actions.on("file.from_paper", this, [this] { ask(); });
+  shell_.actions.on("file.print_sheet", this, [this] { printSheet(); });
+  connect(&tool_, &PaperTool::taken, this, &PaperActions::take);
+}
+
+PaperActions::~PaperActions() { self_->cut(); }
+
+void PaperActions::ask() {
+  const QString path = shell_.dialogs.fileToOpen({tr("Open a photo of a drawing"),
+                                                  shell_.settings.value(kPaperFolderKey).toString(),
+                                                  tr("Photos (*.png *.jpg *.jpeg)"),
+                                                  {},
+                                                  {}});
+  if (path.isEmpty()) return;
+  shell_.settings.setValue(kPaperFolderKey, QFileInfo(path).path());
+  read(path);
+}
+
+void PaperActions::read(const QString& path) {
+  shell_.messages.show(MessageBar::Kind::Info,
+                       tr("Reading the drawing on “%1”…").arg(QFileInfo(path).fileName()), {},
+                       kPaperTopic);
+  startInBackground([self = self_, request = ++request_, path] {
+    std::variant<std::shared_ptr<const Reading>, Failure> answer;
+    try {
+      const cv::Mat photo = readPhoto(localFile(path), kPhotoSide_px);
+      auto reading = std::make_shared<Reading>();
+      reading->trace = traced(photo);
+      if (reading->trace.shapes.empty()) reading->trouble = troubleWith(photo);
+      reading->page = pngOf(imageOf(reading->trace.page.image));
+      answer = std::shared_ptr<const Reading>(reading);
+    } catch (const Error& error) {
+      answer = failureOf(error);
+    } catch (const std::exception& error) {
+      answer = Failure{ErrorCode::RunFailed, QString::fromUtf8(error.what()), {}};
+    }
+    self->post([request, path, answer](PaperActions& actions) {
+      if (request != actions.request_) return;
+      if (const auto* failure = std::get_if<Failure>(&answer)) return actions.tell(*failure);
+      actions.show(std::get<0>(answer), path);
+    });
+  });
+}
+
+void PaperActions::tell(const Failure& failure) {
+  shell_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint, kPaperTopic);
+}
+
+void PaperActions::show(const std::shared_ptr<const Reading>& reading, const QString& path) {
+  const Trace& trace = reading->trace;
+  if (trace.shapes.empty()) {
+    shell_.messages.show(MessageBar::Kind::Warning,
+                         tr("“%1” has no closed shapes.").arg(QFileInfo(path).fileName()),
+                         reading->trouble.empty() ? tr("Draw each building as a closed outline, "
+                                                       "with a pen, and take the photo from above.")
+                                                  : QString::fromStdString(reading->trouble),
+                         kPaperTopic);
+    return;
+  }
+  reading_ = reading;
+  photo_ = path;
+  const auto place = placeOfReading();
+  if (!place) return shell_.messages.withdraw(kPaperTopic);
+  place_ = *place;
+  PaperReview review;
+  review.page = imageOf(trace.page.image);
+  review.place = underlayOf(trace.page, place_, {});
+  for (const TracedShape& shape : trace.shapes) {
+    PaperReview::Proposal proposal;
+    proposal.building = buildingOf(shape, trace.ink, place_);
+    proposal.taken = shape.confidence >= kSureOfShape;
+    proposal.ink = inkImage(shape.ink);
+    proposal.ink_at = QPoint(shape.box.x, shape.box.y);
+    proposal.replaces = buildingUnder(document_.map(), proposal.building) != nullptr;
+    review.proposals.push_back(std::move(proposal));
+  }
+  const double scale = place_.metres_per_pixel;
+  canvas_.zoomToRect({place_.corner.x(), place_.corner.y(), scale * trace.page.image.cols,
+                      scale * trace.page.image.rows});
+  canvas_.setTool(ToolId::Paper);
+  tool_.setReview(std::move(review));
+  canvas_.setFocus();
+  shell_.messages.show(
+      MessageBar::Kind::Info,
+      tr("%n closed shape(s) are found.", nullptr, static_cast<int>(trace.shapes.size())),
+      tr("Click those that are no buildings, then press Enter."), kPaperTopic);
+}
+
+std::optional<PagePlace> PaperActions::placeOfReading() {
+  const Trace& trace = reading_->trace;
+  if (trace.page.sheet && !trace.page.sheet->of_map)
+    return placeOf(trace.page, emptySheet(*trace.page.sheet));
+  if (trace.page.sheet) {
+    const Sheet sheet = sheetFor(document_.map());
+    if (sheet.code == *trace.page.sheet) return placeOf(trace.page, sheet);
+    shell_.messages.show(MessageBar::Kind::Warning,
+                         tr("Another drawing is printed on this sheet, or this one has changed."),
+                         tr("Its place has to be told by its width."), kPaperTopic);
+  }
+  const QList<double> width = shell_.dialogs.numbers(
+      tr("How large is it?"),
+      {{tr("From the leftmost building to the rightmost"), kPaperWidth_m, 1.0, 1e5, 0, tr(" m")}});
+  if (width.isEmpty()) return std::nullopt;
+  return placeOfDrawing(trace, width.front());
+}
+
+/// Beside the drawing, or beside the photo where the drawing has no file yet; a new one.
+QString PaperActions::pictureFile() const {
+  const QFileInfo beside(document_.origin().isEmpty() ? photo_ : document_.origin());
+  const QString base = beside.absolutePath() + QLatin1Char('/') + beside.completeBaseName();
+  QString path = base + QStringLiteral("-paper.png");
+  for (int i = 2; QFile::exists(path); ++i)
+    path = QStringLiteral("%1-paper-%2.png").arg(base).arg(i);
+  return path;
+}
+
+void PaperActions::take(const std::vector<Building>& buildings) {
+  const QString picture = pictureFile();
+  try {
+    writeFileAtomically(localFile(picture), reading_->page);
+  } catch (const Error& error) {
+    return tell(failureOf(error));
+  }
+  const QString origin = document_.origin();
+  const std::string named =
+      origin.isEmpty() ? picture.toStdString() : referenceFrom(localFile(origin), localFile(picture));
+  const bool was_empty = document_.map().buildings.empty();
+  MapChange changed, added;
+  for (const Building& building : buildings) {
+    const Building* under = buildingUnder(document_.map(), building);
+    if (!under) {
+      added.buildings.push_back(building);
+      continue;
+    }
+    changed.buildings.push_back(*under);
+    changed.buildings.back().shape = building.shape;
+  }
+  const Page& page = reading_->trace.page;
+  if (page.sheet && !page.sheet->of_map) added.start = emptySheet(*page.sheet).start;
+  const bool was_trusted = trust_.allows();
+  const QString text = tr("Take Over from Paper");
+  document_.undoStack().beginMacro(text);
+  document_.addUnderlay(underlayOf(page, place_, named));
+  document_.apply(changed, text);
+  const QStringList keys = document_.add(added, text);
+  if (was_empty) document_.setUncertainty(uncertaintyOnPaper(document_.map()));
+  document_.undoStack().endMacro();
+  if (was_trusted) document_.setTrustsReferences(true);  // this one was chosen by hand
+  document_.setSelection(keys);
+  shell_.messages.show(
+      MessageBar::Kind::Info,
+      tr("%n building(s) are taken over; the page lies under the drawing.", nullptr,
+         static_cast<int>(buildings.size())),
+      document_.map().start ? QString() : tr("Say with the start tool (T) where the robot begins."),
+      kPaperTopic);
+}
+
+void PaperActions::printSheet() {
+  const QString title = tr("Print a sheet to draw on");
+  int with_map = 0;
+  if (!document_.map().buildings.empty()) {
+    with_map = shell_.dialogs.choose(
+        {title, tr("What is to be on the sheet?"), {tr("Nothing"), tr("The drawing")}});
+    if (with_map < 0) return;
+  }
+  double width_m = kPaperWidth_m;
+  if (with_map == 0) {
+    const QList<double> width = shell_.dialogs.numbers(
+        title, {{tr("Width of the place"), kPaperWidth_m, 1.0, kLargestSheet_m, 0, tr(" m")}});
+    if (width.isEmpty()) return;
+    width_m = width.front();
+  }
+  files_.exportAs({title, with_map == 0 ? tr("Sheet") : document_.displayName(), tr("PDF (*.pdf)"),
+                   QStringLiteral("pdf"), tr("The sheet")},
+                  [&](const QString& path) {
+                    const Map& map = document_.map();
+                    writeFileAtomically(localFile(path), with_map == 0
+                                                          ? sheetPdf(emptySheet(width_m))
+                                                          : sheetPdf(sheetFor(map), &map));
+                  });
+}
+
+}  // namespace handmap

@@ -1,0 +1,64 @@
+// From a photo of a drawing on paper to buildings: read in a thread of its own, looked through on
+// the canvas, taken over in one step. And the sheets to draw on.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+
+#include "app/gui/shell/shell.h"
+#include "core/paper/traced_map.h"
+#include "widgets/background/background.h"
+
+namespace handmap {
+
+class FileActions;
+class MapCanvas;
+class MapDocument;
+class PaperTool;
+class ReferenceTrust;
+struct Failure;
+
+class PaperActions : public QObject {
+  Q_OBJECT
+  Q_DISABLE_COPY_MOVE(PaperActions)
+ public:
+  /// What it is given must outlive it.
+  PaperActions(const Shell& shell, MapDocument& document, MapCanvas& canvas, PaperTool& tool,
+               FileActions& files, ReferenceTrust& trust, QObject* parent);
+  ~PaperActions() override;
+
+  /// Of a photo. What goes wrong is told in the message bar.
+  void read(const QString& path);
+
+ private:
+  /// A photo that was read, and its page as a file of PNG.
+  struct Reading {
+    Trace trace;
+    std::string page;
+    std::string trouble;
+  };
+
+  void ask();
+  void show(const std::shared_ptr<const Reading>& reading, const QString& path);
+  void tell(const Failure& failure);
+  /// Where the page lies; nullopt: nobody says.
+  std::optional<PagePlace> placeOfReading();
+  void take(const std::vector<Building>& buildings);
+  QString pictureFile() const;
+  void printSheet();
+
+  const Shell& shell_;
+  MapDocument& document_;
+  MapCanvas& canvas_;
+  PaperTool& tool_;
+  FileActions& files_;
+  ReferenceTrust& trust_;
+  std::shared_ptr<const Reading> reading_;
+  QString photo_;
+  PagePlace place_;
+  int request_ = 0;                               ///< an answer to an earlier one is dropped
+  std::shared_ptr<Lifeline<PaperActions>> self_;  ///< shared with the threads that read
+};
+
+}  // namespace handmap

@@ -1,0 +1,125 @@
+// A photo of a drawing on paper becomes buildings, looked through in the window.
+#include <QFile>
+#include <QLabel>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/map/map_io.h"
+#include "tests/core/paper/photographed.h"
+#include "tests/journeys/scripted_dialogs.h"
+#include "tests/journeys/window_test.h"
+#include "widgets/canvas/map_canvas.h"
+#include "widgets/panels/property_panel.h"
+#include "widgets/tools/paper_tool.h"
+#include "widgets/tools/toolbox.h"
+
+namespace handmap {
+namespace {
+
+class PaperWindow : public WindowTest {
+ protected:
+  PaperWindow() {
+    auto dialogs = std::make_unique<ScriptedDialogs>();
+    dialogs_ = dialogs.get();
+    window_ = std::make_unique<MainWindow>(document_, settings_, std::move(dialogs));
+    window_->show();
+  }
+  ~PaperWindow() override { document_.undoStack().setClean(); }
+
+  /// Two houses, one with a word in it.
+  cv::Mat drawing() const {
+    cv::Mat print = test::printed(emptySheet(200.0));
+    test::penned(print, Rectangle{{60.0, 110.0}, 50.0, 30.0, 0.0}.corners());
+    test::penned(print, Rectangle{{180.0, 90.0}, 40.0, 40.0, 0.0}.corners());
+    cv::putText(print, "Post", test::onPrint({47.0, 107.0}), cv::FONT_HERSHEY_SIMPLEX, 3.0,
+                {40, 40, 40}, 5);
+    return print;
+  }
+  void openPhoto(const cv::Mat& photo) {
+    cv::imwrite(path("photo.png").toStdString(), photo);
+    dialogs_->paths = {path("photo.png")};
+    action(*window_, "file.from_paper")->trigger();
+  }
+  PaperTool& tool() { return window_->tools().paperTool(); }
+  bool isReviewing() {
+    return QTest::qWaitFor([&] { return tool().isBusy(); }, kPatienceMs);
+  }
+
+  ScriptedDialogs* dialogs_ = nullptr;
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(PaperWindow, ASheetIsTakenOverInOneStep) {
+  document_.save(path("place.handmap"));
+  openPhoto(test::photographed(drawing(), {0.4, 1.0, 2.0, 0.2, 0.0, 2.0, 3}));
+  ASSERT_TRUE(isReviewing());
+  EXPECT_EQ(window_->canvas().tool(), ToolId::Paper);
+  ASSERT_EQ(tool().takenCount(), 2);
+  EXPECT_TRUE(document_.map().buildings.empty());
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Return);
+  const Map& map = document_.map();
+  ASSERT_EQ(map.buildings.size(), 2u);
+  EXPECT_EQ(window_->canvas().tool(), ToolId::Select);
+  EXPECT_NEAR(map.buildings[0].box().centre.x(), -60.0, 1.0);
+  EXPECT_NEAR(map.buildings[0].box().centre.y(), 90.0, 1.0);
+  ASSERT_TRUE(map.start);
+  EXPECT_GT(map.uncertainty.position, 5.0);
+  ASSERT_EQ(map.underlays.size(), 1u);
+  EXPECT_EQ(map.underlays[0].image, "place-paper.png");
+  EXPECT_TRUE(QFile::exists(path("place-paper.png")));
+  EXPECT_EQ(document_.undoStack().count(), 1);
+  document_.undoStack().undo();
+  EXPECT_TRUE(map.buildings.empty());
+  EXPECT_TRUE(map.underlays.empty());
+  EXPECT_FALSE(map.start);
+  EXPECT_EQ(map.uncertainty, Uncertainty{});
+}
+
+TEST_F(PaperWindow, WhatWasWrittenStandsBesideTheNameAlsoWhenOpenedAgain) {
+  openPhoto(test::photographed(drawing(), {}));
+  ASSERT_TRUE(isReviewing());
+  tool().finish();
+  document_.save(path("place.handmap"));
+  document_.open(path("place.handmap"));
+  const auto* writing = window_->properties().findChild<QLabel*>("writing");
+  ASSERT_NE(writing, nullptr);
+  document_.setSelection({QString::fromStdString(document_.map().buildings[0].id)});
+  EXPECT_FALSE(writing->pixmap().isNull());
+  EXPECT_FALSE(writing->isHidden());
+  document_.setSelection({QString::fromStdString(document_.map().buildings[1].id)});
+  EXPECT_TRUE(writing->isHidden());
+}
+
+TEST_F(PaperWindow, AnotherPageIsAsWideAsOneSays) {
+  cv::Mat page(900, 1400, CV_8UC3, cv::Scalar::all(235));
+  cv::rectangle(page, {200, 200, 200, 150}, {40, 40, 40}, 4);
+  cv::rectangle(page, {1000, 500, 200, 150}, {40, 40, 40}, 4);
+  dialogs_->figures = {100.0};
+  openPhoto(page);
+  ASSERT_TRUE(isReviewing());
+  tool().finish();
+  ASSERT_EQ(document_.map().buildings.size(), 2u);
+  const double left = boundsOf(document_.map().buildings[0].footprint()).low.x();
+  EXPECT_NEAR(boundsOf(document_.map().buildings[1].footprint()).high.x() - left, 100.0, 0.5);
+  EXPECT_FALSE(document_.map().start);
+}
+
+TEST_F(PaperWindow, APageWithoutShapesIsToldAndNothingChanges) {
+  openPhoto(cv::Mat(600, 800, CV_8UC3, cv::Scalar::all(235)));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return message(*window_).contains("has no closed shapes"); },
+                              kPatienceMs));
+  EXPECT_FALSE(document_.isModified());
+}
+
+TEST_F(PaperWindow, ASheetIsPrinted) {
+  dialogs_->figures = {300.0};
+  dialogs_->paths = {path("sheet.pdf")};
+  action(*window_, "file.print_sheet")->trigger();
+  QFile file(path("sheet.pdf"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(file.readAll().toStdString(), sheetPdf(emptySheet(300.0)));
+}
+
+}  // namespace
+}  // namespace handmap
