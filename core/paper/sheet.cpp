@@ -81,7 +81,7 @@ Sheet emptySheet(const SheetCode& code) {
   Sheet sheet;
   sheet.code = code;
   sheet.corner = -sheet.metres_per_mm() * arrowAt();
-  sheet.start = Pose2(0.0, 0.0, kPi / 2.0);
+  sheet.start = Pose2{0.0, 0.0, kPi / 2.0};
   return sheet;
 }
 
@@ -99,7 +99,7 @@ Sheet sheetFor(const Map& map) {
   sheet.code = {squareFor(size.x(), size.y()), true};
   sheet.corner = (bounds.low + bounds.high) / 2.0 -
                  sheet.metres_per_mm() * Vec2(kSheetWidth_mm, kSheetHeight_mm) / 2.0;
-  sheet.start = map.start.value_or(Pose2(0.0, 0.0, kPi / 2.0));
+  sheet.start = map.start.value_or(Pose2{0.0, 0.0, kPi / 2.0});
   return sheet;
 }
 
@@ -108,7 +108,7 @@ std::vector<SheetPart> sheetParts(const Sheet& sheet, const Map* map) {
   addGrid(parts);
   if (!map || map->start) {
     const Vec2 at = sheet.toPaper(sheet.start.position());
-    addArrow(parts, Pose2(at.x(), at.y(), sheet.start.heading));
+    addArrow(parts, Pose2{at.x(), at.y(), sheet.start.heading});
   }
   if (map) {
     for (const Building& building : map->buildings) {

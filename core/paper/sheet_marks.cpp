@@ -16,6 +16,7 @@ constexpr double kBeyond_mm = 8.0;        // of the middle of a mark from the co
 constexpr double kLeastSide = 1 / 200.0;  // of a mark, to the longer side of the photo
 constexpr double kMostSide = 1 / 6.0;
 constexpr double kLeastMarkLevels = 25.0;  // grey levels between its black and its white
+constexpr int kLeastPhoto_px = 100;        // of a smaller one no cell could be told from the next
 constexpr std::size_t kMostMarks = 24;     // what else looks like one
 
 struct Mark {
@@ -174,6 +175,7 @@ std::optional<SheetCode> codeOf(const std::array<bool, kCodeCells>& cells) {
 }
 
 std::optional<SeenSheet> sheetOn(const cv::Mat& photo) {
+  if (std::min(photo.cols, photo.rows) < kLeastPhoto_px) return std::nullopt;
   const cv::Mat grey = greyImage(photo);
   const std::vector<Mark> marks = inOrder(marksOn(grey));
   if (marks.empty()) return std::nullopt;

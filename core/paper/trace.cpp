@@ -18,8 +18,9 @@ namespace {
 
 constexpr double kWorthShowing = 0.2;
 constexpr double kOverlap = 0.3;  // of the smaller: two shapes are one ink read twice
-constexpr double kDark = 40.0;    // mean grey level
-constexpr double kSharp = 12.0;   // grey levels over two pixels, of the sharpest 0.02 %
+constexpr double kLeastSide_px = 16.0;
+constexpr double kDark = 40.0;   // mean grey level
+constexpr double kSharp = 12.0;  // grey levels over two pixels, of the sharpest 0.02 %
 constexpr double kPrintedContrast = kDarkestPrint + 0.06;  // and what the camera adds
 
 /// Without lesser readings of the same ink.
@@ -85,6 +86,13 @@ TracedShape shapeOf(const Region& region, double confidence, const Ink& ink,
   return shape;
 }
 
+/// So small, or so narrow, that nothing could be drawn on it.
+bool isHardlyAPixel(const cv::Mat& photo) {
+  const int longer = std::max(photo.cols, photo.rows);
+  const double scale = std::min(1.0, kPhotoSide_px / static_cast<double>(std::max(1, longer)));
+  return scale * std::min(photo.cols, photo.rows) < kLeastSide_px;
+}
+
 cv::Mat reduced(const cv::Mat& photo) {
   const double scale = kPhotoSide_px / static_cast<double>(std::max(photo.cols, photo.rows));
   if (scale >= 1.0) return photo;
@@ -112,6 +120,7 @@ Trace traced(Page page) {
 }
 
 Trace traced(const cv::Mat& photo) {
+  if (isHardlyAPixel(photo)) return {};
   const cv::Mat small = reduced(photo);
   Page page = pageOf(small);
   const double scale = small.cols / static_cast<double>(photo.cols);
@@ -120,6 +129,7 @@ Trace traced(const cv::Mat& photo) {
 }
 
 std::string troubleWith(const cv::Mat& photo) {
+  if (isHardlyAPixel(photo)) return phrase("the photo has hardly a pixel");
   const cv::Mat grey = greyImage(reduced(photo));
   if (cv::mean(grey)[0] < kDark) return phrase("the photo is dark");
   std::vector<double> steps;
@@ -127,7 +137,6 @@ std::string troubleWith(const cv::Mat& photo) {
     const auto* row = grey.ptr<std::uint8_t>(y);
     for (int x = 0; x + 2 < grey.cols; ++x) steps.push_back(std::abs(row[x + 2] - row[x]));
   }
-  if (steps.empty()) return phrase("the photo has hardly a pixel");
   const auto sharpest =
       steps.begin() + static_cast<std::ptrdiff_t>(0.9998 * static_cast<double>(steps.size()));
   std::ranges::nth_element(steps, sharpest);

@@ -33,7 +33,7 @@ struct Trace {
   std::vector<TracedShape> shapes;  ///< from left to right
 };
 
-/// Of a photo or scan of any size.
+/// Of a photo or scan of any size; of one of some pixels there is no page.
 Trace traced(const cv::Mat& photo);
 /// Of a page that is straightened already.
 Trace traced(Page page);

@@ -107,14 +107,14 @@
     <message numerus="yes">
         <source>%n closed shape(s) are found.</source>
         <translation>
-            <numerusform>One closed shape is found.</numerusform>
+            <numerusform>%n closed shape is found.</numerusform>
             <numerusform>%n closed shapes are found.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n building(s) are taken over; the page lies under the drawing.</source>
         <translation>
-            <numerusform>One building is taken over; the page lies under the drawing.</numerusform>
+            <numerusform>%n building is taken over; the page lies under the drawing.</numerusform>
             <numerusform>%n buildings are taken over; the page lies under the drawing.</numerusform>
         </translation>
     </message>
@@ -124,7 +124,7 @@
     <message numerus="yes">
         <source>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the %n ticked · Esc: none</source>
         <translation>
-            <numerusform>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the one ticked · Esc: none</numerusform>
+            <numerusform>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the %n ticked · Esc: none</numerusform>
             <numerusform>Click a shape to take or leave it · Tab and Del do so by keys · Enter: take the %n ticked · Esc: none</numerusform>
         </translation>
     </message>

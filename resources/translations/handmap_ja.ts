@@ -6320,8 +6320,8 @@ Corrected by a run.</source>
         <translation>この用紙には別の図面が印刷されているか、図面が変わっています。</translation>
     </message>
     <message>
-        <source>Its place has to be told by its width.</source>
-        <translation>場所は幅で示す必要があります。</translation>
+        <source>Say how wide it is instead.</source>
+        <translation>代わりに幅を示してください。</translation>
     </message>
     <message>
         <source>How large is it?</source>

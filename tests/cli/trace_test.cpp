@@ -82,7 +82,7 @@ TEST_F(TraceCommand, KnowsASheetThatAMapWasPrintedOn) {
 /// Two rows of houses, the robot between them looking up the sheet.
 void writePlace(const std::string& path) {
   Map place = twoRowWorld(3).map;
-  const Pose2 quarter(0.0, 0.0, kPi / 2.0);
+  const Pose2 quarter{0.0, 0.0, kPi / 2.0};
   for (Building& building : place.buildings) {
     Rectangle box = building.box();
     box.centre = quarter.toOuter(box.centre);

@@ -29,7 +29,9 @@ constexpr auto kPaperTopic = "paper";
 constexpr double kPaperWidth_m = 200.0;
 constexpr double kLargestSheet_m = 4800.0;
 
-std::filesystem::path localFile(const QString& path) { return QFile::encodeName(path).toStdString(); }
+std::filesystem::path localFile(const QString& path) {
+  return QFile::encodeName(path).toStdString();
+}
 
 QImage imageOf(const cv::Mat& page) {
   return QImage(page.data, page.cols, page.rows, static_cast<qsizetype>(page.step),
@@ -162,7 +164,7 @@ std::optional<PagePlace> PaperActions::placeOfReading() {
     if (sheet.code == *trace.page.sheet) return placeOf(trace.page, sheet);
     shell_.messages.show(MessageBar::Kind::Warning,
                          tr("Another drawing is printed on this sheet, or this one has changed."),
-                         tr("Its place has to be told by its width."), kPaperTopic);
+                         tr("Say how wide it is instead."), kPaperTopic);
   }
   const QList<double> width = shell_.dialogs.numbers(
       tr("How large is it?"),
@@ -189,8 +191,8 @@ void PaperActions::take(const std::vector<Building>& buildings) {
     return tell(failureOf(error));
   }
   const QString origin = document_.origin();
-  const std::string named =
-      origin.isEmpty() ? picture.toStdString() : referenceFrom(localFile(origin), localFile(picture));
+  const std::string named = origin.isEmpty() ? picture.toStdString()
+                                             : referenceFrom(localFile(origin), localFile(picture));
   const bool was_empty = document_.map().buildings.empty();
   MapChange changed, added;
   for (const Building& building : buildings) {
@@ -242,8 +244,8 @@ void PaperActions::printSheet() {
                   [&](const QString& path) {
                     const Map& map = document_.map();
                     writeFileAtomically(localFile(path), with_map == 0
-                                                          ? sheetPdf(emptySheet(width_m))
-                                                          : sheetPdf(sheetFor(map), &map));
+                                                             ? sheetPdf(emptySheet(width_m))
+                                                             : sheetPdf(sheetFor(map), &map));
                   });
 }
 

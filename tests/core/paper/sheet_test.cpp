@@ -75,7 +75,7 @@ TEST(Sheet, HoldsAllOfAMap) {
   Building house;
   house.shape = Rectangle{{100.0, 50.0}, 300.0, 20.0, 0.0};
   map.buildings = {house};
-  map.start = Pose2(90.0, 10.0, 0.0);
+  map.start = Pose2{90.0, 10.0, 0.0};
   const Sheet sheet = sheetFor(map);
   EXPECT_TRUE(sheet.code.of_map);
   EXPECT_EQ(sheet.code.square_m, 20.0);
@@ -119,13 +119,19 @@ TEST(Sheet, IsReadFromTwentyPhotos) {
   RecordProperty("worst_mm", std::to_string(worst));
 }
 
+TEST(Sheet, IsNotOnAPhotoOfAFewPixels) {
+  cv::Mat photo(6, 6, CV_8UC3, cv::Scalar::all(240));
+  photo(cv::Rect(1, 1, 3, 3)) = cv::Scalar::all(0);
+  EXPECT_FALSE(sheetOn(photo));
+}
+
 TEST(Sheet, IsNoBuildingItself) {
   Map map;
   Building house;
   house.id = "A";
   house.shape = Rectangle{{0.0, 20.0}, 60.0, 30.0, 0.2};
   map.buildings = {house};
-  map.start = Pose2(0.0, -20.0, 0.0);
+  map.start = Pose2{0.0, -20.0, 0.0};
   const Sheet sheet = sheetFor(map);
   cv::Mat print = test::printed(sheet, &map);
   EXPECT_TRUE(traced(test::photographed(print, {})).shapes.empty());

@@ -43,7 +43,12 @@ std::vector<TracedShape> sure(const Trace& trace) {
 
 TEST(Trace, FindsNothingOnABarePage) {
   EXPECT_TRUE(traced(page()).shapes.empty());
-  EXPECT_TRUE(traced(cv::Mat(3, 2, CV_8UC3, kPaper)).shapes.empty());
+  for (const cv::Size size :
+       {cv::Size(1, 1), cv::Size(2, 3), cv::Size(9000, 1), cv::Size(1, 9000)}) {
+    const cv::Mat photo(size, CV_8UC3, kPaper);
+    EXPECT_TRUE(traced(photo).shapes.empty());
+    EXPECT_EQ(troubleWith(photo), "the photo has hardly a pixel");
+  }
 }
 
 TEST(Trace, ClosesASmallGapAndSquaresWhatIsNearlySo) {
