@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kHeadPx = 9.0;
 constexpr double kLabelPx = 20.0;         // around the end: the name of the building
-constexpr double kLeastPx = 24.0;         // shorter arrows would be a blot in the name
+constexpr double kLeastPx = 40.0;         // shorter arrows would be a blot in the name
 constexpr double kLeastForTextPx = 14.0;  // shorter ones have no words: zoom in to read them
 constexpr double kMarginM = 20.0;         // room for words when zoomed out far
 constexpr double kMostLines = 2.0;        // of a name
