@@ -14,30 +14,31 @@ std::optional<Conclusion> Conclusions::take() {
       made_.valid() && made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   if (!is_ready) return std::nullopt;
   Made made = made_.get();
-  begin_at_ = Clock::now() + kRest * made.took;
+  begin_at_ = now_() + kRest * made.took;
   if (trouble_.empty()) trouble_ = made.trouble;
   return std::move(made.conclusion);
 }
 
 void Conclusions::begin(double driven_m, const std::function<Make()>& know) {
-  if (made_.valid() || driven_m < begin_at_m_ || Clock::now() < begin_at_) return;
+  if (made_.valid() || driven_m < begin_at_m_ || now_() < begin_at_) return;
   begin_at_m_ = driven_m + std::max(kStretch_m, kStretch * driven_m);
   std::promise<Made> promise;
   made_ = promise.get_future();
-  thread_ = std::jthread(
-      [make = know(), promise = std::move(promise)](const std::stop_token& stop) mutable {
-        const auto begun = Clock::now();
-        Made made;
-        try {
-          // One thread: the run itself has the others.
-          made.conclusion = Arena(1).execute([&] { return make(stop); });
-        } catch (const std::exception& error) {
-          made.trouble = error.what();
-        }
-        malloc_trim(0);  // it has taken a lot for a moment, in an arena that nobody else uses
-        made.took = Clock::now() - begun;
-        promise.set_value(std::move(made));
-      });
+  thread_ = std::jthread([make = know(), now = now_,
+                          promise = std::move(promise)](const std::stop_token& stop) mutable {
+    const auto begun = now();
+    Made made;
+    try {
+      // One thread: the run itself has the others.
+      made.conclusion = Arena(1).execute([&] { return make(stop); });
+    } catch (const std::exception& error) {
+      made.trouble = error.what();
+    }
+    make = nullptr;  // with its copy of what was known
+    malloc_trim(0);  // both have taken a lot for a moment
+    made.took = now() - begun;
+    promise.set_value(std::move(made));
+  });
 }
 
 void Conclusions::end() {

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "core/method/conclusion.h"
 
@@ -21,6 +22,12 @@ class Conclusions {
  public:
   /// Makes one; runs in the other thread.
   using Make = std::function<std::optional<Conclusion>(const std::stop_token&)>;
+  using Clock = std::chrono::steady_clock;
+  /// What time it is; asked by both threads.
+  using Now = std::function<Clock::time_point()>;
+
+  Conclusions() = default;
+  explicit Conclusions(Now now) : now_(std::move(now)) {}
 
   /// One that is ready and was not taken yet.
   std::optional<Conclusion> take();
@@ -32,7 +39,6 @@ class Conclusions {
   void begin(double driven_m, const std::function<Make()>& know);
 
  private:
-  using Clock = std::chrono::steady_clock;
   static constexpr double kStretch_m = 20.0;
   static constexpr double kStretch = 0.1;  // of the way
   static constexpr int kRest = 2;
@@ -42,6 +48,7 @@ class Conclusions {
     std::string trouble;  ///< why there is none, if it should have been
     Clock::duration took{};
   };
+  Now now_ = Clock::now;
   double begin_at_m_ = kStretch_m;
   Clock::time_point begin_at_{};
   std::string trouble_;
