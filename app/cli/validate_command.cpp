@@ -50,8 +50,9 @@ int validateFile(const std::string& path, Outside outside) {
   } else {
     const Map map = readMap(path);
     checkReferences(map, path, outside);
+    const int status = complain(doubtsOfDrawing(map, path));
+    if (status != 0) return status;
     fmt::print("ok: {}: map of {} buildings\n", path, map.buildings.size());
-    complain(doubtsOfDrawing(map, path));
     for (const Issue& issue : findIssues(map))
       fmt::print(stderr, "handmap-cli: note: {}: {}\n", path, inWords(issue));
   }

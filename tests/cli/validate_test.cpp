@@ -45,6 +45,18 @@ TEST_F(Validate, WarnsOfWhatMayBeRightAndRefusesWhatCannotBe) {
       << refused.err;
 }
 
+TEST_F(Validate, RefusesADrawingInMillimetres) {
+  writeText("yard.handmap", R"({"format": "handmap", "version": 1, "buildings": [
+      {"id": "A", "shape": "rectangle", "x": 0, "y": 0, "width": 40000, "depth": 8000,
+       "heading_deg": 0}]})");
+  const Outcome outcome = run({"validate", "yard.handmap"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err,
+            "handmap-cli: error: yard.handmap: buildings[0]: found half of them longer than 40000 "
+            "m, expected metres\nhint: these look like millimetres\n");
+}
+
 TEST_F(Validate, SaysTheSameThreeTimesAndThenCounts) {
   ASSERT_EQ(run({"simulate", "--laser", "--out", "rec"}).status, 0);
   fs::remove("rec/points/minute-0000.bin");
