@@ -19,6 +19,9 @@ constexpr double kSame = 1e-3;
 constexpr double kMostTurn = 7.0;     // radians: more than a turn is in degrees
 constexpr double kMostRate_s = 20.0;  // from scan to scan, of what counts seconds
 
+constexpr double kSlowest_mps = 0.02;  // of robots that move
+constexpr double kFastest_mps = 45.0;
+
 double medianIn(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -75,6 +78,25 @@ double secondsOf(const RawLog& raw, const LogOptions& options, Log& log) {
   }
   if (factor < 1.0) log.notes.push_back(phrase("{}: times taken as {}", raw.file, unit));
   return factor;
+}
+
+/// Ranges of scanners come in millimetres where the poses of the same row are in metres.
+double metresOfPoses(const RawLog& raw, const LogOptions& options, double metres, double seconds,
+                     Log& log) {
+  if (options.metres || raw.metres || metres == 1.0) return metres;
+  std::vector<double> speeds;  // units of length a second
+  for (std::size_t i = 1; i < raw.poses.size(); ++i) {
+    const RawPose& from = raw.poses[i - 1];
+    const RawPose& to = raw.poses[i];
+    const double way = std::hypot(to.x - from.x, to.y - from.y);
+    const double time_s = seconds * (to.time - from.time);
+    if (way > 0.0 && time_s > 0.0) speeds.push_back(way / time_s);
+  }
+  if (speeds.empty()) return metres;
+  const double speed = medianIn(std::move(speeds));
+  if (speed * metres >= kSlowest_mps || speed > kFastest_mps) return metres;
+  log.notes.push_back(phrase("{}: poses taken as metres", raw.file));
+  return 1.0;
 }
 
 double radiansOf(const RawLog& raw, const LogOptions& options, Log& log) {
@@ -166,6 +188,7 @@ std::optional<RayAngles> usualAngles(std::size_t ranges) {
 void addRaw(const RawLog& raw, const LogOptions& options, Log& log) {
   const double metres = metresOf(raw, options, log);
   const double seconds = secondsOf(raw, options, log);
+  const double pose_metres = metresOfPoses(raw, options, metres, seconds, log);
   const double radians = radiansOf(raw, options, log);
   const auto ranges =
       std::ranges::find_if(raw.scans, [](const RawScan& scan) { return !scan.ranges.empty(); });
@@ -192,7 +215,7 @@ void addRaw(const RawLog& raw, const LogOptions& options, Log& log) {
     if (!finite) continue;
     log.poses.push_back(
         {seconds * pose.time,
-         {metres * pose.x, metres * pose.y, normalizedAngle(radians * pose.heading)}});
+         {pose_metres * pose.x, pose_metres * pose.y, normalizedAngle(radians * pose.heading)}});
   }
 }
 

@@ -3547,6 +3547,10 @@
         <translation>{}: 長さをミリメートルとみなしました</translation>
     </message>
     <message>
+        <source>{}: poses taken as metres</source>
+        <translation>{}: 姿勢をメートルとみなしました</translation>
+    </message>
+    <message>
         <source>milliseconds</source>
         <translation>ミリ秒</translation>
     </message>

@@ -129,6 +129,22 @@ TEST_F(Logs, ATableOfRanges) {
   EXPECT_NEAR(log.poses[1].pose.heading, kPi / 2, 1e-9);
 }
 
+TEST_F(Logs, RangesInMillimetresBesidePosesInMetresOrMillimetres) {
+  for (const double unit : {1.0, 1000.0}) {
+    std::string text = "time,x,y,theta";
+    for (int i = 0; i < 181; ++i) text += ",range_" + std::to_string(i);
+    text += "\n";
+    for (int row = 0; row < 9; ++row) {
+      text += fmt::format("{},{},0,0", 0.5 * row, unit * 0.25 * row);  // half a metre a second
+      for (int i = 0; i < 181; ++i) text += fmt::format(",{}", 3000 + i);
+      text += "\n";
+    }
+    const Log log = read("a.csv", text);
+    EXPECT_NEAR(log.poses.at(8).pose.x, 2.0, 1e-9) << unit;
+    EXPECT_NEAR(log.scans.at(0).points.at(90).x, 3.09, 1e-6) << unit;
+  }
+}
+
 TEST_F(Logs, ATableOfPointsAndOneOfPoses) {
   std::string text = "t;px;py\n";
   for (int row = 0; row < 40; ++row) {
