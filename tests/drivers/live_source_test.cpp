@@ -290,9 +290,9 @@ Outcome outcomeOf(RunSession& session, const std::function<void()>& after_step) 
           session.frames().size()};
 }
 
-void expectLiveEqualsReplay(OdometryRigKind odometry) {
+void expectLiveEqualsReplay(OdometryRigKind odometry, const std::string& faults = {}) {
   const test::TemporaryFolder folder;
-  const VirtualDrive way = drive();
+  const VirtualDrive way = drive(faults);
   LiveJob live = job(way, folder.path() / "run");
   live.rig.odometry.kind = odometry;
   Map sketch = perturbed(way.world.map, 3.0, 5);
@@ -318,6 +318,18 @@ void expectLiveEqualsReplay(OdometryRigKind odometry) {
 TEST(LiveSource, LiveEqualsReplayWithWheels) { expectLiveEqualsReplay(OdometryRigKind::Virtual); }
 
 TEST(LiveSource, LiveEqualsReplayWithScansAlone) { expectLiveEqualsReplay(OdometryRigKind::Scan); }
+
+TEST(LiveSource, LiveEqualsReplayUnderEveryFaultOfTheScanner) {
+  expectLiveEqualsReplay(OdometryRigKind::Virtual,
+                         "scanner:drop@0.5+0.5,scanner:unplug@1.2+1.5,scanner:late@3+0.4,"
+                         "scanner:freeze@3.6+0.5,scanner:clock@4.3+0.5");
+}
+
+TEST(LiveSource, LiveEqualsReplayUnderEveryFaultOfTheOdometry) {
+  expectLiveEqualsReplay(OdometryRigKind::Virtual,
+                         "odometry:drop@0.5+0.5,odometry:unplug@1.2+1.5,odometry:late@3+0.4,"
+                         "odometry:freeze@3.6+0.5,odometry:clock@4.3+0.5");
+}
 
 TEST(LiveSource, ADiskThatIsGoneEndsTheRecordingNotTheRun) {
   const test::TemporaryFolder folder;
