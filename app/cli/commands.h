@@ -24,6 +24,7 @@ void addTraceCommand(CLI::App& app, ChosenCommand& chosen);
 void addSheetCommand(CLI::App& app, ChosenCommand& chosen);
 void addInfoCommand(CLI::App& app, ChosenCommand& chosen);
 void addImportCommand(CLI::App& app, ChosenCommand& chosen);
+void addReportCommand(CLI::App& app, ChosenCommand& chosen);
 void addTryCommand(CLI::App& app, ChosenCommand& chosen);
 void addValidateCommand(CLI::App& app, ChosenCommand& chosen);
 void addTrainCommand(CLI::App& app, ChosenCommand& chosen);

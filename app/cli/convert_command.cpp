@@ -3,8 +3,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
-#include "core/base/text.h"
 #include "core/geodata/geo_map.h"
+#include "core/geodata/geo_writer.h"
+#include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
 
 namespace handmap {
@@ -28,7 +29,11 @@ int convert(const ConvertArguments& arguments) {
   }
   checkOutputFiles({arguments.out}, {arguments.in});
   if (from_drawing) {
-    writeFileAtomically(arguments.out, formatGeoJson(readMap(arguments.in)));
+    writeGeoMap(readMap(arguments.in), arguments.out);
+    return 0;
+  }
+  if (std::filesystem::path(arguments.in).extension() == ".yaml") {
+    writeMap(readRobotMap(arguments.in), arguments.out);
     return 0;
   }
   const GeoMap geo = readGeoMap(arguments.in);
@@ -44,16 +49,21 @@ int convert(const ConvertArguments& arguments) {
 void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
   const auto arguments = std::make_shared<ConvertArguments>();
   ConvertArguments& a = *arguments;
-  CLI::App* command =
-      app.add_subcommand("convert", "Make a drawing of a public map, or GeoJSON of a drawing");
+  CLI::App* command = app.add_subcommand(
+      "convert", "Make a drawing of a public or robot map, or such a map of a drawing");
   command->callback([&chosen, arguments] { chosen = [arguments] { return convert(*arguments); }; });
   command
-      ->add_option("in", a.in,
-                   "GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML; or a drawing that "
-                   "is georeferenced")
+      ->add_option(
+          "in", a.in,
+          "GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML, a map of map_server "
+          "(.yaml); or a drawing")
       ->required()
       ->option_text("IN");
-  command->add_option("out", a.out, "The drawing, or the GeoJSON of one")
+  command
+      ->add_option("out", a.out,
+                   "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
+                   "(these need a "
+                   "georeference), DXF, a map of map_server (.yaml and .pgm)")
       ->required()
       ->option_text("OUT");
 }

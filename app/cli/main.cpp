@@ -78,6 +78,7 @@ int runProgram(int argc, char** argv) {
   addOdometryCommand(app, chosen);
   addCalibrateCommand(app, chosen);
   addCompareCommand(app, chosen);
+  addReportCommand(app, chosen);
   addFiguresCommand(app, chosen);
   addSketchStatsCommand(app, chosen);
   addConvertCommand(app, chosen);

@@ -22,6 +22,7 @@
 #include "core/plausibility/drawing.h"
 #include "core/plausibility/plausibility.h"
 #include "core/recording/image_file.h"
+#include "core/run_log/run_log.h"
 #include "core/session/lost_and_found.h"
 #include "core/session/redone_acts.h"
 #include "core/session/run_session.h"
@@ -45,6 +46,7 @@ struct RunArguments {
   std::string trajectory;
   std::string report;
   std::string local_map;
+  std::string mcap;
   std::string model;
   std::optional<int> building_class;
   std::string given_poses;
@@ -57,7 +59,7 @@ struct RunArguments {
 
 void checkOutputs(const RunArguments& arguments, const std::string& model) {
   checkOutputFiles(
-      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map},
+      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map, arguments.mcap},
       {arguments.map, arguments.replay.odometry, model, arguments.given_poses, arguments.live.rig});
 }
 
@@ -171,12 +173,21 @@ std::shared_ptr<const WindowClassifier> classifierFor(const RunArguments& argume
   }
 }
 
+/// nullptr where none was asked for.
+std::unique_ptr<RunLog> openLog(const RunArguments& arguments, const Map& drawing,
+                                const SourceInfo& source) {
+  if (arguments.mcap.empty()) return nullptr;
+  return std::make_unique<RunLog>(arguments.mcap, drawing, source);
+}
+
 /// What is still to be done, once the session is at its end.
-int finish(const RunArguments& arguments, const RunSession& session,
-           const std::shared_ptr<const Snapshot>& last) {
+int finish(const RunArguments& arguments, const Map& drawing, const RunSession& session,
+           const std::shared_ptr<const Snapshot>& last, RunLog* log) {
   if (!last) return Interrupt::kExitStatus;
   writeOutputs(arguments, session, *last);
-  fmt::print("{}", arguments.json ? runSummaryJson(session) : runSummary(session));
+  if (log != nullptr) log->finish(session.refinedMap(), session.trajectory(), session.warnings());
+  fmt::print("{}",
+             arguments.json ? runSummaryJson(drawing, session) : runSummary(drawing, session));
   return 0;
 }
 
@@ -204,11 +215,14 @@ int runRecording(RunArguments arguments, Map drawing) {
     source =
         std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
   }
-  auto session =
-      std::make_unique<RunSession>(std::move(drawing), std::move(source), arguments.settings);
+  const auto log = openLog(arguments, drawing, source->info());
+  auto session = std::make_unique<RunSession>(drawing, std::move(source), arguments.settings);
   Progress progress(session->source().observations, arguments.verbosity());
-  const auto last = runToEnd(session, interrupt.token(), progress);
-  return finish(arguments, *session, last);
+  const auto last = runToEnd(session, interrupt.token(), progress,
+                             [&](const std::shared_ptr<const Snapshot>& snapshot) {
+                               if (log) log->add(*snapshot);
+                             });
+  return finish(arguments, drawing, *session, last, log.get());
 }
 
 /// As "Robot is here" does it in the window: the run is done again through the pose, as far as it
@@ -261,11 +275,13 @@ int runLive(const RunArguments& arguments, Map drawing) {
                              drive.mayBeGivenPoses() ? TapeLimits::toDoAgain() : TapeLimits());
   GivenOnTheWay through(drawing, tape, arguments.settings);
   auto session = std::make_unique<RunSession>(drawing, tape, arguments.settings);
+  const auto log = openLog(arguments, drawing, session->source());
   LostAndFound lost;
   const auto last = runToEnd(session, {}, progress, [&](std::shared_ptr<const Snapshot>& snapshot) {
     if (const auto given = drive.takeGivenPose()) {
       if (auto redone = through(*given, session, progress)) snapshot = std::move(redone);
     }
+    if (log) log->add(*snapshot);
     drive.tell(snapshot);
     const auto news = lost.hear(certaintyOf(snapshot->report).kind);
     if (news == LostAndFound::News::Lost) {
@@ -275,7 +291,7 @@ int runLive(const RunArguments& arguments, Map drawing) {
     }
   });
   if (!arguments.quiet) fmt::print(stderr, "{}", drive.summary());
-  return finish(arguments, *session, last);
+  return finish(arguments, drawing, *session, last, log.get());
 }
 
 int run(const CLI::App& command, RunArguments arguments) {
@@ -360,6 +376,10 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--trajectory", a.trajectory, "Where the robot was")->option_text("out.tum");
   command->add_option("--report", a.report, "Times and figures a frame")
       ->option_text("report.json");
+  command
+      ->add_option("--mcap", a.mcap,
+                   "The whole run as messages of ROS 2, for Foxglove, Lichtblick, Rerun, RViz 2")
+      ->option_text("run.mcap");
   command->add_option("--local-map", a.local_map, "Walls around the robot at the end, black")
       ->option_text("map.png");
 }

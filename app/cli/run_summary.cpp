@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/evaluation/common_shift.h"
+
 namespace handmap {
 
-std::string runSummary(const RunSession& session) {
+std::string runSummary(const Map& drawing, const RunSession& session) {
   constexpr auto kRow = "| {:<{}} | {:>8.2f} | {:>8.2f} | {:>7.2f} | {:>7.2f} |";
   const Map map = session.refinedMap();
   std::size_t id_width = 8;
@@ -34,10 +36,18 @@ std::string runSummary(const RunSession& session) {
       text += fmt::format(" {:>7} | {:>7} | {:>7} | {:>4} |\n", "", "", "", 0);
     }
   }
+  if (const auto common = commonShiftOf(drawing, map)) {
+    text += fmt::format(
+        "\n{} buildings together: x {:+.2f} m (sigma {:.2f}), y {:+.2f} m (sigma {:.2f}), turned "
+        "{:+.2f} deg (sigma {:.2f}); each of its own {:.2f} m\n",
+        common->buildings, common->shift.x(), common->shift_sigma.x(), common->shift.y(),
+        common->shift_sigma.y(), toDegrees(common->turn), toDegrees(common->turn_sigma),
+        common->own);
+  }
   return text;
 }
 
-std::string runSummaryJson(const RunSession& session) {
+std::string runSummaryJson(const Map& drawing, const RunSession& session) {
   using Json = nlohmann::ordered_json;
   const Pose2 pose = session.trajectory().back().pose;
   Json json = {{"observations", session.frames().size()},
@@ -45,7 +55,18 @@ std::string runSummaryJson(const RunSession& session) {
                {"pose", {{"x", pose.x}, {"y", pose.y}, {"heading_deg", toDegrees(pose.heading)}}},
                {"buildings", Json::array()},
                {"warnings", Json::array()}};
-  for (const Building& building : session.refinedMap().buildings) {
+  const Map map = session.refinedMap();
+  if (const auto common = commonShiftOf(drawing, map)) {
+    json["common_shift"] = {{"buildings", common->buildings},
+                            {"x", common->shift.x()},
+                            {"y", common->shift.y()},
+                            {"sigma_x", common->shift_sigma.x()},
+                            {"sigma_y", common->shift_sigma.y()},
+                            {"turn_deg", toDegrees(common->turn)},
+                            {"sigma_turn_deg", toDegrees(common->turn_sigma)},
+                            {"own_m", common->own}};
+  }
+  for (const Building& building : map.buildings) {
     const Rectangle box = building.box();
     Json one = {{"id", building.id},   {"x", box.centre.x()},
                 {"y", box.centre.y()}, {"width", box.width},

@@ -7,9 +7,11 @@
 
 namespace handmap {
 
-/// The last pose and a row a building; equal runs give equal bytes.
-std::string runSummary(const RunSession& session);
-/// The same for programs: {"observations", "skipped", "pose", "buildings", "warnings"}.
-std::string runSummaryJson(const RunSession& session);
+/// The last pose, a row a building, and what all are off by together (see CommonShift); equal runs
+/// give equal bytes.
+std::string runSummary(const Map& drawing, const RunSession& session);
+/// The same for programs: {"observations", "skipped", "pose", "buildings", "common_shift",
+/// "warnings"}.
+std::string runSummaryJson(const Map& drawing, const RunSession& session);
 
 }  // namespace handmap

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/geometry/pose2.h"
 

@@ -77,7 +77,7 @@ class BagRecorder {
  public:
   BagRecorder(const Bag& bag, const BagPlan& plan, const BagFacts& facts,
               const std::optional<BagCamera>& camera, std::vector<std::string>& notes)
-      : bag_(bag), plan_(plan), facts_(facts), camera_(camera), notes_(notes) {
+      : bag_(bag), plan_(plan), camera_(camera), notes_(notes) {
     sensor_ = facts.frames.poseIn(facts.base, facts.ranges_frame);
     if (plan.ranges && !sensor_ && facts.ranges_frame != facts.base) {
       notes.push_back(phrase("nothing tells where \"{}\" is on the robot: taken to be its origin",
@@ -184,7 +184,6 @@ class BagRecorder {
 
   const Bag& bag_;
   const BagPlan& plan_;
-  const BagFacts& facts_;
   const std::optional<BagCamera>& camera_;
   std::vector<std::string>& notes_;
   std::optional<Eigen::Isometry3d> sensor_;  ///< in the robot's frame

@@ -2,8 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/geodata/osm_tags.h"
 
 #ifdef HANDMAP_GDAL
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <mutex>
 
@@ -42,6 +45,8 @@ using Feature = std::unique_ptr<std::remove_pointer_t<OGRFeatureH>, DestroyFeatu
 using Transformation =
     std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, DestroyTransformation>;
 
+constexpr std::size_t kMostTags = 1000;
+
 /// What GDAL says is part of our message, and nothing for the terminal.
 class QuietErrors {
  public:
@@ -68,6 +73,38 @@ std::optional<double> numberOf(OGRFeatureH feature, const char* field) {
   return number >= 0.0 && number <= kMaxSigma ? std::optional(number) : std::nullopt;
 }
 
+/// All that a public map says of a feature; none where this program wrote it without any.
+PublicTags publicTagsOf(OGRFeatureH feature) {
+  constexpr std::array<std::string_view, 8> kOwn = {
+      "kind", "sigma_position_m", "sigma_size_m", "id", "@id", "osm_id", "osm_way_id", "doubt"};
+  PublicTags tags;
+  const std::string address = textOf(feature, {"@id"});  // "way/123", of Overpass and this program
+  const std::size_t slash = address.find('/');
+  const std::string way = textOf(feature, {"osm_way_id"});
+  const std::string relation = textOf(feature, {"osm_id"});
+  if (slash != std::string::npos) {
+    tags.osm_type = address.substr(0, slash);
+    tags.osm_id = address.substr(slash + 1);
+  } else if (!way.empty() || !relation.empty()) {
+    tags.osm_type = way.empty() ? "relation" : "way";
+    tags.osm_id = way.empty() ? relation : way;
+  }
+  for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i) {
+    if (!OGR_F_IsFieldSetAndNotNull(feature, i) || tags.tags.size() >= kMostTags) continue;
+    const std::string name = OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, i));
+    const std::string value =
+        std::string(OGR_F_GetFieldAsString(feature, i)).substr(0, kMaxTextBytes);
+    if (name == "other_tags") {
+      addPackedTags(value, tags.tags);
+    } else if (std::ranges::find(kOwn, name) == kOwn.end() && !name.starts_with("estimate_") &&
+               !value.empty()) {
+      tags.tags[name] = value;
+    }
+  }
+  const bool is_own = textOf(feature, {"kind"}) == "building" && tags.osm_type.empty();
+  return is_own ? PublicTags() : tags;
+}
+
 std::vector<Vec2> pointsOf(OGRGeometryH line) {
   std::vector<Vec2> points;
   for (int i = 0; i < OGR_G_GetPointCount(line); ++i)
@@ -85,6 +122,16 @@ GeoKind kindOf(OGRFeatureH feature, OGRwkbGeometryType type) {
   return GeoKind::Area;
 }
 
+/// What was drawn anew in OpenStreetMap has numbers below 0, which GDAL's quicker index does not
+/// take.
+class AnyNumbers {
+ public:
+  AnyNumbers() { CPLSetThreadLocalConfigOption("OSM_USE_CUSTOM_INDEXING", "NO"); }
+  ~AnyNumbers() { CPLSetThreadLocalConfigOption("OSM_USE_CUSTOM_INDEXING", nullptr); }
+  AnyNumbers(const AnyNumbers&) = delete;
+  AnyNumbers& operator=(const AnyNumbers&) = delete;
+};
+
 class Reader {
  public:
   explicit Reader(std::string file) : file_(std::move(file)) {}
@@ -92,8 +139,7 @@ class Reader {
   std::vector<GeoFeature> read() {
     const QuietErrors quiet;
     CPLErrorReset();
-    // Editors write nodes in any order; GDAL's own index wants them sorted.
-    CPLSetThreadLocalConfigOption("OSM_USE_CUSTOM_INDEXING", "NO");
+    const AnyNumbers any_numbers;
     const Dataset dataset(
         GDALOpenEx(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers, nullptr, nullptr));
     if (!dataset) refuse(phrase("no geographic data"));
@@ -137,6 +183,7 @@ class Reader {
     GeoFeature found;
     found.id = textOf(feature, {"id", "osm_way_id", "osm_id", "@id"});
     found.name = textOf(feature, {"name"});
+    found.tags = publicTagsOf(feature);
     const auto position = numberOf(feature, "sigma_position_m");
     const auto size = numberOf(feature, "sigma_size_m");
     if (position && size) found.uncertainty = Uncertainty{*position, *size};
@@ -174,7 +221,9 @@ std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
   std::call_once(registered, [] { GDALAllRegister(); });
   if (!std::filesystem::is_regular_file(path))
     throwBadInput(path.string(), {}, phrase("no file"), phrase("a file of geographic data"));
-  return Reader(path.string()).read();
+  std::vector<GeoFeature> features = Reader(path.string()).read();
+  if (path.extension() == ".osm") takeAllTags(path, features);
+  return features;
 }
 
 #else

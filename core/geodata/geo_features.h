@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/map/map.h"
+#include "core/map/public_tags.h"
 
 namespace handmap {
 
@@ -19,6 +20,7 @@ struct GeoFeature {
   std::string name;
   std::vector<Vec2> points;  ///< WGS 84 longitude and latitude, degrees; of an area its outer ring
   std::optional<Uncertainty> uncertainty;
+  PublicTags tags;  ///< of a building
 };
 
 /// A feature for each polygon, also of several that belong together. Throws BadInput.

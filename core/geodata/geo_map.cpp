@@ -71,6 +71,7 @@ void addBuilding(GeoMap& geo, const TangentPlane& plane, const GeoFeature& featu
   building.name = feature.name;
   building.shape = std::move(outline);
   building.uncertainty = feature.uncertainty;
+  keepTags(feature.tags, building);
   geo.map.buildings.push_back(std::move(building));
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/map/map_io.h"
+#include "core/map/public_tags.h"
 #include "core/map/tangent_plane.h"
 
 namespace handmap {
@@ -42,6 +43,11 @@ ordered_json propertiesOf(const Map& map, const Building& building) {
     properties["estimate_sigma_y_m"] = building.estimate->sigma_y;
     properties["estimate_sigma_width_m"] = building.estimate->sigma_width;
     properties["estimate_observations"] = building.estimate->observations;
+  }
+  const PublicTags kept = tagsOf(building);
+  if (!kept.osm_type.empty()) properties["@id"] = kept.osm_type + "/" + kept.osm_id;
+  for (const auto& [key, value] : kept.tags) {
+    if (!properties.contains(key)) properties[key] = value;
   }
   return properties;
 }

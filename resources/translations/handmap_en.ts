@@ -29,6 +29,16 @@
     </message>
 </context>
 <context>
+    <name>handmap::BagDialog</name>
+    <message numerus="yes">
+        <source>%1 (%n message(s))</source>
+        <translation>
+            <numerusform>%1 (%n message)</numerusform>
+            <numerusform>%1 (%n messages)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::CameraPanel</name>
     <message numerus="yes">
         <source> · %n window(s) placed the wall</source>

@@ -4038,6 +4038,206 @@
         <source>the photo is blurred, or there is no ink on it</source>
         <translation>写真がぼけているか、何も描かれていません</translation>
     </message>
+    <message>
+        <source>no calibration</source>
+        <translation>キャリブレーションがありません</translation>
+    </message>
+    <message>
+        <source>that of both cameras</source>
+        <translation>両方のカメラのもの</translation>
+    </message>
+    <message>
+        <source>P of the right camera: {:.3f}</source>
+        <translation>右カメラの P: {:.3f}</translation>
+    </message>
+    <message>
+        <source>as the left one has it: {:.3f}</source>
+        <translation>左カメラと同じ値: {:.3f}</translation>
+    </message>
+    <message>
+        <source>a baseline of {:.3g} m</source>
+        <translation>基線長 {:.3g} m</translation>
+    </message>
+    <message>
+        <source>the right camera to the right</source>
+        <translation>右カメラが右にあること</translation>
+    </message>
+    <message>
+        <source>nothing tells where the camera is: taken to look ahead, {:.2f} m above the ground</source>
+        <translation>カメラの位置が示されていません: 地上 {:.2f} m で前を向いているとみなします</translation>
+    </message>
+    <message>
+        <source>{} messages cannot be read; the first: {}</source>
+        <translation>{} 件のメッセージが読めません。最初のもの: {}</translation>
+    </message>
+    <message>
+        <source>nothing tells where &quot;{}&quot; is on the robot: taken to be its origin</source>
+        <translation>「{}」がロボットのどこにあるか示されていません: 原点にあるとみなします</translation>
+    </message>
+    <message>
+        <source>no message can be read; the first: {}</source>
+        <translation>読めるメッセージがありません。最初のもの: {}</translation>
+    </message>
+    <message>
+        <source>more than {} bytes out of order</source>
+        <translation>{} バイトを超える順序の乱れ</translation>
+    </message>
+    <message>
+        <source>messages about in the order of their times</source>
+        <translation>ほぼ時刻の順に並んだメッセージ</translation>
+    </message>
+    <message>
+        <source>{}: found nothing that sees, expected scans, points or a pair of images with camera infos; it holds {}</source>
+        <translation>{}: 周りを見るものがありません。スキャン、点群、または camera_info のある画像の組が必要です。中身: {}</translation>
+    </message>
+    <message>
+        <source>the images have no camera_info beside them</source>
+        <translation>画像のそばに camera_info がありません</translation>
+    </message>
+    <message>
+        <source>{}: found no image or scan at a time that the odometry knows, expected some</source>
+        <translation>{}: オドメトリのある時刻に画像もスキャンもありません</translation>
+    </message>
+    <message>
+        <source>{} and {}: found both, expected one of them</source>
+        <translation>{} と {}: 両方が指定されています。どちらか一つにしてください</translation>
+    </message>
+    <message>
+        <source>none: there is no topic that could serve</source>
+        <translation>none: 使えるトピックがありません</translation>
+    </message>
+    <message>
+        <source>another ending</source>
+        <translation>別の拡張子</translation>
+    </message>
+    <message>
+        <source>messages in another encoding</source>
+        <translation>別の符号化のメッセージ</translation>
+    </message>
+    <message>
+        <source>one more topic</source>
+        <translation>さらに一つのトピック</translation>
+    </message>
+    <message>
+        <source>no bag in the folder</source>
+        <translation>フォルダーにバッグがありません</translation>
+    </message>
+    <message>
+        <source>the end of the file at {}</source>
+        <translation>{} でファイルの終わり</translation>
+    </message>
+    <message>
+        <source>representation {}</source>
+        <translation>表現 {}</translation>
+    </message>
+    <message>
+        <source>plain CDR</source>
+        <translation>通常の CDR</translation>
+    </message>
+    <message>
+        <source>{} × {} bytes</source>
+        <translation>{} × {} バイト</translation>
+    </message>
+    <message>
+        <source>another beginning</source>
+        <translation>別の始まり</translation>
+    </message>
+    <message>
+        <source>chunk at byte {}</source>
+        <translation>バイト {} のチャンク</translation>
+    </message>
+    <message>
+        <source>damaged bytes</source>
+        <translation>壊れたバイト列</translation>
+    </message>
+    <message>
+        <source>those of its checksum</source>
+        <translation>チェックサムどおりのもの</translation>
+    </message>
+    <message>
+        <source>{}: cut off at byte {}: what is before that is read</source>
+        <translation>{}: バイト {} で途切れています: その前までを読みます</translation>
+    </message>
+    <message>
+        <source>record at byte {}</source>
+        <translation>バイト {} のレコード</translation>
+    </message>
+    <message>
+        <source>more than {} bytes</source>
+        <translation>{} バイトを超える大きさ</translation>
+    </message>
+    <message>
+        <source>no field</source>
+        <translation>フィールドがありません</translation>
+    </message>
+    <message>
+        <source>even numbers</source>
+        <translation>偶数</translation>
+    </message>
+    <message>
+        <source>{} ranges</source>
+        <translation>{} 個の距離</translation>
+    </message>
+    <message>
+        <source>at most {} × {}</source>
+        <translation>最大 {} × {}</translation>
+    </message>
+    <message>
+        <source>the tables of a ROS 2 bag: topics, messages</source>
+        <translation>ROS 2 のバッグの表: topics、messages</translation>
+    </message>
+    <message>
+        <source>other tables</source>
+        <translation>別の表</translation>
+    </message>
+    <message>
+        <source>give the map a georeference before exporting it as {}</source>
+        <translation>{} に書き出す前に地図に位置を与えてください</translation>
+    </message>
+    <message>
+        <source>{}: this program was built without GDAL, which writes {}</source>
+        <translation>{}: このプログラムは {} を書く GDAL なしで作られています</translation>
+    </message>
+    <message>
+        <source>give the map a georeference before exporting it as OpenStreetMap</source>
+        <translation>OpenStreetMap に書き出す前に地図に位置を与えてください</translation>
+    </message>
+    <message>
+        <source>a whole picture, P5</source>
+        <translation>完全な P5 の画像</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>別のもの</translation>
+    </message>
+    <message>
+        <source>a map of map_server</source>
+        <translation>map_server の地図</translation>
+    </message>
+    <message>
+        <source>metres a pixel</source>
+        <translation>一画素のメートル数</translation>
+    </message>
+    <message>
+        <source>nothing that is occupied</source>
+        <translation>占有された所がありません</translation>
+    </message>
+    <message>
+        <source>pieces of at least {} m²</source>
+        <translation>{} m² 以上のかたまり</translation>
+    </message>
+    <message>
+        <source>the photo is dark</source>
+        <translation>写真が暗い</translation>
+    </message>
+    <message>
+        <source>the photo has hardly a pixel</source>
+        <translation>写真にほとんど画素がありません</translation>
+    </message>
+    <message>
+        <source>the photo is blurred, or there is no ink on it</source>
+        <translation>写真がぼけているか、インクがありません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -4056,6 +4256,59 @@
     <message>
         <source>Something unexpected went wrong.</source>
         <translation>予期しない問題が起きました。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::BagDialog</name>
+    <message>
+        <source>Reading…</source>
+        <translation>読んでいます…</translation>
+    </message>
+    <message>
+        <source>Import a bag of ROS</source>
+        <translation>ROS のバッグを取り込む</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>取り込む…</translation>
+    </message>
+    <message>
+        <source>Left images</source>
+        <translation>左の画像</translation>
+    </message>
+    <message>
+        <source>Right images</source>
+        <translation>右の画像</translation>
+    </message>
+    <message>
+        <source>Laser scan</source>
+        <translation>レーザースキャン</translation>
+    </message>
+    <message>
+        <source>Point cloud</source>
+        <translation>点群</translation>
+    </message>
+    <message>
+        <source>Odometry</source>
+        <translation>オドメトリ</translation>
+    </message>
+    <message>
+        <source>True poses</source>
+        <translation>真の姿勢</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n message(s))</source>
+        <translation>
+            <numerusform>%1（%n 件）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing in it sees: choose a scan, points, or a pair of images that have camera infos beside them.</source>
+        <translation>周りを見るものがありません: スキャン、点群、または camera_info のある画像の組を選んでください。</translation>
     </message>
 </context>
 <context>
@@ -8008,10 +8261,6 @@ Corrected by a run.</source>
         <translation>ログの取り込み</translation>
     </message>
     <message>
-        <source>Logs (*.log *.clf *.csv *.txt *.npy *.npz);;All files (*)</source>
-        <translation>ログ (*.log *.clf *.csv *.txt *.npy *.npz);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>A new folder for the recording</source>
         <translation>記録のための新しいフォルダー</translation>
     </message>
@@ -8030,6 +8279,10 @@ Corrected by a run.</source>
     <message>
         <source>Draw where it starts: press, drag to where it looks, release. Then press Run; Stop ends the drive.</source>
         <translation>ロボットの出発点を押し、見る方向へドラッグして離します。それから「実行」を押します。「停止」で走行が終わります。</translation>
+    </message>
+    <message>
+        <source>Logs and bags (*.log *.clf *.csv *.txt *.npy *.npz *.bag *.mcap *.db3);;All files (*)</source>
+        <translation>ログとバッグ (*.log *.clf *.csv *.txt *.npy *.npz *.bag *.mcap *.db3);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>

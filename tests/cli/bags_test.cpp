@@ -1,3 +1,7 @@
+#include <cstdlib>
+
+#include <nlohmann/json.hpp>
+
 #include "core/bags/mcap_writer.h"
 #include "tests/cli/program.h"
 
@@ -62,6 +66,30 @@ TEST_F(BagsCli, ImportSaysWhyThereIsNothingToImport) {
   writeText("a.bag", "no bag at all");
   expectFailed(run({"info", "a.bag"}), 2,
                "handmap-cli: error: a.bag: found another beginning, expected #ROSBAG V2.0\n");
+}
+
+/// By programs of others: ./dev peers gets them.
+TEST_F(BagsCli, ARunAsMcapIsReadByOthers) {
+  ASSERT_EQ(run({"simulate", "--seed", "3", "--out", "world"}).status, 0);
+  const Outcome outcome = run({"run", "--map", "world/sketch.handmap", "--recording", "world",
+                               "--mcap", "run.mcap", "--to", "20", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(contentOf("run.mcap").ends_with("MCAP0\r\n"));
+  if (!std::filesystem::exists(HANDMAP_PEERS "/node_modules/@mcap/core")) {
+    GTEST_SKIP() << "no peers: ./dev peers";
+  }
+  const std::string command = "NODE_PATH=" HANDMAP_PEERS "/node_modules node " HANDMAP_SOURCES
+                              "/tests/cli/peers/read_mcap.cjs run.mcap > read.json";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto read = nlohmann::json::parse(contentOf("read.json"));
+  const auto frames = read["counts"]["/pose"].get<int>();
+  EXPECT_GT(frames, 5);
+  EXPECT_EQ(read["counts"]["/tf"], frames + 1);
+  EXPECT_EQ(read["counts"]["/particles"], frames);
+  EXPECT_GE(read["counts"]["/local_map"].get<int>(), 1);
+  EXPECT_FALSE(read["marker"].get<std::string>().empty());
+  EXPECT_TRUE(read["pose"]["x"].is_number());
+  EXPECT_EQ(read["attachments"].size(), 3U);
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// Drawings and corrected maps for other programs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/map/map.h"
+
+namespace handmap {
+
+/// Endings of the files that it can be written as: geojson, osm, kml, gpkg, dxf (metres of the
+/// map), yaml (of map_server, with a .pgm beside).
+const std::vector<std::string>& writableEndings();
+
+/// By the ending; the old file stays whole where it fails. All but dxf and yaml need a
+/// georeference. Throws BadInput or RunFailed.
+void writeGeoMap(const Map& map, const std::filesystem::path& path);
+
+/// OpenStreetMap XML. Buildings that came from there keep their numbers and tags; σ stand beside
+/// in tags of their own ("handmap:sigma_x").
+std::string formatOsm(const Map& map);
+
+}  // namespace handmap

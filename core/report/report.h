@@ -1,0 +1,47 @@
+// A run in one HTML file that anybody can open: plan, timeline, table, what went wrong, and the
+// data itself. It refers to nothing outside.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/map/map.h"
+#include "core/recording/recording.h"
+
+namespace handmap {
+
+/// One wall of the corrected map.
+struct WallTolerance {
+  std::string building;
+  int side = 0;  ///< of its box(), from 0
+  double sigma = 0.0;
+  bool seen = false;
+  /// Probability that it is off by no more than kTolerances_m, its building being right or not.
+  std::array<double, 3> within{};
+};
+
+/// The classes in which surveyors state base maps, metres.
+inline constexpr std::array<double, 3> kTolerances_m = {0.3, 0.6, 1.2};
+
+/// Of the buildings that have an estimate.
+std::vector<WallTolerance> tolerancesOf(const Map& refined);
+
+struct ReportInputs {
+  Map drawing;
+  Map refined;
+  std::string run;       ///< what run --report wrote
+  std::string run_file;  ///< its name, for messages
+  std::vector<StampedPose> trajectory = {};
+  std::optional<Map> truth = {};
+  std::optional<Recording> recording = {};  ///< for pictures on the way
+};
+
+/// Throws BadInput where the report of the run is none.
+std::string reportHtml(const ReportInputs& inputs);
+/// A row a wall, with a header.
+std::string tolerancesCsv(const Map& refined);
+/// The same as a LaTeX table, with a word on what each column means.
+std::string tolerancesLatex(const Map& refined);
+
+}  // namespace handmap

@@ -1,0 +1,12 @@
+// The fields of the ROS 2 messages that a run is written in, as MCAP tells them to its readers.
+#pragma once
+
+#include <string>
+
+namespace handmap {
+
+/// Of "geometry_msgs/msg/PoseStamped": its own fields, then those of each type within, behind a
+/// line of "=". builtin_interfaces/Time is spelled out too: not every reader knows it.
+std::string rosDefinition(const std::string& type);
+
+}  // namespace handmap
