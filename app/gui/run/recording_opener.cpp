@@ -1,6 +1,7 @@
 #include "app/gui/run/recording_opener.h"
 
 #include "app/gui/run/demonstration.h"
+#include "core/bag_import/bag_import.h"
 #include "core/plausibility/plausibility.h"
 
 namespace handmap {
@@ -71,6 +72,19 @@ void RecordingOpener::import(const std::shared_ptr<const Log>& log, const QStrin
          path = std::filesystem::path(folder.toStdString())]() -> Answer {
     std::vector<std::string> notes;
     writeLog(*log, path, path.filename().string(), notes);
+    auto recording = std::make_shared<const Recording>(openRecording(path, stop));
+    Doubts doubts = doubtsOf(*recording, stop);
+    return Opened{std::move(recording), {}, std::move(doubts)};
+  });
+}
+
+void RecordingOpener::import(const std::shared_ptr<const Bag>& bag, const ToldTopics& topics,
+                             const QString& folder) {
+  forget();
+  begin([stop = stop_.get_token(), bag, topics,
+         path = std::filesystem::path(folder.toStdString())]() -> Answer {
+    std::vector<std::string> notes;
+    importBag(*bag, planOf(*bag, topics), path, path.filename().string(), notes, {}, stop);
     auto recording = std::make_shared<const Recording>(openRecording(path, stop));
     Doubts doubts = doubtsOf(*recording, stop);
     return Opened{std::move(recording), {}, std::move(doubts)};

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "app/gui/run/robot.h"
+#include "core/bag_import/bag_plan.h"
 #include "core/logs/log.h"
 #include "core/plausibility/doubt.h"
 #include "core/recording/recording.h"
@@ -32,6 +33,9 @@ class RecordingOpener : public QObject {
                  const std::vector<Act>& acts);
   /// Makes a recording of a log in that new folder and opens it.
   void import(const std::shared_ptr<const Log>& log, const QString& folder);
+  /// The same of a bag, whose topics serve as told.
+  void import(const std::shared_ptr<const Bag>& bag, const ToldTopics& topics,
+              const QString& folder);
   void openPoses(const QString& tum_file);
   /// See simulationOfDrawing().
   void simulate(const Map& drawing, std::uint64_t seed);

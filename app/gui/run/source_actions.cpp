@@ -12,6 +12,7 @@
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
+#include "widgets/importing/bag_dialog.h"
 #include "widgets/importing/import_dialog.h"
 #include "widgets/messages/dialogs.h"
 #include "widgets/messages/message_bar.h"
@@ -150,20 +151,36 @@ void SourceActions::askForLog() {
   const QString file =
       shell_.dialogs.fileToOpen({tr("Import a log"),
                                  shell_.settings.value(kRecordingFolderKey).toString(),
-                                 tr("Logs (*.log *.clf *.csv *.txt *.npy *.npz);;All files (*)"),
+                                 tr("Logs and bags (*.log *.clf *.csv *.txt *.npy *.npz *.bag "
+                                    "*.mcap *.db3);;All files (*)"),
                                  {},
                                  {}});
   if (!file.isEmpty()) importLog(file);
 }
 
+void SourceActions::importBag(const QString& file) {
+  auto* dialog = new BagDialog(file, &shell_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
+    const QString folder = folderForRecording(file);
+    if (!folder.isEmpty()) opener_.import(dialog->bag(), dialog->topics(), folder);
+  });
+  dialog->open();
+}
+
+QString SourceActions::folderForRecording(const QString& file) const {
+  const QFileInfo info(file);
+  return shell_.dialogs.fileToSave(
+      {tr("A new folder for the recording"), info.path(), {}, info.baseName(), {}});
+}
+
 void SourceActions::importLog(const QString& file) {
+  if (isBag(file.toStdString())) return importBag(file);
   auto* dialog = new ImportDialog({file}, &shell_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     const auto log = dialog->log();
-    const QFileInfo info(file);
-    const QString folder = shell_.dialogs.fileToSave(
-        {tr("A new folder for the recording"), info.path(), {}, info.baseName(), {}});
+    const QString folder = folderForRecording(file);
     if (log && !folder.isEmpty()) opener_.import(log, folder);
   });
   dialog->open();

@@ -82,6 +82,8 @@ class SourceActions : public QObject {
   bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
   void askForLog();
+  void importBag(const QString& file);
+  QString folderForRecording(const QString& file) const;
   void askForPoses();
   void usePoses(const std::vector<StampedPose>& poses);
   void tellActs();
