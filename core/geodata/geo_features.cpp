@@ -122,8 +122,8 @@ GeoKind kindOf(OGRFeatureH feature, OGRwkbGeometryType type) {
   return GeoKind::Area;
 }
 
-/// What was drawn anew in OpenStreetMap has numbers below 0, which GDAL's quicker index does not
-/// take.
+/// Editors of OpenStreetMap write nodes in any order, and give what was drawn anew numbers below 0:
+/// GDAL's quicker index takes neither.
 class AnyNumbers {
  public:
   AnyNumbers() { CPLSetThreadLocalConfigOption("OSM_USE_CUSTOM_INDEXING", "NO"); }

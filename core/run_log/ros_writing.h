@@ -8,9 +8,9 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/map/map.h"
+#include "core/method/snapshot.h"
 #include "core/perception/local_map.h"
 #include "core/recording/camera.h"
-#include "core/session/snapshot.h"
 
 namespace handmap::ros {
 

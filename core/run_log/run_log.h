@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/method/snapshot.h"
 #include "core/session/run_session.h"
 #include "core/session/run_warnings.h"
-#include "core/session/snapshot.h"
 
 namespace handmap {
 
