@@ -13,6 +13,7 @@
 #include "app/cli/odometry_option.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
+#include "app/cli/run_folder.h"
 #include "app/cli/run_summary.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -47,6 +48,7 @@ struct RunArguments {
   std::string report;
   std::string local_map;
   std::string mcap;
+  std::string keep;
   std::string model;
   std::optional<int> building_class;
   std::string given_poses;
@@ -132,6 +134,22 @@ std::shared_ptr<const Snapshot> runToEnd(
   return nullptr;
 }
 
+/// All outputs are in one folder then.
+void keepAll(RunArguments& arguments) {
+  const RunFolder kept{arguments.keep};
+  arguments.out = kept.refined();
+  arguments.trajectory = kept.trajectory();
+  arguments.report = kept.report();
+  arguments.mcap = kept.mcap();
+  checkOutputs(arguments, arguments.model);
+  std::error_code error;
+  std::filesystem::create_directories(kept.folder, error);
+  if (error) {
+    throw Error(ErrorCode::RunFailed,
+                fmt::format("{}: cannot be created: {}", arguments.keep, error.message()));
+  }
+}
+
 void writeOutputs(const RunArguments& arguments, const RunSession& session, const Snapshot& last) {
   if (!arguments.out.empty()) {
     Map refined = session.refinedMap();
@@ -180,11 +198,18 @@ std::unique_ptr<RunLog> openLog(const RunArguments& arguments, const Map& drawin
   return std::make_unique<RunLog>(arguments.mcap, drawing, source);
 }
 
+void keepDrawing(const RunArguments& arguments, Map drawing) {
+  const std::string path = RunFolder{arguments.keep}.drawing();
+  moveReferences(drawing, arguments.map, path);
+  writeMap(drawing, path);
+}
+
 /// What is still to be done, once the session is at its end.
 int finish(const RunArguments& arguments, const Map& drawing, const RunSession& session,
            const std::shared_ptr<const Snapshot>& last, RunLog* log) {
   if (!last) return Interrupt::kExitStatus;
   writeOutputs(arguments, session, *last);
+  if (!arguments.keep.empty()) keepDrawing(arguments, drawing);
   if (log != nullptr) log->finish(session.refinedMap(), session.trajectory(), session.warnings());
   fmt::print("{}",
              arguments.json ? runSummaryJson(drawing, session) : runSummary(drawing, session));
@@ -295,6 +320,7 @@ int runLive(const RunArguments& arguments, Map drawing) {
 }
 
 int run(const CLI::App& command, RunArguments arguments) {
+  if (!arguments.keep.empty()) keepAll(arguments);
   check(command, arguments);
   for (const std::string& what : arguments.free) {
     (what == "scale" ? arguments.settings.free_scale : arguments.settings.free_turn) = true;
@@ -380,6 +406,14 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->add_option("--mcap", a.mcap,
                    "The whole run as messages of ROS 2, for Foxglove, Lichtblick, Rerun, RViz 2")
       ->option_text("run.mcap");
+  command
+      ->add_option("--keep", a.keep,
+                   "All of it in one folder, with the drawing; report makes a page of that")
+      ->excludes("--out")
+      ->excludes("--trajectory")
+      ->excludes("--report")
+      ->excludes("--mcap")
+      ->option_text("DIR");
   command->add_option("--local-map", a.local_map, "Walls around the robot at the end, black")
       ->option_text("map.png");
 }
