@@ -181,7 +181,7 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
                                     : phrase("Turn the points around")};
   } else {
     doubt.message = phrase("{}: found {} with shorter motions, expected metres",
-                           odometryName(recording), found);
+                           recording.odometry.source(), found);
     sayUnitOfOdometry(axes.odometry_scale, doubt);
   }
   doubt.remedy->points = {axes.xx, axes.xy, axes.yx, axes.yy, 1.0F, 0.0F};

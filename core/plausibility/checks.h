@@ -24,9 +24,6 @@ std::optional<double> scaleByScans(const Recording& recording, const std::stop_t
 /// What the odometry is likely counted in, `scale` metres a unit: 0.01 or 0.001. With the remedy.
 void sayUnitOfOdometry(double scale, Doubt& doubt);
 
-/// "odometry.tum" of the folder.
-std::string odometryName(const Recording& recording);
-
 inline double medianOf(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

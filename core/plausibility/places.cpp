@@ -29,9 +29,10 @@ std::string placeIn(const std::filesystem::path& file, const Is& is) {
 }  // namespace
 
 std::string placeOfPose(const Recording& recording, double time_s) {
-  return placeIn(recording.folder / "odometry.tum", [time_s](std::string_view line) {
+  return placeIn(recording.odometry.source(), [time_s](std::string_view line) {
     const auto words = splitWords(line.substr(0, line.find_first_of(" \t", 1)));
-    return !words.empty() && parseFinite(words[0]) == time_s;
+    // Lines of other forms do not tell times.
+    return !words.empty() && parseFinite(words[0]) == time_s && splitWords(line).size() == 8;
   });
 }
 

@@ -7,8 +7,8 @@
 
 namespace handmap {
 
-/// "FOLDER/odometry.tum: line 12", of the pose of that time. Without the line where none says so:
-/// of odometry that came otherwise.
+/// "FOLDER/odometry.tum: line 12", of the pose of that time, in whichever file the odometry came
+/// from. Without the line where none says so.
 std::string placeOfPose(const Recording& recording, double time_s);
 /// "FOLDER/frames.csv: line 12".
 std::string placeOfFrame(const Recording& recording, int frame);

@@ -17,10 +17,6 @@ bool holds(const Doubts& doubts, const char* code) {
 
 }  // namespace
 
-std::string odometryName(const Recording& recording) {
-  return (recording.folder / "odometry.tum").string();
-}
-
 Doubts doubtsOf(const Recording& recording, const std::stop_token& stop) {
   Doubts doubts;
   for (const std::string& key : recording.strange_keys) {
@@ -58,7 +54,7 @@ Recording remedied(Recording recording, const Remedy& remedy) {
     pose = {remedy.odometry_scale * pose.x, remedy.odometry_scale * pose.y,
             normalizedAngle(heading + remedy.odometry_turn)};
   }
-  recording.odometry = Trajectory(std::move(poses), odometryName(recording));
+  recording.odometry = Trajectory(std::move(poses), recording.odometry.source());
   return recording;
 }
 

@@ -73,10 +73,10 @@ void checkOrder(double previous, double time, const std::string& source, const P
 
 }  // namespace
 
-Trajectory::Trajectory(std::vector<StampedPose> poses, const std::string& source)
-    : poses_(std::move(poses)) {
+Trajectory::Trajectory(std::vector<StampedPose> poses, std::string source)
+    : poses_(std::move(poses)), source_(std::move(source)) {
   for (std::size_t i = 1; i < poses_.size(); ++i) {
-    checkOrder(poses_[i - 1].time_s, poses_[i].time_s, source,
+    checkOrder(poses_[i - 1].time_s, poses_[i].time_s, source_,
                [i] { return phrase("pose {}", i); });
   }
 }

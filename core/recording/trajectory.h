@@ -21,9 +21,10 @@ class Trajectory {
  public:
   Trajectory() = default;
   /// `source` names the poses in messages. Throws BadInput where time does not increase.
-  Trajectory(std::vector<StampedPose> poses, const std::string& source);
+  Trajectory(std::vector<StampedPose> poses, std::string source);
 
   const std::vector<StampedPose>& poses() const { return poses_; }
+  const std::string& source() const { return source_; }
   bool empty() const { return poses_.empty(); }
   /// Interpolated; nullopt more than `tolerance_s` before the first or after the last pose, the
   /// nearest end within it.
@@ -31,6 +32,7 @@ class Trajectory {
 
  private:
   std::vector<StampedPose> poses_;
+  std::string source_;
 };
 
 Trajectory readTum(const std::filesystem::path& path, const std::stop_token& stop = {});

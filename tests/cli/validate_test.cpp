@@ -43,6 +43,13 @@ TEST_F(Validate, WarnsOfWhatMayBeRightAndRefusesWhatCannotBe) {
   EXPECT_NE(refused.err.find("error: rec/odometry.tum: line 2: found a robot that drives 1000 m/s"),
             std::string::npos)
       << refused.err;
+  fs::rename("rec/odometry.tum", "mine.tum");
+  const Outcome given =
+      run({"run", "--map", "rec/sketch.handmap", "--recording", "rec", "--odometry", "mine.tum"});
+  EXPECT_EQ(given.status, 2);
+  EXPECT_NE(given.err.find("error: mine.tum: line 2: found a robot that drives 1000 m/s"),
+            std::string::npos)
+      << given.err;
 }
 
 TEST_F(Validate, RefusesADrawingInMillimetres) {

@@ -106,6 +106,13 @@ TEST_F(Plausibility, Units) {
   expectDoubt(recorded(withTimes(1e3)), "time_units", false, "milliseconds");
 }
 
+TEST_F(Plausibility, OfAnotherFileOfOdometryThanTheRecordings) {
+  Recording recording = recorded(withPoses(1000, 1, 0));
+  std::filesystem::rename(folder_.path() / "odometry.tum", folder_.path() / "mine.tum");
+  recording.odometry = readTum(folder_.path() / "mine.tum");
+  expectDoubt(recording, "odometry_units", true, "millimetres", "mine.tum: line 2");
+}
+
 TEST_F(Plausibility, Axes) {
   expectDoubt(recorded(withPoints(1, 0, 0, -1)), "opposite_turns", false, "upside down",
               "frames.csv: line 2");
