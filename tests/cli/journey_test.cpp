@@ -62,6 +62,24 @@ TEST_F(Journey, CorrectsTheSketch) {
   EXPECT_LT(error["rms_m"].get<double>(), 0.73);  // the odometry: 1.2
 }
 
+TEST_F(Journey, KeepsARunInOneFolderAndMakesAPageOfIt) {
+  EXPECT_EQ(run(slam({"--to", "6", "--keep", "kept"})).status, 0);
+  for (const char* name :
+       {"drawing.handmap", "refined.handmap", "trajectory.tum", "report.json", "run.mcap"}) {
+    EXPECT_TRUE(fs::exists(fs::path("kept") / name)) << name;
+  }
+  expectDone(run({"report", "--run", "kept", "--truth", "rec/truth.handmap", "--out", "run.html"}),
+             "");
+  EXPECT_NE(contentOf("run.html").find("trajectory"), std::string::npos);
+  expectDone(run({"report", "--run", "kept", "--out", "walls.csv"}), "");
+  EXPECT_EQ(contentOf("walls.csv").find("building,"), 0U);
+  expectDone(run({"report", "--run", "kept", "--out", "copy.mcap"}), "");
+  EXPECT_EQ(contentOf("copy.mcap"), contentOf("kept/run.mcap"));
+  expectFailed(run({"report", "--run", "rec", "--out", "run.html"}), 2,
+               "rec/drawing.handmap: no such file\n");
+  EXPECT_EQ(run({"report", "--run", "kept", "--out", "kept/refined.handmap"}).status, 1);
+}
+
 TEST_F(Journey, IsTheSameOnOneThreadAndOnTwo) {
   std::vector<std::string> bytes;
   for (const std::string threads : {"1", "2", "2"}) {
