@@ -73,6 +73,12 @@ std::vector<std::string> extrasOf(const Sketch& sketch) {
   return extras;
 }
 
+Sketch sketchOf(std::string name, Map drawing, Map truth) {
+  Sketch sketch{std::move(name), std::move(drawing), std::move(truth), {}};
+  sketch.generalisation.amalgamated = amalgamatedIn(pairsOf(sketch));
+  return sketch;
+}
+
 Sketch readSketch(const std::filesystem::path& drawing, const std::filesystem::path& truth,
                   double metres) {
   const bool aligned = drawing.extension() == ".geojson";
@@ -80,13 +86,8 @@ Sketch readSketch(const std::filesystem::path& drawing, const std::filesystem::p
     throwBadInput(truth.string(), "", "another kind of file than " + drawing.string(),
                   "both .handmap or both .geojson");
   }
-  Sketch sketch;
-  if (aligned) {
-    sketch = readAlignedSketch(drawing, truth, metres);
-  } else {
-    sketch = {drawing.string(), readMap(drawing), readMap(truth), {}};
-    sketch.generalisation.amalgamated = amalgamatedIn(pairsOf(sketch));
-  }
+  Sketch sketch = aligned ? readAlignedSketch(drawing, truth, metres)
+                          : sketchOf(drawing.string(), readMap(drawing), readMap(truth));
   const std::vector<SketchPair> pairs = pairsOf(sketch);
   if (std::ranges::none_of(pairs, [](const SketchPair& pair) { return pair.drawn.has_value(); })) {
     throwBadInput(drawing.string(), "", "nothing that is in " + truth.string(), "the same ids");

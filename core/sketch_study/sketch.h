@@ -43,6 +43,9 @@ std::vector<SketchPair> pairsOf(const Sketch& sketch);
 /// Ids of buildings and landmarks that are drawn and not there.
 std::vector<std::string> extrasOf(const Sketch& sketch);
 
+/// Counts what was amalgamated.
+Sketch sketchOf(std::string name, Map drawing, Map truth);
+
 /// A `.handmap` drawing and its true map, or, where both are `.geojson`, a sketch map in plane
 /// coordinates with SketchMapia's `alignment.json` beside it. `metres` a unit of the true map.
 /// Throws BadInput, also where nothing that is drawn is in the truth.

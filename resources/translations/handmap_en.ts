@@ -49,6 +49,16 @@
     </message>
 </context>
 <context>
+    <name>handmap::CompareActions</name>
+    <message numerus="yes">
+        <source>The drawing and %1 have too little in common: %n building(s) or landmark(s), and three are needed.</source>
+        <translation>
+            <numerusform>The drawing and %1 have too little in common: %n building or landmark, and three are needed.</numerusform>
+            <numerusform>The drawing and %1 have too little in common: %n buildings or landmarks, and three are needed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::FileActions</name>
     <message numerus="yes">
         <source>%n building(s) of “%1” are a new drawing now, and where they lie on earth is kept.</source>

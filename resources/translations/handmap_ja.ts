@@ -831,6 +831,325 @@
         <source>Make a page to draw on, whose photo tells scale and start.</source>
         <translation>描くための用紙を作ります。その写真から縮尺と出発点が分かります。</translation>
     </message>
+    <message>
+        <source>Compare &amp;Drawings…</source>
+        <translation>図面を比べる(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Tell by figures and arrows how far the drawing is off a true map.</source>
+        <translation>図面が正しい地図からどれだけずれているかを、数値と矢印で示します。</translation>
+    </message>
+</context>
+<context>
+    <name>FigureWords</name>
+    <message>
+        <source>In the true map</source>
+        <translation>正しい地図にある数</translation>
+    </message>
+    <message>
+        <source>How many buildings and landmarks the true map has.</source>
+        <translation>正しい地図にある建物と目印の数です。</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>描かれた数</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>描かれていない数</translation>
+    </message>
+    <message>
+        <source>How many of them are not in the drawing.</source>
+        <translation>そのうち、図面にないものの数です。</translation>
+    </message>
+    <message>
+        <source>Only in the drawing</source>
+        <translation>図面だけにある数</translation>
+    </message>
+    <message>
+        <source>How many are drawn that the true map does not have.</source>
+        <translation>描かれているのに正しい地図にはないものの数です。</translation>
+    </message>
+    <message>
+        <source>Completeness</source>
+        <translation>完全性</translation>
+    </message>
+    <message>
+        <source>The share of the true map that is drawn: 1 is all.</source>
+        <translation>正しい地図のうち描かれている割合です。1 ならすべてです。</translation>
+    </message>
+    <message>
+        <source>Drawn as one with others</source>
+        <translation>ほかと一つに描かれた数</translation>
+    </message>
+    <message>
+        <source>How many true buildings are missing where a drawn one covers their place.</source>
+        <translation>描かれておらず、その場所を描かれた別の建物が覆っている建物の数です。</translation>
+    </message>
+    <message>
+        <source>Stood for by a few</source>
+        <translation>少数で代表された数</translation>
+    </message>
+    <message>
+        <source>How many true buildings a few drawn ones stand for. Only known of sketches with an alignment file, else 0.</source>
+        <translation>少数の描かれた建物が代わりに表している建物の数です。対応表のある略図だけで分かり、ほかでは 0 です。</translation>
+    </message>
+    <message>
+        <source>Drawn as a point</source>
+        <translation>点で描かれた数</translation>
+    </message>
+    <message>
+        <source>How many true buildings are a mere point in the drawing. Only known of sketches with an alignment file, else 0.</source>
+        <translation>図面ではただの点になっている建物の数です。対応表のある略図だけで分かり、ほかでは 0 です。</translation>
+    </message>
+    <message>
+        <source>Overlap (IoU)</source>
+        <translation>重なり (IoU)</translation>
+    </message>
+    <message>
+        <source>How far the drawn and the true outline of a building cover each other as they lie, on average: 1 is the same outline, 0 is beside it.</source>
+        <translation>建物の描かれた輪郭と正しい輪郭が、今の位置のままでどれだけ重なるかの平均です。1 は同じ輪郭、0 はまったく重ならないことを表します。</translation>
+    </message>
+    <message>
+        <source>Correlation r</source>
+        <translation>相関 r</translation>
+    </message>
+    <message>
+        <source>How alike the places of both maps are once the true map is laid on the drawing: 1 is the same, 0 is nothing alike.</source>
+        <translation>正しい地図を図面に重ね合わせたとき、両方の位置がどれだけ似ているかです。1 は同じ、0 はまったく似ていないことを表します。</translation>
+    </message>
+    <message>
+        <source>Explained share r²</source>
+        <translation>説明される割合 r²</translation>
+    </message>
+    <message>
+        <source>The share of the spread of the drawn places that follows from the true ones.</source>
+        <translation>描かれた位置のばらつきのうち、正しい位置から説明できる割合です。</translation>
+    </message>
+    <message>
+        <source>Turn θ</source>
+        <translation>回転 θ</translation>
+    </message>
+    <message>
+        <source>How far the drawing as a whole is turned, counter-clockwise.</source>
+        <translation>図面全体が反時計回りにどれだけ回っているかです。</translation>
+    </message>
+    <message>
+        <source>Scale along x</source>
+        <translation>x 方向の倍率</translation>
+    </message>
+    <message>
+        <source>The width of the drawing as a multiple of the true one: above 1 it is drawn too large.</source>
+        <translation>図面の幅が正しい幅の何倍かです。1 より大きければ大きく描きすぎています。</translation>
+    </message>
+    <message>
+        <source>Scale along y</source>
+        <translation>y 方向の倍率</translation>
+    </message>
+    <message>
+        <source>The height of the drawing as a multiple of the true one: above 1 it is drawn too large.</source>
+        <translation>図面の高さが正しい高さの何倍かです。1 より大きければ大きく描きすぎています。</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>せん断</translation>
+    </message>
+    <message>
+        <source>How far what is upright leans to the right in the drawing: 0 is not at all.</source>
+        <translation>まっすぐ上に伸びるものが図面でどれだけ右に傾くかです。0 なら傾きません。</translation>
+    </message>
+    <message>
+        <source>Shift along x</source>
+        <translation>x 方向のずれ</translation>
+    </message>
+    <message>
+        <source>How far to the right the origin of the true map comes to lie in the drawing.</source>
+        <translation>正しい地図の原点が、図面ではどれだけ右に来るかです。</translation>
+    </message>
+    <message>
+        <source>Shift along y</source>
+        <translation>y 方向のずれ</translation>
+    </message>
+    <message>
+        <source>How far up the origin of the true map comes to lie in the drawing.</source>
+        <translation>正しい地図の原点が、図面ではどれだけ上に来るかです。</translation>
+    </message>
+    <message>
+        <source>Distortion D</source>
+        <translation>ゆがみ D</translation>
+    </message>
+    <message>
+        <source>What is left between both maps once one is laid on the other: the root of the sum of all squared distances.</source>
+        <translation>両方の地図を重ね合わせたあとに残るずれです。距離の二乗の和の平方根です。</translation>
+    </message>
+    <message>
+        <source>Greatest distortion D max</source>
+        <translation>最大のゆがみ D max</translation>
+    </message>
+    <message>
+        <source>What would be left if the drawing had nothing of the true map.</source>
+        <translation>図面が正しい地図とまったく無関係なら残るはずのずれです。</translation>
+    </message>
+    <message>
+        <source>Distortion index</source>
+        <translation>ゆがみ指数</translation>
+    </message>
+    <message>
+        <source>Distortion as a share of the greatest one: 0 is none, 1 is a drawing that has nothing of the true map.</source>
+        <translation>最大のゆがみに対する割合です。0 はゆがみなし、1 は正しい地図と無関係な図面です。</translation>
+    </message>
+    <message>
+        <source>Test value F</source>
+        <translation>検定量 F</translation>
+    </message>
+    <message>
+        <source>How much follows from the true map against what does not: the larger, the less it is by chance.</source>
+        <translation>正しい地図から説明できる分と、できない分の比です。大きいほど偶然ではありません。</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom of the fit</source>
+        <translation>当てはめの自由度</translation>
+    </message>
+    <message>
+        <source>How many numbers lay one map on the other, beside the shift.</source>
+        <translation>ずれのほかに、地図を重ね合わせるのに使う数の個数です。</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom left</source>
+        <translation>残りの自由度</translation>
+    </message>
+    <message>
+        <source>How many coordinates are left to test it, once those numbers and the shift are taken away.</source>
+        <translation>それらの数とずれの分を除いて、検定に残る座標の個数です。</translation>
+    </message>
+    <message>
+        <source>Probability p</source>
+        <translation>確率 p</translation>
+    </message>
+    <message>
+        <source>How likely so large an F is by chance alone: below 0.05 is usually taken as not by chance.</source>
+        <translation>これほど大きな F が偶然だけで出る確率です。ふつう 0.05 未満なら偶然ではないとみなします。</translation>
+    </message>
+    <message>
+        <source>Information criterion (AIC)</source>
+        <translation>情報量規準 (AIC)</translation>
+    </message>
+    <message>
+        <source>Whether the true map tells where things are drawn, against no relation at all: below 0 it does.</source>
+        <translation>無関係とするのに比べて、描かれた位置が正しい地図から分かるかどうかです。0 未満なら分かります。</translation>
+    </message>
+    <message>
+        <source>Gain over one scale: F</source>
+        <translation>倍率一つに対する改善: F</translation>
+    </message>
+    <message>
+        <source>How much more follows once the drawing may be stretched and sheared too: the larger, the more.</source>
+        <translation>図面の引き伸ばしとせん断も許すと、どれだけ多く説明できるかです。大きいほど多く説明できます。</translation>
+    </message>
+    <message>
+        <source>Gain over one scale: p</source>
+        <translation>倍率一つに対する改善: p</translation>
+    </message>
+    <message>
+        <source>How likely so large a gain is by chance alone.</source>
+        <translation>これほどの改善が偶然だけで出る確率です。</translation>
+    </message>
+    <message>
+        <source>Gain over one scale: AIC</source>
+        <translation>倍率一つに対する改善: AIC</translation>
+    </message>
+    <message>
+        <source>Whether stretch and shear are worth two more numbers: below 0 they are.</source>
+        <translation>引き伸ばしとせん断のために数を二つ増やす値打ちがあるかどうかです。0 未満ならあります。</translation>
+    </message>
+    <message>
+        <source>Canonical organisation</source>
+        <translation>方位関係の構成</translation>
+    </message>
+    <message>
+        <source>The share of pairs in which the right one is the northern and the right one the eastern; what is missing counts as wrong.</source>
+        <translation>二つずつの組のうち、どちらが北か、どちらが東かが合っている割合です。描かれていないものは誤りとします。</translation>
+    </message>
+    <message>
+        <source>Canonical organisation, root</source>
+        <translation>方位関係の構成の平方根</translation>
+    </message>
+    <message>
+        <source>Its square root, which can be held against the completeness.</source>
+        <translation>その平方根です。完全性と比べられます。</translation>
+    </message>
+    <message>
+        <source>Canonical accuracy</source>
+        <translation>方位関係の正確さ</translation>
+    </message>
+    <message>
+        <source>The same of those pairs alone that are drawn.</source>
+        <translation>描かれている組だけについての同じ割合です。</translation>
+    </message>
+    <message>
+        <source>Canonical accuracy, root</source>
+        <translation>方位関係の正確さの平方根</translation>
+    </message>
+    <message>
+        <source>Its square root.</source>
+        <translation>その平方根です。</translation>
+    </message>
+    <message>
+        <source>Distance accuracy</source>
+        <translation>距離の正確さ</translation>
+    </message>
+    <message>
+        <source>How right the distances from one to another are, whatever the scale: 1 is right.</source>
+        <translation>倍率によらず、互いの距離がどれだけ合っているかです。1 なら正しい距離です。</translation>
+    </message>
+    <message>
+        <source>Scaling bias</source>
+        <translation>距離の偏り</translation>
+    </message>
+    <message>
+        <source>Above 0: short distances are drawn too long beside the longest one; below 0: too short.</source>
+        <translation>0 より大きければ、最も長い距離に比べて短い距離が長く描かれ、0 より小さければ短く描かれています。</translation>
+    </message>
+    <message>
+        <source>Angle accuracy</source>
+        <translation>方向の正確さ</translation>
+    </message>
+    <message>
+        <source>How right the directions from one to another are: 1 is right.</source>
+        <translation>互いの方向がどれだけ合っているかです。1 なら正しい方向です。</translation>
+    </message>
+    <message>
+        <source>Rotational bias</source>
+        <translation>回転の偏り</translation>
+    </message>
+    <message>
+        <source>How far directions from one to another are turned on average, counter-clockwise.</source>
+        <translation>互いの方向が平均で反時計回りにどれだけ回っているかです。</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>描かれたもの</translation>
+    </message>
+    <message>
+        <source>Laid on it by shift, turn and one scale (Euclidean)</source>
+        <translation>ずれ、回転、倍率一つで重ねたとき（ユークリッド）</translation>
+    </message>
+    <message>
+        <source>Stretched and sheared too (affine)</source>
+        <translation>引き伸ばしとせん断も許したとき（アフィン）</translation>
+    </message>
+    <message>
+        <source>From one to another</source>
+        <translation>互いの位置関係</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>How many of them are in the drawing, by the same id.</source>
+        <translation>そのうち、同じ id で図面にあるものの数です。</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -4226,18 +4545,6 @@
         <source>pieces of at least {} m²</source>
         <translation>{} m² 以上のかたまり</translation>
     </message>
-    <message>
-        <source>the photo is dark</source>
-        <translation>写真が暗い</translation>
-    </message>
-    <message>
-        <source>the photo has hardly a pixel</source>
-        <translation>写真にほとんど画素がありません</translation>
-    </message>
-    <message>
-        <source>the photo is blurred, or there is no ink on it</source>
-        <translation>写真がぼけているか、インクがありません</translation>
-    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -5018,6 +5325,86 @@ Observations: %4</source>
     <message>
         <source>No command is called “%1”.</source>
         <translation>「%1」というコマンドはありません。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::CompareActions</name>
+    <message>
+        <source>the truth of the simulator</source>
+        <translation>シミュレーターの真値</translation>
+    </message>
+    <message>
+        <source>Open the true map</source>
+        <translation>正しい地図を開く</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>「%1」</translation>
+    </message>
+    <message numerus="yes">
+        <source>The drawing and %1 have too little in common: %n building(s) or landmark(s), and three are needed.</source>
+        <translation>
+            <numerusform>図面と%1に共通のものが少なすぎます。建物と目印は %n 個で、三個が必要です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Another true map…</source>
+        <translation>別の正しい地図…</translation>
+    </message>
+    <message>
+        <source>Save the figures</source>
+        <translation>数値を保存</translation>
+    </message>
+    <message>
+        <source>-figures</source>
+        <translation>-数値</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The table of figures</source>
+        <translation>数値の表</translation>
+    </message>
+    <message>
+        <source>They are matched by the id that the file has, not by name.</source>
+        <translation>名前ではなく、ファイルにある id で対応を取ります。</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::ComparisonDialog</name>
+    <message>
+        <source>Compare drawings</source>
+        <translation>図面を比べる</translation>
+    </message>
+    <message>
+        <source>Figures of the drawing</source>
+        <translation>図面の数値</translation>
+    </message>
+    <message>
+        <source>&amp;Save as CSV…</source>
+        <translation>CSV として保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Another True Map…</source>
+        <translation>別の正しい地図(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Against %1. The arrows lead from the true places to the drawn ones; a ring alone is not drawn. What each figure says stands in its tooltip.</source>
+        <translation>%1と比べています。矢印は正しい位置から描かれた位置へ向かい、輪だけの所は描かれていません。数値の意味はツールチップにあります。</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>図面</translation>
+    </message>
+    <message>
+        <source>Corrected map</source>
+        <translation>補正した地図</translation>
     </message>
 </context>
 <context>

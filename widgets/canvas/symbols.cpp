@@ -1,6 +1,7 @@
 #include "widgets/canvas/symbols.h"
 
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 namespace handmap {
@@ -76,6 +77,23 @@ void paintRoute(QPainter& painter, const QPolygonF& points, const QPen& pen, con
   const QPointF& tip = points.last();
   painter.setBrush(pen.color());
   painter.drawPolygon(arrowHead(tip, unitOf(tip - points[points.size() - 2]), 11.0));
+}
+
+void paintArrow(QPainter& painter, const QLineF& line) {
+  constexpr double kHeadPx = 9.0;
+  const QPen pen = painter.pen();
+  painter.drawLine(line);
+  QLineF barb(line.p2(), line.p1());
+  barb.setLength(std::min(kHeadPx, 0.6 * line.length()));
+  QPen solid = pen;
+  solid.setStyle(Qt::SolidLine);
+  painter.setPen(solid);
+  for (const double turn : {-25.0, 25.0}) {
+    QLineF side = barb;
+    side.setAngle(barb.angle() + turn);
+    painter.drawLine(side);
+  }
+  painter.setPen(pen);
 }
 
 void paintLabel(QPainter& painter, const QPointF& centre, const QString& text,

@@ -1,6 +1,7 @@
 // Small signs on the canvas, in device pixels.
 #pragma once
 
+#include <QLineF>
 #include <QPainter>
 #include <QPolygonF>
 
@@ -18,6 +19,8 @@ void paintLockSymbol(QPainter& painter, const QPointF& centre, const QColor& ink
 /// A pin: a run must not move it.
 void paintFixedSymbol(QPainter& painter, const QPointF& centre, const QColor& ink);
 void paintRoute(QPainter& painter, const QPolygonF& points, const QPen& pen, const QColor& ground);
+/// A shaft in the pen of the painter, the head of two strokes.
+void paintArrow(QPainter& painter, const QLineF& line);
 /// Text, centred; on a faint ground of its own where what is below may be anything.
 void paintLabel(QPainter& painter, const QPointF& centre, const QString& text,
                 const Colours& colours, bool on_ground);

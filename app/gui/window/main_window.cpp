@@ -24,6 +24,7 @@
 #include "app/gui/files/reference_trust.h"
 #include "app/gui/files/template_menu.h"
 #include "app/gui/rig/rig_actions.h"
+#include "app/gui/run/compare_actions.h"
 #include "app/gui/run/live_watch.h"
 #include "app/gui/run/result_actions.h"
 #include "app/gui/run/revision_actions.h"
@@ -131,6 +132,7 @@ void MainWindow::makeRun() {
       new RunViews(shell_, *canvas_, document_, *files_, *sources_, run_, *overlays_, run_panels_);
   runs_ = new TransportActions(shell_, document_, *files_, *sources_, run_, *views_, *transport_);
   results_ = new ResultActions(shell_, document_, *files_, *sources_, run_, run_panels_.buildings);
+  new CompareActions(shell_, document_, *canvas_, *files_, *sources_, run_, this);
   rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
   live_watch_ = new LiveWatch(shell_, run_, *sources_, this);
   revisions_ = std::make_unique<RevisionActions>(shell_, document_, run_, *canvas_, *tools_,

@@ -10,24 +10,16 @@ namespace handmap {
 
 namespace {
 
-constexpr double kHeadPx = 9.0;
 constexpr double kLabelPx = 20.0;         // around the end: the name of the building
 constexpr double kLeastPx = 40.0;         // shorter arrows would be a blot in the name
 constexpr double kLeastForTextPx = 14.0;  // shorter ones have no words: zoom in to read them
 constexpr double kMarginM = 20.0;         // room for words when zoomed out far
 constexpr double kMostLines = 2.0;        // of a name
 
-void paintArrow(QPainter& painter, QLineF line) {
+/// The name of the building at its end stays free.
+QLineF shortened(QLineF line) {
   line.setLength(std::max(0.6 * line.length(), line.length() - kLabelPx));
-  painter.drawLine(line);
-  QLineF barb = line;
-  barb.setPoints(line.p2(), line.p1());
-  barb.setLength(std::min(kHeadPx, 0.6 * line.length()));
-  for (const double turn : {-25.0, 25.0}) {
-    QLineF side = barb;
-    side.setAngle(barb.angle() + turn);
-    painter.drawLine(side);
-  }
+  return line;
 }
 
 /// Below the name, or below the building where that leaves no room.
@@ -72,7 +64,7 @@ void ChangesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   painter->setPen(cosmeticPen((*colours_)[Role::Corrected], 1.6));
   for (const Arrow& arrow : arrows_) {
     const QLineF line = to_device.map(arrow.line);
-    if (line.length() >= kLeastPx) paintArrow(*painter, line);
+    if (line.length() >= kLeastPx) paintArrow(*painter, shortened(line));
   }
   const double height = painter->fontMetrics().height();
   for (const Arrow& arrow : arrows_) {
