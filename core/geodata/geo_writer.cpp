@@ -189,6 +189,11 @@ const std::vector<std::string>& writableEndings() {
   return kEndings;
 }
 
+bool needsGeoreference(const std::filesystem::path& path) {
+  const std::string ending = lowerEnding(path);
+  return ending == "geojson" || ending == "osm" || ending == "kml" || ending == "gpkg";
+}
+
 void writeGeoMap(const Map& map, const std::filesystem::path& path) {
   const std::string ending = lowerEnding(path);
   if (std::ranges::find(writableEndings(), ending) == writableEndings().end()) {
@@ -198,7 +203,7 @@ void writeGeoMap(const Map& map, const std::filesystem::path& path) {
   if (ending == "yaml") return writeRobotMap(map, path);
   if (ending == "geojson") return writeFileAtomically(path, formatGeoJson(map));
   if (ending == "osm") return writeFileAtomically(path, formatOsm(map));
-  if (ending != "dxf" && !map.georeference) {
+  if (needsGeoreference(path) && !map.georeference) {
     throw Error(ErrorCode::BadInput,
                 phrase("georeference: found nothing, expected where the map lies"),
                 phrase("give the map a georeference before exporting it as {}", ending));

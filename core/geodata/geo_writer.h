@@ -13,8 +13,11 @@ namespace handmap {
 /// map), yaml (of map_server, with a .pgm beside).
 const std::vector<std::string>& writableEndings();
 
-/// By the ending; the old file stays whole where it fails. All but dxf and yaml need a
-/// georeference. Throws BadInput or RunFailed.
+/// Whether its ending is one of those that say where on earth a map lies.
+bool needsGeoreference(const std::filesystem::path& path);
+
+/// By the ending; the old file stays whole where it fails. See
+/// needsGeoreference(). Throws BadInput or RunFailed.
 void writeGeoMap(const Map& map, const std::filesystem::path& path);
 
 /// OpenStreetMap XML. Buildings that came from there keep their numbers and tags; σ stand beside

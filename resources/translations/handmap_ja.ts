@@ -56,14 +56,6 @@
         <translation>実行が補正した地図を保存します。</translation>
     </message>
     <message>
-        <source>Export &amp;GeoJSON…</source>
-        <translation>GeoJSON を書き出す(&amp;G)…</translation>
-    </message>
-    <message>
-        <source>Save the map for geographic programs; it must be georeferenced.</source>
-        <translation>地理情報ソフト用に地図を保存します。地理座標が必要です。</translation>
-    </message>
-    <message>
         <source>Export &amp;Picture…</source>
         <translation>画像を書き出す(&amp;P)…</translation>
     </message>
@@ -838,6 +830,30 @@
     <message>
         <source>Tell by figures and arrows how far the drawing is off a true map.</source>
         <translation>図面が正しい地図からどれだけずれているかを、数値と矢印で示します。</translation>
+    </message>
+    <message>
+        <source>Export to Other Pro&amp;grams…</source>
+        <translation>ほかのプログラムに書き出す(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Save the map as GeoJSON, OpenStreetMap, KML, GeoPackage, DXF or for robots.</source>
+        <translation>地図を GeoJSON、OpenStreetMap、KML、GeoPackage、DXF、またはロボット用に保存します。</translation>
+    </message>
+    <message>
+        <source>&amp;Export Report…</source>
+        <translation>レポートを書き出す(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Make a page of the run that anybody can open.</source>
+        <translation>実行から、誰でも開ける一つのページを作ります。</translation>
+    </message>
+    <message>
+        <source>Export R&amp;un as MCAP…</source>
+        <translation>実行を MCAP で書き出す(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Save the moments of the run for Rerun, Foxglove or RViz 2.</source>
+        <translation>実行の各時点を Rerun、Foxglove、RViz 2 のために保存します。</translation>
     </message>
 </context>
 <context>
@@ -4617,6 +4633,10 @@
         <source>Nothing in it sees: choose a scan, points, or a pair of images that have camera infos beside them.</source>
         <translation>周りを見るものがありません: スキャン、点群、または camera_info のある画像の組を選んでください。</translation>
     </message>
+    <message>
+        <source>Nothing in it sees: it has neither scans nor points nor images.</source>
+        <translation>見るものがありません。スキャンも点群も画像も入っていません。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::BudgetTable</name>
@@ -5711,20 +5731,8 @@ Observations: %4</source>
         <translation>フォルダーで表示</translation>
     </message>
     <message>
-        <source>GeoJSON needs to know where the drawing lies.</source>
-        <translation>GeoJSON には図面の場所が必要です。</translation>
-    </message>
-    <message>
-        <source>Its georeference is the latitude and longitude of the origin.</source>
-        <translation>原点の緯度と経度を指定してください。</translation>
-    </message>
-    <message>
         <source>Say where</source>
         <translation>場所を指定</translation>
-    </message>
-    <message>
-        <source>Export GeoJSON</source>
-        <translation>GeoJSON を書き出す</translation>
     </message>
     <message>
         <source>GeoJSON (*.geojson)</source>
@@ -5773,6 +5781,42 @@ Observations: %4</source>
     <message>
         <source>The plan</source>
         <translation>平面図</translation>
+    </message>
+    <message>
+        <source>“%1” is being written…</source>
+        <translation>「%1」を書いています…</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap (*.osm)</source>
+        <translation>OpenStreetMap (*.osm)</translation>
+    </message>
+    <message>
+        <source>KML (*.kml)</source>
+        <translation>KML (*.kml)</translation>
+    </message>
+    <message>
+        <source>GeoPackage (*.gpkg)</source>
+        <translation>GeoPackage (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>DXF for CAD (*.dxf)</source>
+        <translation>CAD 用 DXF (*.dxf)</translation>
+    </message>
+    <message>
+        <source>Map of a robot, map_server (*.yaml)</source>
+        <translation>ロボットの地図、map_server (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Export to other programs</source>
+        <translation>ほかのプログラムに書き出す</translation>
+    </message>
+    <message>
+        <source>A .%1 file tells where on earth the map lies.</source>
+        <translation>.%1 のファイルは、地図が地球のどこにあるかを述べます。</translation>
+    </message>
+    <message>
+        <source>The drawing does not say so yet: its georeference is the latitude and longitude of the origin. DXF and maps of robots need none.</source>
+        <translation>図面にはまだそれがありません。位置情報は原点の緯度と経度です。DXF とロボットの地図には要りません。</translation>
     </message>
 </context>
 <context>
@@ -7537,30 +7581,6 @@ Corrected by a run.</source>
         <translation>すべて取り込む</translation>
     </message>
     <message>
-        <source>Export the corrected map</source>
-        <translation>補正した地図を書き出す</translation>
-    </message>
-    <message>
-        <source>-corrected</source>
-        <translation>-補正</translation>
-    </message>
-    <message>
-        <source>The corrected map</source>
-        <translation>補正した地図</translation>
-    </message>
-    <message>
-        <source>Export the trajectory</source>
-        <translation>軌跡を書き出す</translation>
-    </message>
-    <message>
-        <source>Trajectories (*.tum)</source>
-        <translation>軌跡 (*.tum)</translation>
-    </message>
-    <message>
-        <source>The way of the robot</source>
-        <translation>ロボットの軌跡</translation>
-    </message>
-    <message>
         <source>; </source>
         <translation>、</translation>
     </message>
@@ -8166,46 +8186,6 @@ Corrected by a run.</source>
 </context>
 <context>
     <name>handmap::RunLog</name>
-    <message>
-        <source>Frame %1 was skipped: %2</source>
-        <translation>フレーム %1 を飛ばしました: %2</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>一時停止</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>The run begins: %1, %n building(s) drawn</source>
-        <translation>
-            <numerusform>実行開始: %1、描いた建物 %n 棟</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No odometry: the robot is taken to go on as before</source>
-        <translation>オドメトリがありません。ロボットは直前の動きを続けるとみなします</translation>
-    </message>
-    <message>
-        <source>The odometry is back</source>
-        <translation>オドメトリが戻りました</translation>
-    </message>
-    <message>
-        <source>The run was stopped</source>
-        <translation>実行は停止されました</translation>
-    </message>
-    <message>
-        <source>The run is done</source>
-        <translation>実行が終わりました</translation>
-    </message>
-    <message numerus="yes">
-        <source>A loop was closed; %n so far</source>
-        <translation>
-            <numerusform>ループが閉じました (これまで %n 回)</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>handmap::RunPanels</name>
@@ -8670,6 +8650,10 @@ Corrected by a run.</source>
     <message>
         <source>Logs and bags (*.log *.clf *.csv *.txt *.npy *.npz *.bag *.mcap *.db3);;All files (*)</source>
         <translation>ログとバッグ (*.log *.clf *.csv *.txt *.npy *.npz *.bag *.mcap *.db3);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>A recording is being made of “%1”…</source>
+        <translation>「%1」から記録を作っています…</translation>
     </message>
 </context>
 <context>
@@ -9484,6 +9468,116 @@ Corrected by a run.</source>
     <message>
         <source>Unsure: nothing of the drawing recognised for %1 m; if it was right before, within %2 m</source>
         <translation>不確か: %1 m の間、図面のものが一つも認識されていません。それまでが正しければ %2 m 以内</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::LogKeeper</name>
+    <message>
+        <source>Frame %1 was skipped: %2</source>
+        <translation>フレーム %1 を飛ばしました: %2</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>The run begins: %1, %n building(s) drawn</source>
+        <translation>
+            <numerusform>実行開始: %1、描いた建物 %n 棟</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No odometry: the robot is taken to go on as before</source>
+        <translation>オドメトリがありません。ロボットは直前の動きを続けるとみなします</translation>
+    </message>
+    <message>
+        <source>The odometry is back</source>
+        <translation>オドメトリが戻りました</translation>
+    </message>
+    <message>
+        <source>The run was stopped</source>
+        <translation>実行は停止されました</translation>
+    </message>
+    <message>
+        <source>The run is done</source>
+        <translation>実行が終わりました</translation>
+    </message>
+    <message numerus="yes">
+        <source>A loop was closed; %n so far</source>
+        <translation>
+            <numerusform>ループが閉じました (これまで %n 回)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RunExports</name>
+    <message>
+        <source>no run has corrected anything yet</source>
+        <translation>まだどの実行も補正していません</translation>
+    </message>
+    <message>
+        <source>no run has come to its end yet</source>
+        <translation>まだどの実行も終わりまで進んでいません</translation>
+    </message>
+    <message>
+        <source>Export the corrected map</source>
+        <translation>補正した地図を書き出す</translation>
+    </message>
+    <message>
+        <source>-corrected</source>
+        <translation>-補正</translation>
+    </message>
+    <message>
+        <source>The corrected map</source>
+        <translation>補正した地図</translation>
+    </message>
+    <message>
+        <source>Export the trajectory</source>
+        <translation>軌跡を書き出す</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.tum)</source>
+        <translation>軌跡 (*.tum)</translation>
+    </message>
+    <message>
+        <source>The way of the robot</source>
+        <translation>ロボットの軌跡</translation>
+    </message>
+    <message>
+        <source>Export a report</source>
+        <translation>レポートを書き出す</translation>
+    </message>
+    <message>
+        <source>-report</source>
+        <translation>-レポート</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>ページ (*.html)</translation>
+    </message>
+    <message>
+        <source>The report of the run</source>
+        <translation>実行のレポート</translation>
+    </message>
+    <message>
+        <source>Export the run as MCAP</source>
+        <translation>実行を MCAP で書き出す</translation>
+    </message>
+    <message>
+        <source>-run</source>
+        <translation>-実行</translation>
+    </message>
+    <message>
+        <source>MCAP (*.mcap)</source>
+        <translation>MCAP (*.mcap)</translation>
+    </message>
+    <message>
+        <source>The run</source>
+        <translation>実行</translation>
     </message>
 </context>
 </TS>

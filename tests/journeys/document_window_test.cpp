@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/files/file_actions.h"
+#include "core/bags/bag.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
@@ -53,6 +54,11 @@ class DocumentWindow : public WindowTest {
     window_->run().stop();
     ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->run().isActive(); }, kPatienceMs));
   }
+  void drawAHouse() {
+    Building house;
+    house.shape = Rectangle{Vec2(0.0, 0.0), 10.0, 8.0, 0.0};
+    document_.addBuilding(house);
+  }
   void write(const QString& name, const QByteArray& content) const {
     QFile file(path(name));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -71,16 +77,18 @@ TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
   runALittle();
   document_.setGeoreference(Georeference{34.7, 137.4, 0.0, {}});
   dialogs_->paths = {path("refined.handmap"), path("refined.geojson"), path("drawn.geojson"),
-                     path("canvas.png"),      path("canvas.svg"),      path("canvas.pdf"),
-                     path("way.tum")};
+                     path("town.osm"),        path("canvas.png"),      path("canvas.svg"),
+                     path("canvas.pdf"),      path("way.tum")};
   trigger("file.export_map");
   EXPECT_TRUE(texts().first().startsWith("The corrected map is in “refined.handmap”"))
       << texts().first().toStdString();
-  dialogs_->choices = {0, 1};
-  trigger("file.export_geojson");
+  dialogs_->choices = {0, 1, 0};
+  trigger("file.export_other");
   EXPECT_TRUE(texts().first().startsWith("The corrected map is in “refined.geojson”"));
-  trigger("file.export_geojson");
+  trigger("file.export_other");
   EXPECT_TRUE(texts().first().startsWith("The drawing is in “drawn.geojson”"));
+  trigger("file.export_other");
+  EXPECT_TRUE(contentOf("town.osm").contains("<osm"));
   for (int i = 0; i < 3; ++i) trigger("file.export_png");
   EXPECT_TRUE(contentOf("canvas.pdf").startsWith("%PDF"));
   const QByteArray svg = contentOf("canvas.svg");
@@ -109,17 +117,85 @@ TEST_F(DocumentWindow, ADrawingThatWasNeverSavedIsExportedInEveryWay) {
 TEST_F(DocumentWindow, AnExportThatFailsIsTold) {
   document_.setGeoreference(Georeference{});
   dialogs_->paths = {path("no/such/folder/a.geojson"), path("no/such/folder/a.png")};
-  trigger("file.export_geojson");
+  trigger("file.export_other");
   trigger("file.export_png");
   ASSERT_EQ(texts().size(), 2);
   EXPECT_TRUE(texts().first().contains("no/such/folder/a.png")) << texts().first().toStdString();
   EXPECT_TRUE(texts().last().contains("no/such/folder/a.geojson"));
 }
 
-TEST_F(DocumentWindow, GeoJsonWithoutAPlaceLeadsToWhereItIsSaid) {
-  trigger("file.export_geojson");
-  EXPECT_TRUE(dialogs_->asked.isEmpty());
+TEST_F(DocumentWindow, WhatNeedsAPlaceLeadsToWhereItIsSaid) {
+  drawAHouse();
+  dialogs_->paths = {path("a.kml"), path("a.dxf"), path("a.yaml")};
+  trigger("file.export_other");
+  EXPECT_TRUE(texts().first().contains(".kml")) << texts().first().toStdString();
+  EXPECT_FALSE(QFile::exists(path("a.kml")));
   EXPECT_TRUE(press("Say where"));
+  for (int i = 0; i < 2; ++i) trigger("file.export_other");
+  EXPECT_TRUE(contentOf("a.dxf").contains("POLYLINE")) << texts().first().toStdString();
+  EXPECT_TRUE(contentOf("a.yaml").contains("a.pgm"));
+  EXPECT_TRUE(contentOf("a.pgm").startsWith("P5"));
+  document_.undoStack().setClean();
+}
+
+TEST_F(DocumentWindow, AMapOfRobotsTakesNoPictureFromTheDrawing) {
+  drawAHouse();
+  QImage(8, 8, QImage::Format_Grayscale8).save(path("plan.pgm"));
+  const QByteArray plan = contentOf("plan.pgm");
+  Map map = document_.map();
+  map.underlays.push_back({path("plan.pgm").toStdString()});
+  document_.reset(map);
+  dialogs_->paths = {path("plan.yaml")};
+  trigger("file.export_other");
+  EXPECT_TRUE(texts().first().contains("belongs to the drawing")) << texts().first().toStdString();
+  EXPECT_EQ(contentOf("plan.pgm"), plan);
+  document_.undoStack().setClean();
+}
+
+TEST_F(DocumentWindow, ARunIsExportedAsAPageAndAsMcap) {
+  EXPECT_FALSE(window_->findChild<QAction*>("file.export_report")->isEnabled());
+  runSimulator(*window_);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->run().result() != nullptr; }, kPatienceMs));
+  EXPECT_FALSE(window_->findChild<QAction*>("file.export_report")->isEnabled()) << "not at its end";
+  ASSERT_TRUE(waitFor(*window_, RunState::Idle));
+  dialogs_->paths = {path("run.html"), path("run.mcap")};
+  const auto told = [this](const QString& what) {
+    return QTest::qWaitFor([&] { return texts().filter(what).size() == 1; }, kPatienceMs);
+  };
+  trigger("file.export_report");
+  ASSERT_TRUE(told("The report of the run is in “run.html”")) << texts().join('\n').toStdString();
+  const QByteArray page = contentOf("run.html");
+  for (const char* part : {"refined.handmap", "trajectory.tum", "\"seed\"", "\"truth\":[["})
+    EXPECT_TRUE(page.contains(part)) << part;
+  trigger("file.export_mcap");
+  ASSERT_TRUE(told("The run is in “run.mcap”")) << texts().join('\n').toStdString();
+  const auto bag = openBag(path("run.mcap").toStdString());
+  const auto poses = std::ranges::find(bag->topics(), std::string("/pose"), &BagTopic::name);
+  ASSERT_NE(poses, bag->topics().end());
+  EXPECT_EQ(poses->messages, window_->run().result()->last->trajectory.all().size());
+  EXPECT_FALSE(QFile::exists(path("run.mcap.part")));
+  document_.undoStack().setClean();
+}
+
+TEST_F(DocumentWindow, ABagBecomesARecording) {
+  const QString bag =
+      QStringLiteral(HANDMAP_SOURCES "/../shared/data/bags/kitti_street_excerpt.bag");
+  if (!QFile::exists(bag)) GTEST_SKIP() << bag.toStdString() << " is not there";
+  dialogs_->paths = {bag, path("street")};
+  trigger("file.import_log");
+  auto* dialog = window_->findChild<QDialog*>("bag_dialog");
+  ASSERT_TRUE(dialog);
+  QPushButton* import = nullptr;
+  for (auto* button : dialog->findChildren<QPushButton*>())
+    if (button->text().startsWith("Import")) import = button;
+  ASSERT_TRUE(import);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return import->isEnabled(); }, kPatienceMs));
+  import->click();
+  EXPECT_TRUE(texts().first().contains("is being made")) << texts().first().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [this] { return texts().filter("“street” is open: 6 frames").size() == 1; }, kPatienceMs));
+  EXPECT_TRUE(texts().filter("is being made").isEmpty());
+  EXPECT_TRUE(QFile::exists(path("street/frames.csv")));
 }
 
 TEST_F(DocumentWindow, AcceptingAsksForWhatWasEditedDuringTheRun) {

@@ -17,6 +17,7 @@ class BagDialogTest : public QObject {
  private Q_SLOTS:
   void proposesTopicsAndTakesOthers();
   void saysWhatIsNoBag();
+  void asksForNoChoiceWhereThereIsNone();
 
  private:
   static bool mayImport(const BagDialog& dialog) {
@@ -62,6 +63,19 @@ void BagDialogTest::saysWhatIsNoBag() {
   const BagDialog dialog(path);
   const auto* words = dialog.findChild<QLabel*>("bag_words");
   QTRY_VERIFY2(words->text().contains("b.bag: found another beginning"), qPrintable(words->text()));
+  QVERIFY(!mayImport(dialog));
+  for (const QComboBox* choice : dialog.findChildren<QComboBox*>()) QVERIFY(!choice->isEnabled());
+}
+
+void BagDialogTest::asksForNoChoiceWhereThereIsNone() {
+  const QString path = folder_.filePath("c.mcap");
+  McapWriter writer(path.toStdString());
+  writer.write(writer.addTopic("/odom", "nav_msgs/msg/Odometry", ""), 1.0, "");
+  writer.finish();
+  const BagDialog dialog(path);
+  QTRY_VERIFY(dialog.bag());
+  QVERIFY(dialog.findChild<QComboBox*>("bag_odometry")->isEnabled());
+  QVERIFY(dialog.findChild<QLabel*>("bag_words")->text().contains("neither scans nor points"));
   QVERIFY(!mayImport(dialog));
 }
 

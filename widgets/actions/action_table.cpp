@@ -34,9 +34,11 @@ constexpr std::array kActions = {
     ActionSpec{"file.export_map", QT_TRANSLATE_NOOP("Actions", "Export Co&rrected Map…"), "export",
                "Ctrl+E", QT_TRANSLATE_NOOP("Actions", "Save the map that the run has corrected."),
                Menu::File, ToolBar::None, Push, true},
-    ActionSpec{"file.export_geojson", QT_TRANSLATE_NOOP("Actions", "Export &GeoJSON…"), "", "",
+    ActionSpec{"file.export_other", QT_TRANSLATE_NOOP("Actions", "Export to Other Pro&grams…"), "",
+               "",
                QT_TRANSLATE_NOOP("Actions",
-                                 "Save the map for geographic programs; it must be georeferenced."),
+                                 "Save the map as GeoJSON, OpenStreetMap, KML, GeoPackage, DXF or "
+                                 "for robots."),
                Menu::File},
     ActionSpec{"file.export_png", QT_TRANSLATE_NOOP("Actions", "Export &Picture…"), "", "",
                QT_TRANSLATE_NOOP("Actions",
@@ -49,6 +51,13 @@ constexpr std::array kActions = {
     ActionSpec{"file.export_trajectory", QT_TRANSLATE_NOOP("Actions", "Export &Trajectory…"), "",
                "", QT_TRANSLATE_NOOP("Actions", "Save the way of the robot in TUM form."),
                Menu::File},
+    ActionSpec{"file.export_report", QT_TRANSLATE_NOOP("Actions", "&Export Report…"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Make a page of the run that anybody can open."),
+               Menu::File},
+    ActionSpec{
+        "file.export_mcap", QT_TRANSLATE_NOOP("Actions", "Export R&un as MCAP…"), "", "",
+        QT_TRANSLATE_NOOP("Actions", "Save the moments of the run for Rerun, Foxglove or RViz 2."),
+        Menu::File},
     ActionSpec{"file.compare", QT_TRANSLATE_NOOP("Actions", "Compare &Drawings…"), "", "",
                QT_TRANSLATE_NOOP(
                    "Actions", "Tell by figures and arrows how far the drawing is off a true map."),

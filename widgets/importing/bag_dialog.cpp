@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
+#include <array>
 #include <variant>
 
 namespace handmap {
@@ -50,6 +52,7 @@ BagDialog::BagDialog(const QString& file, QWidget* parent)
       {"points", tr("Point cloud")}, {"odometry", tr("Odometry")},  {"truth", tr("True poses")}};
   for (const auto& [role, name] : roles) {
     auto* choice = new QComboBox;
+    choice->setEnabled(false);
     choice->setObjectName(QStringLiteral("bag_%1").arg(QLatin1String(role)));
     choices_[role] = choice;
     form_->addRow(name, choice);
@@ -105,6 +108,11 @@ ToldTopics BagDialog::topics() const {
   return told;
 }
 
+bool BagDialog::maySee() const {
+  return std::ranges::any_of(std::array{"left", "right", "scan", "points"},
+                             [this](const char* role) { return choices_.at(role)->isEnabled(); });
+}
+
 void BagDialog::judge() {
   if (!bag_) return;
   QStringList words;
@@ -112,9 +120,9 @@ void BagDialog::judge() {
   try {
     sees = planOf(*bag_, topics()).seesAnything();
     if (!sees) {
-      words << tr(
-          "Nothing in it sees: choose a scan, points, or a pair of images that have camera "
-          "infos beside them.");
+      words << (maySee() ? tr("Nothing in it sees: choose a scan, points, or a pair of images that "
+                              "have camera infos beside them.")
+                         : tr("Nothing in it sees: it has neither scans nor points nor images."));
     }
   } catch (const Error& error) {
     words << QString::fromStdString(error.what());

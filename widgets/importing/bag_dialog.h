@@ -33,6 +33,8 @@ class BagDialog : public QDialog {
  private:
   void show(const std::shared_ptr<const Bag>& bag);
   void fill(const std::string& role, std::optional<std::size_t> proposed);
+  /// Whether there is anything to choose that sees.
+  bool maySee() const;
   void judge();
 
   std::shared_ptr<const Bag> bag_;

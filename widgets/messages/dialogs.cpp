@@ -3,13 +3,25 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 
 namespace handmap {
 
 namespace {
+
+/// What is saved is of the kind that was chosen, whatever the name was before.
+void takeEnding(QFileDialog& dialog, const QString& filter) {
+  static const QRegularExpression kEnding(QStringLiteral(R"(\*\.(\w+))"));
+  const QString ending = kEnding.match(filter).captured(1);
+  if (ending.isEmpty()) return;
+  dialog.setDefaultSuffix(ending);
+  const QString name = QFileInfo(dialog.selectedFiles().value(0)).completeBaseName();
+  if (!name.isEmpty()) dialog.selectFile(name + QLatin1Char('.') + ending);
+}
 
 class SystemDialogs : public Dialogs {
  public:
@@ -24,6 +36,8 @@ class SystemDialogs : public Dialogs {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(file.suffix);
     dialog.selectFile(file.suggestion);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&dialog](const QString& filter) { takeEnding(dialog, filter); });
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
   }
 

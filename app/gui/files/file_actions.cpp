@@ -8,11 +8,13 @@
 #include <QScopedValueRollback>
 #include <QSettings>
 #include <QUrl>
+#include <exception>
 
 #include "app/gui/files/plan_sheet.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/geodata/geo_map.h"
+#include "core/geodata/geo_writer.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "core/recording/recording_files.h"
@@ -28,6 +30,7 @@ namespace {
 
 constexpr auto kRecentKey = "files/recent";
 constexpr auto kFolderKey = "files/folder";
+constexpr auto kExportTopic = "export";
 constexpr int kMostRecent = 8;
 
 }  // namespace
@@ -37,10 +40,13 @@ FileActions::FileActions(const Shell& shell, MapDocument& document, MapCanvas& c
       shell_(shell),
       document_(document),
       canvas_(canvas),
-      recent_(new QMenu(tr("Open Re&cent"), &shell.window)) {
+      recent_(new QMenu(tr("Open Re&cent"), &shell.window)),
+      self_(std::make_shared<Lifeline<FileActions>>(*this)) {
   connectActions();
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
 }
+
+FileActions::~FileActions() { self_->cut(); }
 
 template <typename Work>
 bool FileActions::guarded(Work work) {
@@ -67,7 +73,7 @@ void FileActions::connectActions() {
   });
   actions.on("file.save", this, [this] { save(); });
   actions.on("file.save_as", this, [this] { saveAs(); });
-  actions.on("file.export_geojson", this, [this] { exportGeoJson(); });
+  actions.on("file.export_other", this, [this] { exportToOthers(); });
   actions.on("file.export_png", this, [this] { exportPicture(); });
 }
 
@@ -185,14 +191,46 @@ std::optional<Map> FileActions::chosenMap(QString& what) {
 void FileActions::exportAs(const Export& what,
                            const std::function<void(const QString& path)>& write) {
   const QString path = askPath(what.title, what.suggestion, what.filter, what.suffix);
+  if (!path.isEmpty()) exportTo(path, what.what, [&] { write(path); });
+}
+
+void FileActions::exportTo(const QString& path, const QString& what,
+                           const std::function<void()>& write) {
   const auto work = [&] {
     refuseWhatIsRead(path);
-    write(path);
+    write();
   };
-  if (path.isEmpty() || !guarded(work)) return;
+  if (guarded(work)) tellExport(path, what);
+}
+
+void FileActions::exportInBackground(const Export& what,
+                                     std::function<void(const QString& path)> write) {
+  const QString path = askPath(what.title, what.suggestion, what.filter, what.suffix);
+  if (path.isEmpty() || !guarded([&] { refuseWhatIsRead(path); })) return;
+  shell_.messages.show(MessageBar::Kind::Info,
+                       tr("“%1” is being written…").arg(QFileInfo(path).fileName()), {},
+                       kExportTopic);
+  startInBackground([self = self_, path, name = what.what, write = std::move(write)] {
+    std::exception_ptr failure;
+    try {
+      write(path);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    self->post([path, name, failure](FileActions& files) {
+      files.shell_.messages.withdraw(kExportTopic);
+      const auto rethrow = [&failure] {
+        if (failure) std::rethrow_exception(failure);
+      };
+      if (files.guarded(rethrow)) files.tellExport(path, name);
+    });
+  });
+}
+
+void FileActions::tellExport(const QString& path, const QString& what) {
   shell_.messages
-      .show(MessageBar::Kind::Info, tr("%1 is in “%2”.").arg(what.what, QFileInfo(path).fileName()),
-            path, QStringLiteral("export"))
+      .show(MessageBar::Kind::Info, tr("%1 is in “%2”.").arg(what, QFileInfo(path).fileName()),
+            path, kExportTopic)
       .addAction(tr("Show in folder"), [path] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
       });
@@ -227,22 +265,38 @@ QString FileActions::openFilter() {
          tr("OpenStreetMap, GeoJSON and others (%1)").arg(geographic);
 }
 
-void FileActions::exportGeoJson() {
-  if (!document_.map().georeference) {
-    shell_.messages
-        .show(MessageBar::Kind::Warning, tr("GeoJSON needs to know where the drawing lies."),
-              tr("Its georeference is the latitude and longitude of the origin."))
-        .addAction(tr("Say where"), [this] { Q_EMIT georeferenceWanted(); });
-    return;
-  }
+/// In every form that there is; first those that need nothing that the map has not.
+void FileActions::exportToOthers() {
   QString what;
   const std::optional<Map> map = chosenMap(what);
   if (!map) return;
-  exportAs({tr("Export GeoJSON"), document_.displayName(), tr("GeoJSON (*.geojson)"),
-            QStringLiteral("geojson"), what},
-           [&map](const QString& path) {
-             writeFileAtomically(path.toStdString(), formatGeoJson(*map));
-           });
+  QStringList on_earth = {tr("GeoJSON (*.geojson)"), tr("OpenStreetMap (*.osm)"), tr("KML (*.kml)"),
+                          tr("GeoPackage (*.gpkg)")};
+  QStringList in_metres = {tr("DXF for CAD (*.dxf)"), tr("Map of a robot, map_server (*.yaml)")};
+  const QStringList filters = map->georeference ? on_earth + in_metres : in_metres + on_earth;
+  const QString path = askPath(
+      tr("Export to other programs"), document_.displayName(), filters.join(QStringLiteral(";;")),
+      map->georeference ? QStringLiteral("geojson") : QStringLiteral("dxf"));
+  if (path.isEmpty()) return;
+  const std::filesystem::path file = QFile::encodeName(path).toStdString();
+  if (!map->georeference && needsGeoreference(file))
+    return askWhereItLies(QFileInfo(path).suffix());
+  exportTo(path, what, [&] {
+    if (file.extension() == ".yaml") {
+      auto picture = file;
+      refuseWhatIsRead(QFile::decodeName(picture.replace_extension(".pgm").c_str()));
+    }
+    writeGeoMap(*map, file);
+  });
+}
+
+void FileActions::askWhereItLies(const QString& form) {
+  shell_.messages
+      .show(MessageBar::Kind::Warning,
+            tr("A .%1 file tells where on earth the map lies.").arg(form),
+            tr("The drawing does not say so yet: its georeference is the latitude and longitude of "
+               "the origin. DXF and maps of robots need none."))
+      .addAction(tr("Say where"), [this] { Q_EMIT georeferenceWanted(); });
 }
 
 void FileActions::exportPicture() {

@@ -5,10 +5,12 @@
 #include <QObject>
 #include <QPixmap>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/gui/shell/shell.h"
 #include "core/map/map.h"
+#include "widgets/background/background.h"
 
 class QMenu;
 
@@ -19,9 +21,11 @@ class MapDocument;
 
 class FileActions : public QObject {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(FileActions)
  public:
   /// What it is given must outlive it.
   FileActions(const Shell& shell, MapDocument& document, MapCanvas& canvas);
+  ~FileActions() override;
 
   /// Asks when there are unsaved changes, or a run that would be lost. False: the user wants to
   /// stay.
@@ -76,6 +80,8 @@ class FileActions : public QObject {
   };
   /// Asks where, writes and tells; what `write` throws is told too.
   void exportAs(const Export& what, const std::function<void(const QString& path)>& write);
+  /// The same in a thread of its own, for what takes long; `write` owns all that it uses.
+  void exportInBackground(const Export& what, std::function<void(const QString& path)> write);
   static QString mapFilter();
   static QString openFilter();
   QMenu& recentMenu() { return *recent_; }
@@ -99,9 +105,12 @@ class FileActions : public QObject {
   /// The drawing, or the corrected map where there is one and somebody chooses it; nullopt:
   /// neither.
   std::optional<Map> chosenMap(QString& what);
-  void exportGeoJson();
+  void exportToOthers();
+  void askWhereItLies(const QString& form);
   void exportPicture();
   void refuseWhatIsRead(const QString& path) const;
+  void exportTo(const QString& path, const QString& what, const std::function<void()>& write);
+  void tellExport(const QString& path, const QString& what);
   /// Runs `work`; what it throws goes to the message bar. True: it went well.
   template <typename Work>
   bool guarded(Work work);
@@ -120,6 +129,7 @@ class FileActions : public QObject {
   std::function<bool(bool coming_back)> may_leave_run_ = [](bool) { return true; };
   std::function<QStringList()> coming_back_ = [] { return QStringList(); };
   bool is_coming_back_ = false;
+  std::shared_ptr<Lifeline<FileActions>> self_;  ///< shared with the threads that export
 };
 
 }  // namespace handmap

@@ -1,6 +1,5 @@
 #include "app/gui/run/result_actions.h"
 
-#include <QFileInfo>
 #include <QMainWindow>
 #include <algorithm>
 #include <span>
@@ -10,12 +9,9 @@
 #include "app/gui/run/run_controller.h"
 #include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
-#include "core/base/text.h"
 #include "core/map/certainty.h"
 #include "core/map/concerns.h"
 #include "core/map/map_changes.h"
-#include "core/map/map_io.h"
-#include "core/map/references.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
 #include "widgets/messages/dialogs.h"
@@ -49,9 +45,6 @@ ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActi
   const ActionSet& actions = shell_.actions;
   actions.on("run.accept", this, [this] { accept(); });
   connect(&buildings_, &BuildingsPanel::acceptRequested, this, &ResultActions::accept);
-  actions.on("file.export_map", this, [this] { exportMap(); });
-  actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
-  files_.setCorrected([this] { return refinedMap(); });
   files_.setMayLeaveRun([this](bool coming_back) { return mayLeave(coming_back); });
   connect(&files_, &FileActions::drawingReplaced, this,
           [this] { shell_.messages.withdraw(kAcceptTopic); });
@@ -64,8 +57,8 @@ ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActi
 }
 
 void ResultActions::updateActions() {
-  shell_.actions.setEnabled({"run.accept", "file.export_map", "file.export_trajectory"},
-                            run_.result() != nullptr, tr("no run has corrected anything yet"));
+  shell_.actions.setEnabled({"run.accept"}, run_.result() != nullptr,
+                            tr("no run has corrected anything yet"));
 }
 
 void ResultActions::onFrameSkipped(int frame, const QString& reason) {
@@ -229,38 +222,6 @@ bool ResultActions::mayLeave(bool coming_back) {
     take(document_.editedSince(run_.drawing()) + buildings_.model().leftOut());
   left_ = run_.number();
   return true;
-}
-
-std::optional<Map> ResultActions::refinedMap() const {
-  const auto result = run_.result();
-  if (!result) return std::nullopt;
-  Map map = result->map();
-  map.georeference = document_.map().georeference;
-  return map;
-}
-
-void ResultActions::exportMap() {
-  std::optional<Map> map = refinedMap();
-  if (!map) return;
-  files_.exportAs({tr("Export the corrected map"),
-                   QFileInfo(document_.displayName()).completeBaseName() + tr("-corrected") +
-                       QStringLiteral(".handmap"),
-                   FileActions::mapFilter(), QStringLiteral("handmap"), tr("The corrected map")},
-                  [this, &map](const QString& path) {
-                    moveReferences(*map, document_.origin().toStdString(), path.toStdString());
-                    writeMap(*map, path.toStdString());
-                  });
-}
-
-void ResultActions::exportTrajectory() {
-  const auto result = run_.result();
-  if (!result) return;
-  files_.exportAs({tr("Export the trajectory"), document_.displayName(), tr("Trajectories (*.tum)"),
-                   QStringLiteral("tum"), tr("The way of the robot")},
-                  [&result](const QString& path) {
-                    writeFileAtomically(path.toStdString(),
-                                        formatTum(result->last->trajectory.all()));
-                  });
 }
 
 }  // namespace handmap

@@ -1,5 +1,4 @@
-// What a run has come to: its summary and warnings, taking it over into the drawing, and its
-// exports.
+// What a run has come to: its summary and warnings, and taking it over into the drawing.
 #pragma once
 
 #include <QObject>
@@ -7,7 +6,6 @@
 
 #include "app/gui/run/run_score.h"
 #include "app/gui/shell/shell.h"
-#include "core/map/map.h"
 
 namespace handmap {
 
@@ -44,10 +42,6 @@ class ResultActions : public QObject {
   bool warn();
   void summarize(const RunScore& score);
   void accept();
-  /// With where the drawing is now said to lie. nullopt: no run has a result.
-  std::optional<Map> refinedMap() const;
-  void exportMap();
-  void exportTrajectory();
   void updateActions();
 
   const Shell& shell_;

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "app/gui/files/file_actions.h"
+#include "app/gui/run/log_keeper.h"
 #include "app/gui/run/run_controller.h"
-#include "app/gui/run/run_log.h"
 #include "app/gui/run/source_actions.h"
 #include "app/gui/shell/docks.h"
 #include "core/explain/witness_windows.h"
@@ -47,7 +47,7 @@ RunViews::RunViews(const Shell& shell, MapCanvas& canvas, MapDocument& document,
       strip_(new RunStrip(canvas)),
       follow_(new FollowRobot(canvas, this)),
       pointer_(new RobotPointer(canvas)) {
-  new RunLog(run_, panels_.log.model(), this);
+  new LogKeeper(run_, panels_.log.model(), this);
   story_later_.setSingleShot(true);
   story_later_.setInterval(kStoryAgain_ms);
   connect(&story_later_, &QTimer::timeout, this, &RunViews::tellStory);

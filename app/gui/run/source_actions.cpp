@@ -25,6 +25,7 @@ const QString kDoubtTopic = QStringLiteral("recording-doubt-");
 constexpr auto kRecordingFolderKey = "files/recording_folder";
 constexpr auto kStartTopic = "where_it_starts";
 constexpr auto kNotReadyTopic = "not ready";
+constexpr auto kImportTopic = "import";
 
 }  // namespace
 
@@ -84,6 +85,7 @@ void SourceActions::addSimulatorMenu() {
 std::uint64_t SourceActions::seed() const { return setup_.setup().settings.seed; }
 
 void SourceActions::tell(const Failure& failure) {
+  shell_.messages.withdraw(kImportTopic);
   shell_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint);
   Q_EMIT failed(failure);
 }
@@ -162,16 +164,22 @@ void SourceActions::importBag(const QString& file) {
   auto* dialog = new BagDialog(file, &shell_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
-    const QString folder = folderForRecording(file);
+    const QString folder = folderForImport(file);
     if (!folder.isEmpty()) opener_.import(dialog->bag(), dialog->topics(), folder);
   });
   dialog->open();
 }
 
-QString SourceActions::folderForRecording(const QString& file) const {
+/// Empty: the user does not want to any more. What is made in it takes the place of the run.
+QString SourceActions::folderForImport(const QString& file) {
   const QFileInfo info(file);
-  return shell_.dialogs.fileToSave(
+  QString folder = shell_.dialogs.fileToSave(
       {tr("A new folder for the recording"), info.path(), {}, info.baseName(), {}});
+  if (folder.isEmpty() || !files_.mayLeaveRun()) return {};
+  shell_.messages.show(MessageBar::Kind::Info,
+                       tr("A recording is being made of “%1”…").arg(info.fileName()), {},
+                       kImportTopic);
+  return folder;
 }
 
 void SourceActions::importLog(const QString& file) {
@@ -180,7 +188,7 @@ void SourceActions::importLog(const QString& file) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     const auto log = dialog->log();
-    const QString folder = folderForRecording(file);
+    const QString folder = folderForImport(file);
     if (log && !folder.isEmpty()) opener_.import(log, folder);
   });
   dialog->open();
@@ -194,6 +202,7 @@ void SourceActions::openRecording(const QString& folder, std::optional<ReplayOpt
 
 void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
                              const std::vector<Act>& acts, const Doubts& doubts) {
+  shell_.messages.withdraw(kImportTopic);
   // Said first: a run that begins at once takes it away.
   shell_.messages.show(
       MessageBar::Kind::Info,

@@ -83,7 +83,7 @@ class SourceActions : public QObject {
   void simulateDrawing();
   void askForLog();
   void importBag(const QString& file);
-  QString folderForRecording(const QString& file) const;
+  QString folderForImport(const QString& file);
   void askForPoses();
   void usePoses(const std::vector<StampedPose>& poses);
   void tellActs();

@@ -28,6 +28,7 @@
 #include "app/gui/run/live_watch.h"
 #include "app/gui/run/result_actions.h"
 #include "app/gui/run/revision_actions.h"
+#include "app/gui/run/run_exports.h"
 #include "app/gui/run/run_views.h"
 #include "app/gui/run/source_actions.h"
 #include "app/gui/run/transport_actions.h"
@@ -132,6 +133,7 @@ void MainWindow::makeRun() {
       new RunViews(shell_, *canvas_, document_, *files_, *sources_, run_, *overlays_, run_panels_);
   runs_ = new TransportActions(shell_, document_, *files_, *sources_, run_, *views_, *transport_);
   results_ = new ResultActions(shell_, document_, *files_, *sources_, run_, run_panels_.buildings);
+  new RunExports(shell_, document_, *files_, *sources_, run_);
   new CompareActions(shell_, document_, *canvas_, *files_, *sources_, run_, this);
   rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
   live_watch_ = new LiveWatch(shell_, run_, *sources_, this);

@@ -34,7 +34,7 @@ class RunWorker::Thread {
   bool isTracing() const;
   void tellProgress(double share);
   void stepDone(std::shared_ptr<const Snapshot> snapshot);
-  void addWarnings(const RunSession& session);
+  void conclude(const RunSession& session);
   void reportSkipped(const RunSession& session);
   void tellFailure(const Failure& failure);
 
@@ -112,9 +112,10 @@ void RunWorker::Thread::stepDone(std::shared_ptr<const Snapshot> snapshot) {
   worker_.with([&](RunWorker& worker) { worker.mailbox_.post(std::move(snapshot)); });
 }
 
-void RunWorker::Thread::addWarnings(const RunSession& session) {
+void RunWorker::Thread::conclude(const RunSession& session) {
   auto result = std::make_shared<RunResult>(this->result()->last);
   result->warnings = session.warnings();
+  result->report = session.reportJson();
   const std::scoped_lock lock(mutex_);
   result_ = std::move(result);
 }
@@ -144,7 +145,7 @@ bool RunWorker::Thread::run(const std::stop_token& stop) {
     reportSkipped(session);
     if (!snapshot) {
       if (stop.stop_requested()) return false;
-      addWarnings(session);
+      conclude(session);
       return true;
     }
     stepDone(std::move(snapshot));

@@ -33,6 +33,7 @@ struct RunResult {
   std::shared_ptr<const Snapshot> last;
   const Map& map() const { return *last->map; }  ///< refined, ready to be saved
   std::vector<RunWarning> warnings;              ///< once the source is at its end
+  std::string report;                            ///< the same; FORMATS 3
 };
 
 class RunWorker : public QObject {

@@ -1,4 +1,4 @@
-#include "app/gui/run/run_log.h"
+#include "app/gui/run/log_keeper.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace handmap {
 
-RunLog::RunLog(RunController& run, LogModel& log, QObject* parent)
+LogKeeper::LogKeeper(RunController& run, LogModel& log, QObject* parent)
     : QObject(parent), run_(run), log_(log) {
   connect(&run, &RunController::sourceOpened, this,
           [this](const std::shared_ptr<const SourceInfo>& source) { begin(*source); });
@@ -19,18 +19,18 @@ RunLog::RunLog(RunController& run, LogModel& log, QObject* parent)
   connect(&run, &RunController::stateChanged, this, [this](RunState state) {
     if (state == RunState::Paused) add(LogKind::Note, tr("Paused"));
   });
-  connect(&run, &RunController::finished, this, &RunLog::finish);
+  connect(&run, &RunController::finished, this, &LogKeeper::finish);
   connect(&run, &RunController::failed, this, [this](const Failure& failure) {
     add(LogKind::Problem,
         failure.hint.isEmpty() ? failure.message : tr("%1 %2").arg(failure.message, failure.hint));
   });
 }
 
-void RunLog::add(LogKind kind, const QString& text, const QString& building) {
+void LogKeeper::add(LogKind kind, const QString& text, const QString& building) {
   log_.add({time_s_, kind, text, building});
 }
 
-void RunLog::begin(const SourceInfo& source) {
+void LogKeeper::begin(const SourceInfo& source) {
   time_s_.reset();
   certainty_.reset();
   guessed_ = false;
@@ -40,7 +40,7 @@ void RunLog::begin(const SourceInfo& source) {
                          .arg(QString::fromStdString(source.name)));
 }
 
-void RunLog::look(const FrameReport& report) {
+void LogKeeper::look(const FrameReport& report) {
   time_s_ = report.time_s;
   if (report.odometry_guessed != guessed_) {
     guessed_ = report.odometry_guessed;
@@ -61,7 +61,7 @@ void RunLog::look(const FrameReport& report) {
   }
 }
 
-void RunLog::finish(bool cancelled) {
+void LogKeeper::finish(bool cancelled) {
   add(LogKind::Note, cancelled ? tr("The run was stopped") : tr("The run is done"));
   const auto result = run_.result();
   if (!result) return;

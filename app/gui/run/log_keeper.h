@@ -11,10 +11,10 @@
 
 namespace handmap {
 
-class RunLog : public QObject {
+class LogKeeper : public QObject {
   Q_OBJECT
  public:
-  RunLog(RunController& run, LogModel& log, QObject* parent = nullptr);
+  LogKeeper(RunController& run, LogModel& log, QObject* parent = nullptr);
 
  private:
   void begin(const SourceInfo& source);

@@ -1,0 +1,145 @@
+#include "app/gui/run/run_exports.h"
+
+#include <QFileInfo>
+#include <QMainWindow>
+
+#include "app/gui/files/file_actions.h"
+#include "app/gui/run/run_controller.h"
+#include "app/gui/run/source_actions.h"
+#include "core/base/text.h"
+#include "core/map/map_io.h"
+#include "core/map/references.h"
+#include "core/report/report.h"
+#include "core/run_log/run_log.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/document/map_document.h"
+
+namespace handmap {
+
+namespace {
+
+/// The moments that the history has kept. What cannot be written whole leaves an older file as it
+/// was.
+void writeHistory(const RunHistory& history, const Map& drawing, const SourceInfo& source,
+                  const RunResult& result, const std::filesystem::path& path) {
+  std::filesystem::path part = path;
+  part += ".part";
+  try {
+    RunLog log(part, drawing, source);
+    for (int index = history.first(); index <= history.newest(); ++index) {
+      log.add(*history.at(index));
+    }
+    log.finish(result.map(), result.last->trajectory.all(), result.warnings);
+    std::filesystem::rename(part, path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+RunExports::RunExports(const Shell& shell, MapDocument& document, FileActions& files,
+                       const SourceActions& sources, RunController& run)
+    : QObject(&shell.window),
+      shell_(shell),
+      document_(document),
+      files_(files),
+      sources_(sources),
+      run_(run) {
+  const ActionSet& actions = shell_.actions;
+  actions.on("file.export_map", this, [this] { exportMap(); });
+  actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
+  actions.on("file.export_report", this, [this] { exportReport(); });
+  actions.on("file.export_mcap", this, [this] { exportMcap(); });
+  files_.setCorrected([this] { return refinedMap(); });
+  connect(&run_, &RunController::begun, this, &RunExports::updateActions);
+  connect(&run_, &RunController::stateChanged, this, &RunExports::updateActions);
+  connect(&run_, &RunController::newsArrived, this, &RunExports::updateActions);
+  connect(&sources_, &SourceActions::robotChanged, this, &RunExports::updateActions);
+  updateActions();
+}
+
+void RunExports::updateActions() {
+  const auto result = run_.result();
+  shell_.actions.setEnabled({"file.export_map", "file.export_trajectory", "file.export_mcap"},
+                            result != nullptr, tr("no run has corrected anything yet"));
+  shell_.actions.setEnabled({"file.export_report"}, result && !result->report.empty(),
+                            tr("no run has come to its end yet"));
+}
+
+std::optional<Map> RunExports::refinedMap() const {
+  const auto result = run_.result();
+  if (!result) return std::nullopt;
+  Map map = result->map();
+  map.georeference = document_.map().georeference;
+  return map;
+}
+
+QString RunExports::nameOf(const QString& what) const {
+  return QFileInfo(document_.displayName()).completeBaseName() + what;
+}
+
+void RunExports::exportMap() {
+  std::optional<Map> map = refinedMap();
+  if (!map) return;
+  files_.exportAs(
+      {tr("Export the corrected map"), nameOf(tr("-corrected")) + QStringLiteral(".handmap"),
+       FileActions::mapFilter(), QStringLiteral("handmap"), tr("The corrected map")},
+      [this, &map](const QString& path) {
+        moveReferences(*map, document_.origin().toStdString(), path.toStdString());
+        writeMap(*map, path.toStdString());
+      });
+}
+
+void RunExports::exportTrajectory() {
+  const auto result = run_.result();
+  if (!result) return;
+  files_.exportAs({tr("Export the trajectory"), document_.displayName(), tr("Trajectories (*.tum)"),
+                   QStringLiteral("tum"), tr("The way of the robot")},
+                  [&result](const QString& path) {
+                    writeFileAtomically(path.toStdString(),
+                                        formatTum(result->last->trajectory.all()));
+                  });
+}
+
+void RunExports::exportReport() {
+  const auto result = run_.result();
+  if (!result || result->report.empty()) return;
+  ReportInputs inputs;
+  inputs.drawing = run_.drawing();
+  if (inputs.drawing.name.empty()) inputs.drawing.name = nameOf({}).toStdString();
+  inputs.refined = *refinedMap();
+  inputs.run = result->report;
+  inputs.run_file = "report.json";
+  inputs.trajectory = result->last->trajectory.all();
+  std::filesystem::path recording;
+  if (const auto& robot = sources_.robot()) {
+    inputs.truth = robot->truth_map;
+    recording = robot->folder.toStdString();
+  }
+  files_.exportInBackground(
+      {tr("Export a report"), nameOf(tr("-report")) + QStringLiteral(".html"), tr("Pages (*.html)"),
+       QStringLiteral("html"), tr("The report of the run")},
+      [inputs = std::move(inputs), recording](const QString& path) {
+        ReportInputs all = inputs;
+        if (is_directory(recording)) all.recording = openRecording(recording);  // for its pictures
+        writeFileAtomically(path.toStdString(), reportHtml(all));
+      });
+}
+
+void RunExports::exportMcap() {
+  const auto result = run_.result();
+  const auto history = run_.history();
+  const auto tape = run_.tape();
+  if (!result || !history || !tape) return;
+  files_.exportInBackground(
+      {tr("Export the run as MCAP"), nameOf(tr("-run")) + QStringLiteral(".mcap"),
+       tr("MCAP (*.mcap)"), QStringLiteral("mcap"), tr("The run")},
+      [result, history, tape, drawing = run_.drawing()](const QString& path) {
+        writeHistory(*history, drawing, tape->info(), *result, path.toStdString());
+      });
+}
+
+}  // namespace handmap
