@@ -113,6 +113,23 @@
     </message>
 </context>
 <context>
+    <name>handmap::LogKeeper</name>
+    <message numerus="yes">
+        <source>The run begins: %1, %n building(s) drawn</source>
+        <translation>
+            <numerusform>The run begins: %1, %n building drawn</numerusform>
+            <numerusform>The run begins: %1, %n buildings drawn</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>A loop was closed; %n so far</source>
+        <translation>
+            <numerusform>A loop was closed; %n so far</numerusform>
+            <numerusform>A loop was closed; %n so far</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::MessageBar</name>
     <message numerus="yes">
         <source>%n earlier message(s)</source>
@@ -192,9 +209,6 @@
             <numerusform>%n buildings move by up to %1 m; %2.</numerusform>
         </translation>
     </message>
-</context>
-<context>
-    <name>handmap::RunLog</name>
 </context>
 <context>
     <name>handmap::SourceActions</name>
@@ -286,23 +300,6 @@
         <translation>
             <numerusform>Of %n (%1) only one side was seen: how deep it is, is as drawn.</numerusform>
             <numerusform>Of %n (%1) only one side was seen: how deep they are, is as drawn.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>handmap::LogKeeper</name>
-    <message numerus="yes">
-        <source>The run begins: %1, %n building(s) drawn</source>
-        <translation>
-            <numerusform>The run begins: %1, %n building drawn</numerusform>
-            <numerusform>The run begins: %1, %n buildings drawn</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>A loop was closed; %n so far</source>
-        <translation>
-            <numerusform>A loop was closed; %n so far</numerusform>
-            <numerusform>A loop was closed; %n so far</numerusform>
         </translation>
     </message>
 </context>

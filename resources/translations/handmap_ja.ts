@@ -6472,6 +6472,49 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::LogKeeper</name>
+    <message>
+        <source>Frame %1 was skipped: %2</source>
+        <translation>フレーム %1 を飛ばしました: %2</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>The run begins: %1, %n building(s) drawn</source>
+        <translation>
+            <numerusform>実行開始: %1、描いた建物 %n 棟</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No odometry: the robot is taken to go on as before</source>
+        <translation>オドメトリがありません。ロボットは直前の動きを続けるとみなします</translation>
+    </message>
+    <message>
+        <source>The odometry is back</source>
+        <translation>オドメトリが戻りました</translation>
+    </message>
+    <message>
+        <source>The run was stopped</source>
+        <translation>実行は停止されました</translation>
+    </message>
+    <message>
+        <source>The run is done</source>
+        <translation>実行が終わりました</translation>
+    </message>
+    <message numerus="yes">
+        <source>A loop was closed; %n so far</source>
+        <translation>
+            <numerusform>ループが閉じました (これまで %n 回)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>handmap::LogModel</name>
     <message>
         <source>Note</source>
@@ -8185,7 +8228,71 @@ Corrected by a run.</source>
     </message>
 </context>
 <context>
-    <name>handmap::RunLog</name>
+    <name>handmap::RunExports</name>
+    <message>
+        <source>no run has corrected anything yet</source>
+        <translation>まだどの実行も補正していません</translation>
+    </message>
+    <message>
+        <source>no run has come to its end yet</source>
+        <translation>まだどの実行も終わりまで進んでいません</translation>
+    </message>
+    <message>
+        <source>Export the corrected map</source>
+        <translation>補正した地図を書き出す</translation>
+    </message>
+    <message>
+        <source>-corrected</source>
+        <translation>-補正</translation>
+    </message>
+    <message>
+        <source>The corrected map</source>
+        <translation>補正した地図</translation>
+    </message>
+    <message>
+        <source>Export the trajectory</source>
+        <translation>軌跡を書き出す</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.tum)</source>
+        <translation>軌跡 (*.tum)</translation>
+    </message>
+    <message>
+        <source>The way of the robot</source>
+        <translation>ロボットの軌跡</translation>
+    </message>
+    <message>
+        <source>Export a report</source>
+        <translation>レポートを書き出す</translation>
+    </message>
+    <message>
+        <source>-report</source>
+        <translation>-レポート</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>ページ (*.html)</translation>
+    </message>
+    <message>
+        <source>The report of the run</source>
+        <translation>実行のレポート</translation>
+    </message>
+    <message>
+        <source>Export the run as MCAP</source>
+        <translation>実行を MCAP で書き出す</translation>
+    </message>
+    <message>
+        <source>-run</source>
+        <translation>-実行</translation>
+    </message>
+    <message>
+        <source>MCAP (*.mcap)</source>
+        <translation>MCAP (*.mcap)</translation>
+    </message>
+    <message>
+        <source>The run</source>
+        <translation>実行</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RunPanels</name>
@@ -9468,116 +9575,6 @@ Corrected by a run.</source>
     <message>
         <source>Unsure: nothing of the drawing recognised for %1 m; if it was right before, within %2 m</source>
         <translation>不確か: %1 m の間、図面のものが一つも認識されていません。それまでが正しければ %2 m 以内</translation>
-    </message>
-</context>
-<context>
-    <name>handmap::LogKeeper</name>
-    <message>
-        <source>Frame %1 was skipped: %2</source>
-        <translation>フレーム %1 を飛ばしました: %2</translation>
-    </message>
-    <message>
-        <source>Paused</source>
-        <translation>一時停止</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>The run begins: %1, %n building(s) drawn</source>
-        <translation>
-            <numerusform>実行開始: %1、描いた建物 %n 棟</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No odometry: the robot is taken to go on as before</source>
-        <translation>オドメトリがありません。ロボットは直前の動きを続けるとみなします</translation>
-    </message>
-    <message>
-        <source>The odometry is back</source>
-        <translation>オドメトリが戻りました</translation>
-    </message>
-    <message>
-        <source>The run was stopped</source>
-        <translation>実行は停止されました</translation>
-    </message>
-    <message>
-        <source>The run is done</source>
-        <translation>実行が終わりました</translation>
-    </message>
-    <message numerus="yes">
-        <source>A loop was closed; %n so far</source>
-        <translation>
-            <numerusform>ループが閉じました (これまで %n 回)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>handmap::RunExports</name>
-    <message>
-        <source>no run has corrected anything yet</source>
-        <translation>まだどの実行も補正していません</translation>
-    </message>
-    <message>
-        <source>no run has come to its end yet</source>
-        <translation>まだどの実行も終わりまで進んでいません</translation>
-    </message>
-    <message>
-        <source>Export the corrected map</source>
-        <translation>補正した地図を書き出す</translation>
-    </message>
-    <message>
-        <source>-corrected</source>
-        <translation>-補正</translation>
-    </message>
-    <message>
-        <source>The corrected map</source>
-        <translation>補正した地図</translation>
-    </message>
-    <message>
-        <source>Export the trajectory</source>
-        <translation>軌跡を書き出す</translation>
-    </message>
-    <message>
-        <source>Trajectories (*.tum)</source>
-        <translation>軌跡 (*.tum)</translation>
-    </message>
-    <message>
-        <source>The way of the robot</source>
-        <translation>ロボットの軌跡</translation>
-    </message>
-    <message>
-        <source>Export a report</source>
-        <translation>レポートを書き出す</translation>
-    </message>
-    <message>
-        <source>-report</source>
-        <translation>-レポート</translation>
-    </message>
-    <message>
-        <source>Pages (*.html)</source>
-        <translation>ページ (*.html)</translation>
-    </message>
-    <message>
-        <source>The report of the run</source>
-        <translation>実行のレポート</translation>
-    </message>
-    <message>
-        <source>Export the run as MCAP</source>
-        <translation>実行を MCAP で書き出す</translation>
-    </message>
-    <message>
-        <source>-run</source>
-        <translation>-実行</translation>
-    </message>
-    <message>
-        <source>MCAP (*.mcap)</source>
-        <translation>MCAP (*.mcap)</translation>
-    </message>
-    <message>
-        <source>The run</source>
-        <translation>実行</translation>
     </message>
 </context>
 </TS>
