@@ -141,7 +141,6 @@ void keepAll(RunArguments& arguments) {
   arguments.trajectory = kept.trajectory();
   arguments.report = kept.report();
   arguments.mcap = kept.mcap();
-  checkOutputs(arguments, arguments.model);
   std::error_code error;
   std::filesystem::create_directories(kept.folder, error);
   if (error) {
