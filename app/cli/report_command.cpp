@@ -13,7 +13,6 @@ namespace handmap {
 namespace {
 
 constexpr std::uintmax_t kMostReportBytes = 1u << 30;
-constexpr std::uintmax_t kMostRunBytes = 1ull << 34;
 
 struct ReportArguments {
   std::string run;
@@ -34,6 +33,22 @@ std::string pageOf(const RunFolder& kept, const ReportArguments& arguments) {
   return reportHtml(inputs);
 }
 
+/// A run may be larger than memory. The old file stays whole where it fails.
+void copyFile(const std::string& from, const std::string& to) {
+  if (!std::filesystem::is_regular_file(from)) {
+    throw Error(ErrorCode::BadInput,
+                fmt::format("{}: found no such file, expected a readable file", from));
+  }
+  const std::string part = to + ".part";
+  std::error_code error;
+  std::filesystem::copy_file(from, part, std::filesystem::copy_options::overwrite_existing, error);
+  if (!error) std::filesystem::rename(part, to, error);
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw Error(ErrorCode::RunFailed, fmt::format("{}: cannot be written: {}", to, error.message()));
+}
+
 int report(const ReportArguments& arguments) {
   const RunFolder kept{arguments.run};
   checkOutputFiles({arguments.out}, {kept.drawing(), kept.refined(), kept.report(),
@@ -46,7 +61,7 @@ int report(const ReportArguments& arguments) {
   } else if (ending == ".tex") {
     writeFileAtomically(arguments.out, tolerancesLatex(readMap(kept.refined())));
   } else if (ending == ".mcap") {
-    writeFileAtomically(arguments.out, readFile(kept.mcap(), kMostRunBytes));
+    copyFile(kept.mcap(), arguments.out);
   } else {
     throw Error(ErrorCode::Usage, fmt::format("--out: found {}, expected NAME.html, .csv, .tex "
                                               "or .mcap",

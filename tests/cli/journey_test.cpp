@@ -75,6 +75,9 @@ TEST_F(Journey, KeepsARunInOneFolderAndMakesAPageOfIt) {
   EXPECT_EQ(contentOf("walls.csv").find("building,"), 0U);
   expectDone(run({"report", "--run", "kept", "--out", "copy.mcap"}), "");
   EXPECT_EQ(contentOf("copy.mcap"), contentOf("kept/run.mcap"));
+  EXPECT_FALSE(fs::exists("copy.mcap.part"));
+  expectFailed(run({"report", "--run", "rec", "--out", "copy.mcap"}), 2,
+               "handmap-cli: error: rec/run.mcap: found no such file, expected a readable file\n");
   expectFailed(
       run({"report", "--run", "rec", "--out", "run.html"}), 2,
       "handmap-cli: error: rec/drawing.handmap: found no such file, expected a readable file\n");
