@@ -34,32 +34,34 @@ constexpr double kDrift_rad_m = 5e-4;  // and how it turns on the way
 constexpr double kReach_m = 30.0;
 constexpr double kNoise_m = 0.03;
 
+/// The way around thrice, so that a second lap begins where and as it ends.
+Route laps(const Map& map) {
+  const auto home = std::find(map.route.rbegin(), map.route.rend(), map.route.front());
+  std::vector<Vec2> points;
+  for (int lap = 0; lap < 3; ++lap) points.insert(points.end(), map.route.begin(), home.base());
+  return Route(points);
+}
+
 /// Once around, again and again, from when it is started.
 class Round {
  public:
   Round(const World& world, double speed_m_s)
-      : route_(routeOf(world.map).value()), speed_m_s_(speed_m_s) {
-    const Vec2 start = route_.poseAt(0.0).position();
-    double nearest_m = kNoHit;
-    for (double s = 0.5 * route_.length(); s < route_.length(); s += 0.1) {
-      const double away_m = (route_.poseAt(s).position() - start).norm();
-      if (away_m >= nearest_m) continue;
-      nearest_m = away_m;
-      length_m_ = s;
-    }
-  }
+      : route_(laps(world.map)), speed_m_s_(speed_m_s), length_m_(route_.length() / 3.0) {}
   void start() { clock_.start(); }
   bool isUnderWay() const { return clock_.isValid(); }
   double now() const {
     return isUnderWay() ? 1e-9 * static_cast<double>(clock_.nsecsElapsed()) : 0.0;
   }
   double driven_m() const { return speed_m_s_ * now(); }
-  Pose2 pose() const { return route_.poseAt(std::fmod(driven_m(), length_m_)); }
+  Pose2 pose() const {
+    const double s = driven_m();
+    return route_.poseAt(s < length_m_ ? s : length_m_ + std::fmod(s, length_m_));
+  }
 
  private:
   Route route_;
   double speed_m_s_;
-  double length_m_ = 1.0;
+  double length_m_;  // of a lap
   QElapsedTimer clock_;
 };
 
