@@ -36,15 +36,29 @@ struct Pair {
 struct Axes {
   float xx, xy, yx, yy;
   double odometry_scale;
+  double spread = 1.0;  ///< of the directions of rays, as those of 270° that were taken for 180°
 };
 
-/// As they are; mirrored; x right and y forward; turned around; odometry in other units.
-constexpr std::array<Axes, 6> kReadings{{{1, 0, 0, 1, 1.0},
-                                         {1, 0, 0, -1, 1.0},
-                                         {0, 1, -1, 0, 1.0},
-                                         {-1, 0, 0, -1, 1.0},
-                                         {1, 0, 0, 1, 0.001},
-                                         {1, 0, 0, 1, 0.01}}};
+/// As they are; mirrored; x right and y forward; turned around; odometry in other units; other
+/// directions.
+constexpr std::array<Axes, 12> kReadings{{{1, 0, 0, 1, 1.0},
+                                          {1, 0, 0, -1, 1.0},
+                                          {0, 1, -1, 0, 1.0},
+                                          {-1, 0, 0, -1, 1.0},
+                                          {1, 0, 0, 1, 0.001},
+                                          {1, 0, 0, 1, 0.01},
+                                          {1, 0, 0, 1, 1.0, 3.0 / 2.0},
+                                          {1, 0, 0, 1, 1.0, 2.0 / 3.0},
+                                          {1, 0, 0, 1, 1.0, 4.0 / 3.0},
+                                          {1, 0, 0, 1, 1.0, 3.0 / 4.0},
+                                          {1, 0, 0, 1, 1.0, 2.0},
+                                          {1, 0, 0, 1, 1.0, 1.0 / 2.0}}};
+constexpr std::size_t kFirstSpread = 6;
+
+Vec2 readAs(const Axes& axes, const Vec2& p) {
+  if (axes.spread != 1.0) return p.norm() * unitVector(axes.spread * std::atan2(p.y(), p.x()));
+  return {axes.xx * p.x() + axes.xy * p.y(), axes.yx * p.x() + axes.yy * p.y()};
+}
 
 std::vector<Vec2> planar(const std::vector<RangePoint>& points, std::size_t most) {
   float low = 0.0F;
@@ -104,17 +118,17 @@ std::vector<Pair> pairsOf(const Recording& recording, const std::stop_token& sto
 /// Mean distance of the points of the first scan from those of the second.
 double distanceBetween(const std::vector<Vec2>& from, const std::vector<Vec2>& to,
                        const Pose2& motion, const Axes& axes) {
-  const auto read = [&](const Vec2& p) {
-    return Vec2(axes.xx * p.x() + axes.xy * p.y(), axes.yx * p.x() + axes.yy * p.y());
-  };
+  std::vector<Vec2> seen;
+  seen.reserve(to.size());
+  for (const Vec2& q : to) seen.push_back(readAs(axes, q));
   const Pose2 scaled{axes.odometry_scale * motion.x, axes.odometry_scale * motion.y,
                      motion.heading};
   const Pose2 back = inverse(scaled);
   double sum_m = 0.0;
   for (const Vec2& p : from) {
-    const Vec2 there = back.toOuter(read(p));
+    const Vec2 there = back.toOuter(readAs(axes, p));
     double least = kFarOff_m * kFarOff_m;
-    for (const Vec2& q : to) least = std::min(least, (read(q) - there).squaredNorm());
+    for (const Vec2& q : seen) least = std::min(least, (q - there).squaredNorm());
     sum_m += std::sqrt(least);
   }
   return sum_m / static_cast<double>(from.size());
@@ -164,7 +178,10 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
   const std::string found =
       phrase("scans that lie {:.2f} m off each other along the odometry, but {:.2f} m",
              look.off_m[0], look.off_m[best]);
-  doubt.code = best == 1 ? "opposite_turns" : best <= 3 ? "points_axes" : "odometry_units";
+  doubt.code = best == 1             ? "opposite_turns"
+               : best <= 3           ? "points_axes"
+               : best < kFirstSpread ? "odometry_units"
+                                     : "ray_directions";
   if (best == 1) {
     doubt.message =
         phrase("{}: found {} with y the other way, expected both to turn alike", points, found);
@@ -179,6 +196,13 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
                            : phrase("the points look turned around: x backwards");
     doubt.remedy = Remedy{best == 2 ? phrase("Read the points as x right, y forward")
                                     : phrase("Turn the points around")};
+  } else if (best >= kFirstSpread) {
+    doubt.message = phrase(
+        "{}: found {} with the rays over {:.3g} times the angle, expected each ray where it "
+        "looked",
+        points, found, axes.spread);
+    doubt.hint =
+        phrase("was another field of view meant, as 270° and not 180°? --angles of import says it");
   } else {
     doubt.message = phrase("{}: found {} with shorter motions, expected metres",
                            recording.odometry.source(), found);

@@ -14,6 +14,8 @@ void checkOdometry(const Recording& recording, const std::stop_token& stop, Doub
 void checkFiles(const Recording& recording, Doubts& doubts);
 void checkPoints(const Recording& recording, const std::vector<PointsSample>& samples,
                  Doubts& doubts);
+/// Scans that come again though the robot has moved.
+void checkFrozen(const Recording& recording, const std::stop_token& stop, Doubts& doubts);
 /// Whether scans lie on each other where the odometry puts them; else how they would.
 void checkAgreement(const Recording& recording, const std::stop_token& stop, Doubts& doubts);
 

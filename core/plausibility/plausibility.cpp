@@ -26,8 +26,10 @@ Doubts doubtsOf(const Recording& recording, const std::stop_token& stop) {
   checkOdometry(recording, stop, doubts);
   checkFiles(recording, doubts);
   checkPoints(recording, samplesOf(recording, kSamples, stop), doubts);
+  checkFrozen(recording, stop, doubts);
   const bool measures = !holds(doubts, "points_units") && !holds(doubts, "odometry_units") &&
-                        !holds(doubts, "two_clocks") && !holds(doubts, "odometry_heading");
+                        !holds(doubts, "two_clocks") && !holds(doubts, "odometry_heading") &&
+                        !holds(doubts, "scans_repeated");
   if (measures) checkAgreement(recording, stop, doubts);
   return doubts;
 }

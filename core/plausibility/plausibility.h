@@ -12,7 +12,7 @@
 namespace handmap {
 
 /// Codes: odometry_units, odometry_heading, odometry_gaps, time_units, two_clocks, points_units,
-/// points_axes, opposite_turns, heights, range_limit, points_missing, likelihood_zero, strange_key.
+/// points_axes, ray_directions, opposite_turns, heights, range_limit, points_missing, scans_repeated, likelihood_zero, strange_key.
 /// Throws Error when `stop` is requested.
 Doubts doubtsOf(const Recording& recording, const std::stop_token& stop = {});
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/recording/repeated_scan.h"
 
 namespace handmap {
 
@@ -21,10 +22,6 @@ constexpr double kBlindEvery_s = 0.25;
 constexpr std::size_t kMostWaiting = 100;  // of 40 a second, while odometry comes once a second
 constexpr std::size_t kMostWaitingBytes = 256U << 20U;
 constexpr std::size_t kMostPoints = 500'000;
-/// Who has moved so far does not see so many points the same to the last bit.
-constexpr std::size_t kTelling = 20;
-constexpr double kMoved_m = 0.1;
-constexpr double kMoved_rad = toRadians(1.0);
 
 bool isFinite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
@@ -34,10 +31,6 @@ std::size_t bytesOf(const View& view) {
   const auto image = [](const cv::Mat& m) { return m.total() * m.elemSize(); };
   const std::size_t points = view.points ? view.points->size() * sizeof(RangePoint) : 0;
   return image(view.left) + image(view.right) + points;
-}
-
-bool isSame(const RangePoint& a, const RangePoint& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
 }
 
 }  // namespace
@@ -197,15 +190,13 @@ void Assembler::goOnBlind(double now_s) {
 }
 
 bool Assembler::isFrozen(const View& view, const Pose2& pose) {
-  if (!view.points || view.points->size() < kTelling) return false;
-  if (!std::ranges::equal(*view.points, newest_points_, isSame)) {
-    newest_points_ = *view.points;
-    newest_points_from_ = pose;
-    return false;
+  if (!view.points) return false;
+  if (isRepeated(newest_points_, *view.points)) {
+    return isElsewhere(between(newest_points_from_, pose));
   }
-  const Pose2 moved = between(newest_points_from_, pose);
-  return moved.position().norm() > kMoved_m ||
-         std::abs(normalizedAngle(moved.heading)) > kMoved_rad;
+  newest_points_ = *view.points;
+  newest_points_from_ = pose;
+  return false;
 }
 
 void Assembler::deliver(double time_s, const Pose2& pose, bool standing, std::vector<View> views) {

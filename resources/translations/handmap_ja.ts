@@ -4561,6 +4561,26 @@
         <source>pieces of at least {} m²</source>
         <translation>{} m² 以上のかたまり</translation>
     </message>
+    <message>
+        <source>{}: points: found the same scan again though the robot has moved, so {} of {} looked at, the first here, expected what is seen from there</source>
+        <translation>{0}: points: ロボットが動いたのに同じスキャンが繰り返されています（調べた {2} 組のうち {1} 組、最初がここ）。その場所から見えるものが必要です</translation>
+    </message>
+    <message>
+        <source>did the scanner freeze, or do rows name one file again and again?</source>
+        <translation>スキャナーが固まっていませんか、または複数の行が同じファイルを指していませんか</translation>
+    </message>
+    <message>
+        <source>nothing has come of {} yet: is that its name, and is it sent?</source>
+        <translation>{} からまだ何も届いていません: その名前で正しいですか、送信されていますか</translation>
+    </message>
+    <message>
+        <source>{}: found {} with the rays over {:.3g} times the angle, expected each ray where it looked</source>
+        <translation>{}: {}（光線の角度を {:.3g} 倍にした場合）がありました。それぞれの光線の正しい向きが必要です</translation>
+    </message>
+    <message>
+        <source>was another field of view meant, as 270° and not 180°? --angles of import says it</source>
+        <translation>視野が違いませんか（180° でなく 270° など）。import の --angles で指定します</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

@@ -173,6 +173,11 @@ TEST(Assembler, NamesAScanThatComesAgainThoughTheRobotHasMoved) {
   see(2.0, {0.9, 0.0, 0.0}, {scan.begin(), scan.begin() + 5});  // so few may be the same
   see(2.2, {1.3, 0.0, 0.0}, {scan.begin(), scan.begin() + 5});
   EXPECT_EQ(heard.observations.size(), 5U);
+  std::vector<RangePoint> open_field(40, notMeasured(0.0, 0.0F));  // the same everywhere
+  open_field.push_back({5.0F, 0.0F, 0.0F, 1.0F});
+  see(2.4, {1.7, 0.0, 0.0}, open_field);
+  see(2.6, {2.1, 0.0, 0.0}, open_field);
+  EXPECT_EQ(heard.observations.size(), 7U);
 }
 
 TEST(Assembler, RaysThatWereNotMeasuredKeepTheirDirections) {

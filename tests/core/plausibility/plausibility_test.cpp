@@ -124,6 +124,19 @@ TEST_F(Plausibility, Axes) {
   expectDoubt(recorded(withPoses(1, 0, 0)), "odometry_heading", false, "w comes first");
 }
 
+TEST_F(Plausibility, AnotherFieldOfView) {
+  for (const double spread : {2.0 / 3.0, 4.0 / 3.0}) {
+    Drive drive;
+    drive.point = [spread](const RangePoint& p) {
+      const double bearing = spread * std::atan2(p.y, p.x);
+      const double range_m = std::hypot(p.x, p.y);
+      return RangePoint{static_cast<float>(range_m * std::cos(bearing)),
+                        static_cast<float>(range_m * std::sin(bearing)), p.z, 1.0F};
+    };
+    expectDoubt(recorded(drive), "ray_directions", false, "field of view", "frames.csv: line 2");
+  }
+}
+
 TEST_F(Plausibility, Clocks) {
   Drive drive;
   drive.pose = [](const StampedPose& p) { return StampedPose{p.time_s + 1.7e9, p.pose}; };
@@ -144,6 +157,19 @@ TEST_F(Plausibility, WhatIsMissing) {
   }
   expectDoubt(recorded(drive), "points_missing", false, "copied whole",
               "frames.csv: line 3: points");
+}
+
+TEST_F(Plausibility, AScannerThatFroze) {
+  const Recording recording = recorded({});
+  const auto scan = [&](int i) { return folder_.path() / fmt::format("points/{}.bin", i); };
+  for (int i = 41; i < 50; ++i) {
+    std::filesystem::copy_file(scan(40), scan(i),
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  expectDoubt(recording, "scans_repeated", false, "did the scanner freeze",
+              "frames.csv: line 43: points");
+  EXPECT_NE(doubtsOf(recording)[0].message.find("so 9 of 59 looked at"), std::string::npos)
+      << doubtsOf(recording)[0].message;
 }
 
 TEST_F(Plausibility, RangeLimitAndKeys) {
