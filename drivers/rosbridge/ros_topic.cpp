@@ -9,6 +9,7 @@ namespace handmap {
 namespace {
 
 constexpr int kTopicWatch_ms = 100;
+constexpr double kUnheard_s = 2.0;  // since it was connected: no rosbridge says that nobody sends
 
 }  // namespace
 
@@ -20,9 +21,12 @@ RosTopic::RosTopic(std::shared_ptr<RosbridgeClient> client, QString topic, RosTy
       clock_(std::move(clock)),
       take_(std::move(take)) {
   connect(client_.get(), &RosbridgeClient::connected, this, [this] {
-    if (open_) tell(DeviceState::Connecting, qPhrase("waiting for {}", topic_.toStdString()));
+    if (!open_) return;
+    awaitFirst();
+    tell(DeviceState::Connecting, qPhrase("waiting for {}", topic_.toStdString()));
   });
   connect(client_.get(), &RosbridgeClient::lost, this, [this](const QString& why) {
+    heard_ = false;
     if (open_) tell(DeviceState::Lost, why);
   });
   connect(client_.get(), &RosbridgeClient::troubled, this,
@@ -41,6 +45,7 @@ RosTopic::~RosTopic() {
 
 void RosTopic::open() {
   if (std::exchange(open_, true)) return;
+  awaitFirst();
   tell(DeviceState::Connecting, qPhrase("connecting to the rosbridge"));
   client_->subscribe(topic_, type_, [this](const RosValue& message) { come(message); });
   client_->open();
@@ -59,18 +64,27 @@ void RosTopic::come(const RosValue& message) {
   const double now_s = clock_();
   const QString remark = take_(message, now_s);
   last_s_ = now_s;
+  heard_ = true;
   health_.good();
   const bool degraded = health_.degraded();
   if (!remark.isEmpty()) return tell(DeviceState::Degraded, remark);
   if (!degraded) tell(DeviceState::Ready, {});
 }
 
+void RosTopic::awaitFirst() {
+  heard_ = false;
+  last_s_ = clock_();
+}
+
 void RosTopic::watch() {
-  const bool delivered =
-      told_.state() == DeviceState::Ready || told_.state() == DeviceState::Degraded;
-  if (delivered && client_->isConnected() && clock_() - last_s_ > kSilence_s) {
-    tell(DeviceState::Degraded,
-         qPhrase("nothing has come of {} for {} s", topic_.toStdString(), kSilence_s));
+  if (!client_->isConnected()) return;
+  const double silent_s = clock_() - last_s_;
+  const std::string topic = topic_.toStdString();
+  if (heard_ && silent_s > kSilence_s) {
+    tell(DeviceState::Degraded, qPhrase("nothing has come of {} for {} s", topic, kSilence_s));
+  } else if (told_.state() == DeviceState::Connecting && silent_s > kUnheard_s) {
+    tell(DeviceState::Connecting,
+         qPhrase("nothing has come of {} yet: is that its name, and is it sent?", topic));
   }
 }
 

@@ -30,6 +30,7 @@ class RosTopic : public QObject {
   void stateChanged(handmap::DeviceState state, const QString& detail);
 
  private:
+  void awaitFirst();
   void come(const RosValue& message);
   void watch();
   void tell(DeviceState state, const QString& detail);
@@ -41,7 +42,8 @@ class RosTopic : public QObject {
   Take take_;
   QTimer timer_;
   Health health_;
-  double last_s_ = 0.0;
+  bool heard_ = false;   ///< since it was connected
+  double last_s_ = 0.0;  ///< when something came, or it was connected
   bool open_ = false;
   ToldState told_;
 };

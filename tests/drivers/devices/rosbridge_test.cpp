@@ -206,6 +206,22 @@ TEST(Rosbridge, AServerThatGoesIsSaidAndFoundAgain) {
   EXPECT_NE(odometry.log.details.back().find("/odom"), std::string::npos);
 }
 
+TEST(Rosbridge, ATopicThatNobodySendsIsSaidAndHeardWhenItComes) {
+  RosbridgeEmulator server;
+  Odometry odometry(clientOf(server));
+  odometry.device.open();
+  ASSERT_TRUE(waitUntil([&] { return server.hasSubscriber(QStringLiteral("/odom")); }));
+  ASSERT_TRUE(waitUntil([&] {
+    return odometry.log.details.back() ==
+           "nothing has come of /odom yet: is that its name, and is it sent?";
+  }));
+  EXPECT_TRUE(odometry.log.is(DeviceState::Connecting));
+  ASSERT_TRUE(movesUntil(server, [&] { return odometry.log.is(DeviceState::Ready); }));
+  ASSERT_TRUE(waitUntil([&] { return odometry.log.is(DeviceState::Degraded); }));
+  EXPECT_EQ(odometry.log.details.back(), "nothing has come of /odom for 1 s");
+  EXPECT_TRUE(movesUntil(server, [&] { return odometry.log.is(DeviceState::Ready); }));
+}
+
 std::shared_ptr<const Map> oneBuilding() {
   auto map = std::make_shared<Map>();
   map->buildings.resize(1);
