@@ -25,7 +25,7 @@ std::string lowercase(std::string_view text) {
 }
 
 char separatorOf(std::string_view line) {
-  for (const char separator : {',', ';', '\t'}) {
+  for (const char separator : {';', '\t', ','}) {
     if (line.find(separator) != std::string_view::npos) return separator;
   }
   return ' ';
@@ -35,8 +35,14 @@ std::vector<std::string_view> fieldsOf(std::string_view line, char separator) {
   return separator == ' ' ? splitWords(line) : splitFields(line, separator);
 }
 
-std::optional<double> numberIn(std::string_view field) {
+/// Where fields are apart by something else, a comma is that of a decimal fraction.
+std::optional<double> numberIn(std::string_view field, char separator) {
   if (const auto value = parseFinite(field)) return value;
+  if (const auto comma = field.find(','); separator != ',' && comma != std::string_view::npos) {
+    std::string plain(field);
+    plain[comma] = '.';
+    return parseFinite(plain);
+  }
   const std::string word = lowercase(trimmed(field));
   const bool none = word.empty() || word == "nan" || word == "-nan" || word.ends_with("inf") ||
                     word == "infinity" || word == "none" || word == "null";
@@ -106,8 +112,8 @@ Table parseTable(std::string_view content, const std::string& file, const std::s
         throwBadInput(file, place, phrase("{} columns", fields.size()),
                       phrase("at most {}", kMostColumns));
       }
-      table.has_header =
-          std::ranges::any_of(fields, [](std::string_view f) { return !numberIn(f); });
+      table.has_header = std::ranges::any_of(
+          fields, [separator](std::string_view f) { return !numberIn(f, separator); });
       for (std::size_t i = 0; i < fields.size(); ++i) {
         table.names.push_back(table.has_header ? std::string(fields[i]) : std::to_string(i + 1));
       }
@@ -121,7 +127,7 @@ Table parseTable(std::string_view content, const std::string& file, const std::s
       throwBadInput(file, place, phrase("more values"), phrase("at most {}", kMostNumbers));
     }
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      const auto value = numberIn(fields[i]);
+      const auto value = numberIn(fields[i], separator);
       if (!value) {
         throwBadInput(file, fmt::format("{}: {}", place, table.names[i]),
                       fmt::format("\"{}\"", fields[i].substr(0, 40)), phrase("a number"));

@@ -159,6 +159,20 @@ TEST_F(Logs, ATableOfPointsAndOneOfPoses) {
   EXPECT_NEAR(poses.poses[0].pose.heading, kPi / 2, 1e-6);
 }
 
+TEST_F(Logs, ATableWithDecimalCommas) {
+  for (const char* header : {"time;x;y;yaw\n", ""}) {
+    LogOptions options;
+    if (*header == '\0')
+      options.columns = {{"time", "1"}, {"x", "2"}, {"y", "3"}, {"heading", "4"}};
+    const Log log =
+        read("a.csv", std::string(header) + "0,5;1,25;-2;0\n1,5;1,75;-2;0,01\n", options);
+    ASSERT_EQ(log.poses.size(), 2U);
+    EXPECT_NEAR(log.poses[0].time_s, 0.5, 1e-9);
+    EXPECT_NEAR(log.poses[1].pose.x, 1.75, 1e-9);
+  }
+  EXPECT_THROW(read("a.csv", "time;x;y;yaw\n0;1,234,5;0;0\n"), Error);
+}
+
 TEST_F(Logs, OfCarmen) {
   std::string text = "# comment\nPARAM robot 1\n";
   for (int i = 0; i < 3; ++i) {
