@@ -2,6 +2,7 @@
 // version costs a pointer a page and what has changed since the one before.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -85,7 +86,7 @@ class SharedListWriter {
   static Items& owned(Part<Items>& part) {
     if (!part.own) {
       auto copy = std::make_shared<Items>();
-      copy->reserve(kChunk);
+      copy->reserve(part.items ? std::min(kChunk, part.items->size() + 1) : 1);  // many are kept
       if (part.items) copy->assign(part.items->begin(), part.items->end());
       part = {std::move(copy), true};
     }

@@ -18,10 +18,10 @@ using Standing = std::vector<OutlineScorer::Standing>;
 double sharedNats(const Standing& one, const Standing& other) {
   double shared = 0.0;
   auto b = other.begin();
-  for (const auto& [ray, nats] : one) {
-    while (b != other.end() && b->ray < ray) ++b;
+  for (const OutlineScorer::Standing& claim : one) {
+    while (b != other.end() && b->ray < claim.ray) ++b;
     if (b == other.end()) break;
-    if (b->ray == ray) shared += std::max(0.0, std::min(nats, b->nats));
+    if (b->ray == claim.ray) shared += std::max(0.0, std::min(claim.nats(), b->nats()));
   }
   return shared;
 }
@@ -118,8 +118,8 @@ class Places {
   /// Where the best place of the rival has the returns of its own.
   FittedOutline bestBeside(std::size_t i, std::size_t rival) const {
     RayOwners owners = owners_;
-    for (const auto& [ray, nats] : modes_[rival].front().standing) {
-      owners[ray] = static_cast<int>(rival);
+    for (const OutlineScorer::Standing& claim : modes_[rival].front().standing) {
+      owners[claim.ray] = static_cast<int>(rival);
     }
     FittedOutline best = searchOutlines(priors_[i], scorerOf(i, owners), random(i), stop_).front();
     best.score = scorerOf(i, owners_)(best.outline, kSlack_m);

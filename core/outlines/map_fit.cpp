@@ -151,8 +151,8 @@ class Settling {
   /// With the returns there that nobody has yet.
   void own(std::size_t i, const Polygon& outline, const OutlineScorer& scorer) {
     settled_[i] = outline;
-    for (const auto& [ray, nats] : scorer.standingFor(outline, kOwnedWithin_m)) {
-      if (owners_[ray] == kNobody) owners_[ray] = static_cast<int>(i);
+    for (const OutlineScorer::Standing& claim : scorer.standingFor(outline, kOwnedWithin_m)) {
+      if (owners_[claim.ray] == kNobody) owners_[claim.ray] = static_cast<int>(i);
     }
   }
   void letGo(std::size_t i) {

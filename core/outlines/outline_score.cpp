@@ -208,10 +208,13 @@ std::vector<OutlineScorer::Standing> OutlineScorer::standingFor(const Polygon& o
     const double error = static_cast<double>((asked.ray.range - met.distance) * met.cosine);
     if (asked.ray.echo != Echo::Tall || std::abs(error) >= near_m) return;
     const float ratio = ratioOf(asked, met, static_cast<float>(near_m));
-    standing.push_back({asked.index, kTemper * static_cast<double>(asked.ray.share * ratio)});
+    standing.push_back({static_cast<std::uint32_t>(asked.index), asked.ray.share * ratio});
   });
+  standing.shrink_to_fit();
   return standing;
 }
+
+double OutlineScorer::Standing::nats() const { return kTemper * static_cast<double>(ratio); }
 
 int OutlineScorer::framesStandingFor(const Polygon& outline, double near_m) const {
   std::set<std::pair<float, float>> robots;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/polygon.h"
@@ -46,10 +47,12 @@ class OutlineScorer {
   double operator()(const Polygon& outline, double slack_m, std::size_t stride = 1) const;
   /// Tempered number of returns that are from each wall (i: from corner i − 1 to corner i).
   std::vector<double> returnsOf(const Polygon& outline, double slack_m) const;
-  /// A return that is near a wall which its ray enters by.
+  /// A return that is near a wall which its ray enters by. Small: of a long drive there are
+  /// millions, for each place that a building may have.
   struct Standing {
-    std::size_t ray;  ///< index of PlacedRays
-    double nats;      ///< what it says for the outline, tempered
+    std::uint32_t ray;    ///< index of PlacedRays
+    float ratio;          ///< what it says for the outline
+    double nats() const;  ///< the same, tempered
   };
   /// Those within `near_m`; by ray.
   std::vector<Standing> standingFor(const Polygon& outline, double near_m) const;

@@ -35,9 +35,9 @@ struct TapeLimits {
   std::size_t memory = 0;
   std::size_t disk = 0;
 
-  /// Where a run may be done again: two minutes of a planar scanner in memory and seven hours on
-  /// disk (20 kB a scan of 360 rays, ten a second), or a quarter of an hour of a spinning one.
-  static constexpr TapeLimits toDoAgain() { return {32U << 20U, std::size_t{5} << 30U}; }
+  /// Where a run may be done again: a minute of a planar scanner in memory and seven hours on disk
+  /// (20 kB a scan of 360 rays, ten a second), or a quarter of an hour of a spinning one.
+  static constexpr TapeLimits toDoAgain() { return {16U << 20U, std::size_t{5} << 30U}; }
 };
 
 class Tape {

@@ -19,8 +19,9 @@ struct Loop {
 
 class LoopSearch {
  public:
-  /// With more than `most_points` every second scan of those passed is let go: memory is bounded.
-  explicit LoopSearch(std::size_t most_points = 4'000'000) : most_points_(most_points) {}
+  /// With more than `most_points`, 32 bytes each, every second scan of those passed is let go: of a
+  /// planar scanner after four kilometres.
+  explicit LoopSearch(std::size_t most_points = 2'000'000) : most_points_(most_points) {}
 
   /// The next keyframe: its pose by local map odometry, which is right over some tens of metres,
   /// and what was seen there.

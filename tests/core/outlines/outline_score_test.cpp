@@ -44,7 +44,7 @@ TEST_F(OutlineScore, GivesReturnsToTheWallsTheyAreFrom) {
 
 TEST_F(OutlineScore, TakesNoCreditForReturnsOfOthers) {
   RayOwners owners(placed_.rays.size(), kNobody);
-  for (const auto& [ray, nats] : scorer_.standingFor(kScoredHouse, 0.5)) owners[ray] = 3;
+  for (const auto& [ray, ratio] : scorer_.standingFor(kScoredHouse, 0.5)) owners[ray] = 3;
   const OutlineScorer others(placed_, 40.0, owners, 1, {20.0, 12.0}, 20.0);
   const OutlineScorer its_own(placed_, 40.0, owners, 3, {20.0, 12.0}, 20.0);
   EXPECT_LE(others(kScoredHouse, 0.15), 0.0);
