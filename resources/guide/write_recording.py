@@ -21,6 +21,6 @@ def write_recording(folder, scans, poses, range_limit_m):
 
 if __name__ == "__main__":  # a robot that drives along a wall 5 m to its left
     ways = [0.5 * i for i in range(40)]
-    scans = [(0.5 * i, [(0.25 * k - x, 5.0, 0.0) for k in range(-40, 160) if abs(0.25 * k - x) < 20])
+    scans = [(0.5 * i, [(0.25 * k - x, 5.0, 0.0) for k in range(0, 100) if abs(0.25 * k - x) < 20])
              for i, x in enumerate(ways)]
     write_recording(sys.argv[1], scans, [(0.5 * i, x, 0.0, 0.0) for i, x in enumerate(ways)], 30)
