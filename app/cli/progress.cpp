@@ -41,7 +41,9 @@ void Progress::update(int frames_done, double share) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock || verbosity_ == Verbosity::Quiet || secondsSince(shown_) < (terminal_ ? 0.1 : 2.0))
     return;
-  const double done = frames_done + share;
+  // The end of a run has a share of its own, after the last frame.
+  const double done =
+      frames_ == 0 ? frames_done + share : std::min(frames_done + share, 1.0 * frames_);
   if (done <= 0.0) return;
   clearLine();
   shown_ = Clock::now();

@@ -1,5 +1,6 @@
 // From a world to its corrected map.
 #include <csignal>
+#include <cstdlib>
 #include <regex>
 #include <thread>
 
@@ -220,6 +221,20 @@ TEST_F(Journey, StopsWhenInterruptedAndWritesNothing) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(complaints(outcome.err), "handmap-cli: interrupted, nothing written\n");
   EXPECT_FALSE(fs::exists("refined.handmap"));
+}
+
+TEST_F(Journey, ABarOnATerminalEndsWithTheRun) {
+  if (std::system("script --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no script";
+  const std::string command =
+      HANDMAP_CLI " run --map rec/sketch.handmap --recording rec --out o.handmap";
+  ASSERT_EQ(std::system(("script -qec '" + command + "' tty > /dev/null 2>&1").c_str()), 0);
+  const std::string shown = contentOf("tty");
+  double most = 0.0;
+  for (std::size_t at = shown.find("] "); at != std::string::npos; at = shown.find("] ", at + 1)) {
+    most = std::max(most, std::atof(shown.c_str() + at + 2));
+  }
+  EXPECT_GT(most, 0.0) << shown;
+  EXPECT_LE(most, 100.0) << shown;
 }
 
 }  // namespace
