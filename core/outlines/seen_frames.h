@@ -37,9 +37,9 @@ struct SeenFrame {
 class SeenFrames {
  public:
   /// With more than `most_rays` every second frame is let go, and half as many are kept from then:
-  /// after two kilometres of a planar scanner. What is concluded takes 100 bytes a ray for a
+  /// after a kilometre or two of a planar scanner. What is concluded takes 100 bytes a ray for a
   /// moment.
-  explicit SeenFrames(double range_limit_m, std::size_t most_rays = 1'500'000)
+  explicit SeenFrames(double range_limit_m, std::size_t most_rays = 1'000'000)
       : range_limit_m_(range_limit_m), most_rays_(most_rays) {}
 
   /// The observations in their order; one that was made where the last kept one was is let go.
