@@ -72,6 +72,7 @@ class Settling {
         seed_(seed),
         stop_(std::move(stop)),
         owners_(placed.rays.size(), kNobody),
+        in_terrace_(tasks.size(), false),
         settled_(tasks.size()) {
     for (const OutlineTask& task : tasks) priors_.push_back(priorOf(task));
   }
@@ -85,11 +86,11 @@ class Settling {
     places_ = placesTogether(priors_, placed_, range_limit_m_, owners_, seed_, stop_);
     std::ranges::fill(owners_, kNobody);
     std::ranges::fill(settled_, std::nullopt);
-    for (std::size_t i = 0; i < tasks_.size() && !stop_.stop_requested(); ++i) {
-      for (auto& [b, prior, place] : dividedTerrace(i, tasks_, places_, placed_, range_limit_m_)) {
-        priors_[b] = std::move(prior);
-        places_[b] = std::move(place);
-      }
+    for (auto& [b, prior, place] :
+         dividedTerraces(tasks_, places_, placed_, range_limit_m_, stop_)) {
+      priors_[b] = std::move(prior);
+      places_[b] = std::move(place);
+      in_terrace_[b] = true;
     }
     std::vector<std::size_t> order(tasks_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -120,8 +121,11 @@ class Settling {
       result.outline = at_start ? task.start : task.drawn;
     }
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
-      result.estimate = estimateOf(result.outline, task, scorer);
-      result.sides = sidesOf(result.outline, task, scorer);
+      // Where a house of a terrace ends its neighbour's returns do not tell.
+      const OutlineScorer alone = scorerFor(priors_[i], placed_, range_limit_m_, {}, kNobody);
+      const OutlineScorer& told = in_terrace_[i] ? alone : scorer;
+      result.estimate = estimateOf(result.outline, task, told);
+      result.sides = sidesOf(result.outline, task, told);
       own(i, result.outline, scorer);
     }
     return result;
@@ -131,7 +135,7 @@ class Settling {
   FittedOutline fittedBesideOthers(std::size_t i, const OutlineScorer& scorer) const {
     const RandomStream random(seed_, static_cast<std::uint32_t>(i));
     if (places_[i]) {
-      if (!isDisturbed(i, places_[i]->outline)) return *places_[i];
+      if (in_terrace_[i] || !isDisturbed(i, places_[i]->outline)) return *places_[i];
       return searchNear(places_[i]->move, priors_[i], scorer, random, stop_);
     }
     const auto worth = [&](const FittedOutline& place) {
@@ -177,6 +181,7 @@ class Settling {
   RayOwners owners_;
   std::vector<OutlinePrior> priors_;
   std::vector<std::optional<FittedOutline>> places_;
+  std::vector<bool> in_terrace_;
   std::vector<std::optional<Polygon>> settled_;
 };
 

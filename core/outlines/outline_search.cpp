@@ -253,8 +253,7 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
   return finished(candidate, shape, prior, scorer, fine, stop);
 }
 
-FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior,
-                       const OutlineScorer& scorer) {
+FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {
   const Shape shape(prior);
   const Rectangle now = boundingRectangle(prior.start, prior.heading);
   const double quarters = std::round((box.heading - prior.heading) / (kPi / 2.0));
@@ -266,9 +265,11 @@ FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior,
                   std::log((across ? box.depth : box.width) / now.width),
                   std::log((across ? box.width : box.depth) / now.depth),
                   0.0};
-  FittedOutline placed{shape(move), move, 0.0, shape.logPrior(move)};
-  placed.score = scorer(placed.outline, kLast.slack_m, fineStride(scorer));
-  return placed;
+  return {shape(move), move, 0.0, shape.logPrior(move)};
+}
+
+void scorePlace(FittedOutline& place, const OutlineScorer& scorer) {
+  place.score = scorer(place.outline, kLast.slack_m, fineStride(scorer));
 }
 
 double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,

@@ -51,8 +51,8 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
                          const std::stop_token& stop = {});
 
 /// As large as a rectangle, and there: nothing is looked for.
-FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior,
-                       const OutlineScorer& scorer);
+FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior);
+void scorePlace(FittedOutline& place, const OutlineScorer& scorer);
 
 /// How far the side of the outline that lies farthest along a direction may be moved, the opposite
 /// one staying, before rays and prior make it less probable by what one σ does; metres.

@@ -191,6 +191,60 @@ RayNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RayNoi
   return noise;
 }
 
+/// How often the robot came to each place, by where it looked from there.
+class Visits {
+ public:
+  explicit Visits(const PlacedRays& placed) {
+    const PlacedRay* before = nullptr;
+    double way_m = 0.0;
+    for (const PlacedRay& ray : placed.rays) {
+      if (before != nullptr) {
+        way_m += std::hypot(static_cast<double>(ray.x - before->x),
+                            static_cast<double>(ray.y - before->y));
+      }
+      before = &ray;
+      Looks& looks = of(ray);
+      if (looks.visits == 0 || way_m - looks.last_m > kAway_m) ++looks.visits;
+      looks.last_m = way_m;
+    }
+  }
+
+  int count(const PlacedRay& ray) { return of(ray).visits; }
+
+ private:
+  static constexpr double kPlace_m = 2.0;
+  static constexpr double kAway_m = 20.0;  ///< driven before it comes back
+  static constexpr int kSectors = 24;
+  struct Looks {
+    int visits = 0;
+    double last_m = 0.0;
+  };
+
+  Looks& of(const PlacedRay& ray) {
+    const auto cell = [](float metres) {
+      return static_cast<int>(std::floor(static_cast<double>(metres) / kPlace_m));
+    };
+    const double turns =
+        std::atan2(static_cast<double>(ray.dy), static_cast<double>(ray.dx)) / (2.0 * kPi) + 0.5;
+    const double sector = std::min(turns * kSectors, kSectors - 1.0);
+    const std::int64_t place = keyOf(cell(ray.x), cell(ray.y));
+    if (place != place_ || looks_ == nullptr) looks_ = &places_[place];
+    place_ = place;
+    return (*looks_)[static_cast<std::size_t>(sector)];
+  }
+
+  std::unordered_map<std::int64_t, std::array<Looks, kSectors>> places_;
+  std::int64_t place_ = 0;  ///< of the last ray: those of a frame are from one
+  std::array<Looks, kSectors>* looks_ = nullptr;
+};
+
+/// Where the robot comes back to and looks the same way it sees again what it saw, with the same
+/// errors: all visits tell together what one tells.
+void shareVisits(PlacedRays& placed) {
+  Visits visits(placed);
+  for (PlacedRay& ray : placed.rays) ray.share /= static_cast<float>(visits.count(ray));
+}
+
 /// What ends at one place is off by what that place and the poses are off: more looks at it tell
 /// ever less.
 void shareOut(std::vector<PlacedRay>& rays) {
@@ -238,6 +292,7 @@ PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& 
   }
   const Cells cells(placed.rays, placed.noise, stop);
   if (stop.stop_requested()) return placed;
+  shareVisits(placed);
   shareOut(placed.rays);
   for (PlacedRay& ray : placed.rays) {
     const Piece* piece = ray.echo == Echo::Tall ? cells.of(ray) : nullptr;

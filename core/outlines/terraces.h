@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/outlines/outline_task.h"
@@ -16,12 +17,13 @@ struct TerraceHouse {
   FittedOutline place;
 };
 
-/// Where building `whole` has a place on which others are drawn that have none: the place divided
-/// among them all, in the order and by the sizes of the drawing. One alone takes as much of a wall
-/// without ends as it may. Empty where there are no others, or where drawing or rays speak for the
-/// place as it is.
-std::vector<TerraceHouse> dividedTerrace(std::size_t whole, const std::vector<OutlineTask>& tasks,
-                                         const std::vector<std::optional<FittedOutline>>& places,
-                                         const PlacedRays& placed, double range_limit_m);
+/// Places wall to wall are a terrace. Others that are drawn on it, and have no place or one that is
+/// worth less, are to be on it too: it is divided among them all, in the order and by the sizes of
+/// the drawing, as far as that makes it more probable and leaves the evidence. One house alone
+/// takes as much of a wall without ends as it may. The houses of those that were divided.
+std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
+                                          const std::vector<std::optional<FittedOutline>>& places,
+                                          const PlacedRays& placed, double range_limit_m,
+                                          const std::stop_token& stop);
 
 }  // namespace handmap

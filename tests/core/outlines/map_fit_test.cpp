@@ -128,6 +128,26 @@ TEST(MapFit, LeavesEachHouseOfATerraceItsPlace) {
   EXPECT_GT(share, drawn_share + 0.05);
 }
 
+/// The last house is drawn beyond the end of the row, where a van stands.
+TEST(MapFit, MakesNoVanOfTheLastHouseOfATerrace) {
+  const std::vector<Polygon> houses = {Rectangle{{15.0, 12.0}, 10.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{25.0, 12.0}, 10.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{35.0, 12.0}, 10.0, 8.0, 0.0}.corners()};
+  const Polygon van = Rectangle{{45.0, 11.0}, 5.0, 3.0, 0.0}.corners();
+  const std::vector<Polygon> drawn = {Rectangle{{16.0, 13.0}, 9.0, 7.0, 0.0}.corners(),
+                                      Rectangle{{28.0, 11.0}, 11.0, 9.0, 0.03}.corners(),
+                                      Rectangle{{42.0, 12.0}, 9.0, 8.0, 0.0}.corners()};
+  std::vector<Polygon> there = houses;
+  there.push_back(van);
+  const Drive drive = drivePast(there);
+  std::vector<OutlineTask> tasks;
+  for (const Polygon& house : drawn) tasks.push_back(taskFor(house, true));
+  const auto results = fitOutlines(tasks, placeRays(drive.seen, drive.way), 40.0, 1);
+  for (std::size_t i = 0; i < houses.size(); ++i) {
+    EXPECT_GT(intersectionOverUnion(results.at(i).outline, houses[i]), 0.6) << i;
+  }
+}
+
 TEST(MapFit, DividesNoHouseOnWhichAnotherIsDrawnToo) {
   const Drive drive = drivePast({kFittedHouse});
   const auto results = fitOutlines({taskFor(moved(kFittedHouse, {1.0, 1.0}), true),

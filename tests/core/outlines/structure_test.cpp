@@ -1,5 +1,7 @@
 #include "core/outlines/structure.h"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/outlines/drive.h"
@@ -26,6 +28,43 @@ TEST(Structure, TellsWallsFromHedges) {
   const PlacedRays placed = placeRays(drive.seen, drive.way);
   EXPECT_GT(shareOf(placed, kSeenHouse, Structure::Straight), 0.8);
   EXPECT_LT(shareOf(placed, kHedge, Structure::Straight), 0.2);
+}
+
+double told(const PlacedRays& placed) {
+  double shares = 0.0;
+  for (const PlacedRay& ray : placed.rays) shares += static_cast<double>(ray.share);
+  return shares;
+}
+
+/// The drive, and `further` ones of what is kept of it.
+PlacedRays drivenAgain(const Drive& drive, int further,
+                       const std::function<bool(int round, const SeenRay&)>& kept) {
+  std::vector<SeenFrame> seen;
+  std::vector<Pose2> way;
+  for (int round = 0; round <= further; ++round) {
+    for (SeenFrame frame : drive.seen.frames()) {
+      way.push_back(drive.way[frame.observation]);
+      frame.observation = seen.size();
+      std::erase_if(frame.rays, [&](const SeenRay& ray) { return !kept(round, ray); });
+      seen.push_back(std::move(frame));
+    }
+  }
+  return placeRays(seen, way);
+}
+
+TEST(Structure, FurtherRoundsTellNoMoreThanOne) {
+  const Drive drive = drivePast({kSeenHouse});
+  const auto all = [](int, const SeenRay&) { return true; };
+  EXPECT_NEAR(told(drivenAgain(drive, 3, all)) / told(drivenAgain(drive, 0, all)), 1.0, 0.02);
+}
+
+TEST(Structure, TheOtherSideOnTheWayBackIsNews) {
+  const Drive drive = drivePast({kSeenHouse});
+  const auto by_side = [](int round, const SeenRay& ray) {
+    return (ray.bearing >= 0.0F) == (round == 0);
+  };
+  const auto all = [](int, const SeenRay&) { return true; };
+  EXPECT_NEAR(told(drivenAgain(drive, 1, by_side)) / told(drivenAgain(drive, 0, all)), 1.0, 0.02);
 }
 
 TEST(Structure, MeasuresTheNoiseOfReturns) {
