@@ -72,6 +72,20 @@ Terrace terraceAround(std::size_t first, double heading, const Places& places) {
   return terrace;
 }
 
+/// Those that have a place: the longer a wall the better it tells how the terrace is turned.
+std::vector<std::size_t> longestFirst(const Places& places) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i]) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
+    const Polygon& outline = places[i]->outline;
+    const Rectangle box = boundingRectangle(outline, headingOf(outline));
+    return std::max(box.width, box.depth);
+  });
+  return order;
+}
+
 /// Not of the terrace, and drawn on it or no farther from it than one σ.
 std::vector<std::size_t> drawnOn(const Terrace& terrace, const std::vector<OutlineTask>& tasks) {
   std::vector<std::size_t> others;
@@ -211,8 +225,9 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
   const RayOwners nobody(placed.rays.size(), kNobody);
   std::vector<TerraceHouse> all;
   std::vector<bool> done(tasks.size(), false);
-  for (std::size_t i = 0; i < tasks.size() && !stop.stop_requested(); ++i) {
-    if (!places[i] || done[i]) continue;
+  for (const std::size_t i : longestFirst(places)) {
+    if (stop.stop_requested()) break;
+    if (done[i]) continue;
     const double heading = headingOf(places[i]->outline);
     Terrace terrace = terraceAround(i, heading, places);
     Division division = divisionOf(terrace, tasks, places);
@@ -223,6 +238,7 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
       std::swap(division, other);
     }
     if (division.houses.empty()) continue;
+    for (const std::size_t b : terrace.houses) done[b] = true;
     if (!leavesEvidence(division, terrace, tasks, places, placed, range_limit_m)) continue;
     for (TerraceHouse& house : division.houses) {
       done[house.building] = true;
