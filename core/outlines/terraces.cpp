@@ -156,8 +156,8 @@ class Evidence {
         nats_(placed.rays.size(), 0.0F) {}
   void add(const OutlinePrior& prior, const Polygon& outline) {
     const OutlineScorer scorer = scorerFor(prior, placed_, range_limit_m_, nobody_, kNobody);
-    for (const auto& [ray, nats] : scorer.standingFor(outline, kOwnedWithin_m)) {
-      nats_[ray] = std::max(nats_[ray], static_cast<float>(nats));
+    for (const OutlineScorer::Standing& claim : scorer.standingFor(outline, kOwnedWithin_m)) {
+      nats_[claim.ray] = std::max(nats_[claim.ray], static_cast<float>(claim.nats()));
     }
   }
   double total() const { return std::accumulate(nats_.begin(), nats_.end(), 0.0); }
