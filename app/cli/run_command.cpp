@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <iterator>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -141,13 +143,29 @@ void keepAll(RunArguments& arguments) {
   arguments.trajectory = kept.trajectory();
   arguments.report = kept.report();
   arguments.mcap = kept.mcap();
-  std::error_code error;
-  std::filesystem::create_directories(kept.folder, error);
-  if (error) {
-    throw Error(ErrorCode::RunFailed,
-                fmt::format("{}: cannot be created: {}", arguments.keep, error.message()));
-  }
 }
+
+/// A folder that is made here, and goes again where nothing was written to it.
+class NewFolder {
+ public:
+  explicit NewFolder(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::create_directories(path, error)) made_ = path;
+    if (error) {
+      throw Error(ErrorCode::RunFailed,
+                  fmt::format("{}: cannot be created: {}", path.string(), error.message()));
+    }
+  }
+  ~NewFolder() {
+    std::error_code not_empty;
+    if (!made_.empty()) std::filesystem::remove(made_, not_empty);
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+ private:
+  std::filesystem::path made_;
+};
 
 void writeOutputs(const RunArguments& arguments, const RunSession& session, const Snapshot& last) {
   if (!arguments.out.empty()) {
@@ -319,7 +337,11 @@ int runLive(const RunArguments& arguments, Map drawing) {
 }
 
 int run(const CLI::App& command, RunArguments arguments) {
-  if (!arguments.keep.empty()) keepAll(arguments);
+  std::optional<NewFolder> kept;
+  if (!arguments.keep.empty()) {
+    keepAll(arguments);
+    kept.emplace(arguments.keep);
+  }
   check(command, arguments);
   for (const std::string& what : arguments.free) {
     (what == "scale" ? arguments.settings.free_scale : arguments.settings.free_turn) = true;

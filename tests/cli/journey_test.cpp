@@ -85,6 +85,12 @@ TEST_F(Journey, KeepsARunInOneFolderAndMakesAPageOfIt) {
   EXPECT_EQ(run({"report", "--run", "kept", "--out", "kept/refined.handmap"}).status, 1);
 }
 
+TEST_F(Journey, LeavesNoEmptyFolderOfARunThatDidNotBegin) {
+  EXPECT_EQ(
+      run({"run", "--map", "none.handmap", "--recording", "rec", "--keep", "not-kept"}).status, 2);
+  EXPECT_FALSE(fs::exists("not-kept"));
+}
+
 TEST_F(Journey, IsTheSameOnOneThreadAndOnTwo) {
   std::vector<std::string> bytes;
   for (const std::string threads : {"1", "2", "2"}) {
