@@ -1,6 +1,9 @@
 #include "core/method/conclusion.h"
 
+#include <algorithm>
+
 #include "core/explain/seen_walls.h"
+#include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
 #include "core/outlines/refinement.h"
 
@@ -44,7 +47,16 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
   return Conclusion{std::move(trajectory), std::move(refined->map), laid.covariance()};
 }
 
+std::ptrdiff_t seenWalls(const Building& building) {
+  return std::ranges::count_if(wallsOf(building), &SideEstimate::seen);
+}
+
 }  // namespace
+
+bool isBetterFounded(const Building& concluded, const Building& found, const Building& drawn) {
+  return !(concluded.shape == drawn.shape) || !isRecognised(found) ||
+         seenWalls(concluded) > seenWalls(found);
+}
 
 std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known,
                                    std::uint64_t seed, const std::stop_token& stop,

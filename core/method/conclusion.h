@@ -39,6 +39,10 @@ struct Conclusion {
   std::optional<Eigen::Matrix3d> covariance;  ///< of its newest pose, where it was laid on a map
 };
 
+/// Outlines are fitted late: a conclusion on the way that leaves a building as it is drawn, and has
+/// seen no more of it than what found it elsewhere, has nothing to say against that.
+bool isBetterFounded(const Building& concluded, const Building& found, const Building& drawn);
+
 /// nullopt where `stop` was requested.
 std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known,
                                    std::uint64_t seed, const std::stop_token& stop = {},

@@ -5,6 +5,7 @@
 #include "core/base/phrase.h"
 #include "core/estimation/estimator.h"
 #include "core/explain/seen_walls.h"
+#include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
 #include "core/method/conclusions.h"
 #include "core/method/doubt.h"
@@ -109,11 +110,15 @@ class HandmapMethod : public EstimationMethod {
   std::function<Map()> refinedMap() const override {
     const bool goes_on = !concluded_ || (!finished_ && concluded_->trajectory.by ==
                                                            TrajectoryHypothesis::By::Buildings);
-    return [drawing = shared_drawing_, concluded = concluded_ ? concluded_->map : Map(),
+    const bool laid = concluded_ && concluded_->covariance;  // on a drawing that is right
+    return [drawing = shared_drawing_, concluded = concluded_ ? concluded_->map : Map(), laid,
             since = goes_on ? estimatedMap() : std::function<Map()>()] {
       Map now = since ? since() : concluded;
       for (std::size_t b = 0; since && b < concluded.buildings.size(); ++b) {
-        if (isRecognised(concluded.buildings[b])) now.buildings[b] = concluded.buildings[b];
+        const Building& last = concluded.buildings[b];
+        if (isRecognised(last) &&
+            (laid || isBetterFounded(last, now.buildings[b], drawing->buildings[b])))
+          now.buildings[b] = last;
       }
       stateDoubt(*drawing, now);
       return now;
