@@ -94,6 +94,36 @@ TEST_F(HandAndEye, TheInspectorIsOneAndFolds) {
   EXPECT_TRUE(window_->findChild<QDockWidget*>("buildings")->isVisible());
 }
 
+TEST_F(HandAndEye, APanelThatIsClosedByItsCrossStaysClosed) {
+  resizeTo({1280, 800});
+  window_->docks().setOpen(true);
+  window_->docks().showRunDocks(true, true);
+  auto* charts = window_->findChild<QDockWidget*>("charts");
+  ASSERT_FALSE(charts->isHidden());
+  charts->close();
+  window_->docks().showRunDocks(false, false);
+  window_->docks().showRunDocks(true, true);
+  EXPECT_TRUE(charts->isHidden());
+  charts->toggleViewAction()->trigger();
+  EXPECT_FALSE(charts->isHidden());
+}
+
+TEST_F(HandAndEye, TheInspectorKeepsItsWidthFromOneSessionToTheNext) {
+  window_->docks().setOpen(true);
+  QCoreApplication::processEvents();
+  const int width = window_->docks().width();
+  window_->docks().bringForward(window_->runPanels().setup);
+  ASSERT_TRUE(window_->close());
+  for (int session = 0; session < 2; ++session) {
+    window_ = std::make_unique<MainWindow>(document_, settings_);
+    window_->show();
+    QCoreApplication::processEvents();
+    EXPECT_NEAR(window_->docks().width(), width, 4) << session;
+    EXPECT_FALSE(window_->findChild<QDockWidget*>("objects")->visibleRegion().isEmpty());
+    ASSERT_TRUE(window_->close());
+  }
+}
+
 TEST_F(HandAndEye, ASmallScreenIsTheMaps) {
   resizeTo({790, 575});  // 800 × 600 without the frame
   window_->docks().arrange({790, 575});

@@ -32,7 +32,7 @@ RigActions::RigActions(const Shell& shell, RunController& run, SourceActions& so
       sources_(sources),
       files_(files),
       panel_(new LivePanel) {
-  shell_.docks.add({"live", tr("Robot"), Docks::Group::Run, Docks::When::Robot}, panel_);
+  shell_.docks.add({"live", tr("Robot"), Docks::Group::Run, Docks::When::Now}, panel_);
   shell_.actions.on("run.connect", this, [this] { showDialog(); });
   shell_.actions.on("run.calibrate", this, [this] { showCalibration(); });
   connect(&run_, &RunController::stateChanged, this, &RigActions::followRun);
@@ -97,7 +97,7 @@ void RigActions::followRun() {
   } else {
     panel_->follow({});
   }
-  shell_.docks.showRobotDock(link != nullptr);
+  shell_.docks.setPossible(*panel_, link != nullptr);
 }
 
 }  // namespace handmap

@@ -3,6 +3,7 @@
 #include <QChildEvent>
 #include <QGuiApplication>
 #include <QMenu>
+#include <QScopedValueRollback>
 #include <QScreen>
 #include <QScrollArea>
 #include <QTabBar>
@@ -88,6 +89,10 @@ QDockWidget& Docks::add(const Spec& spec, QWidget* panel) {
     if (!dock->isFloating()) setOpen(true);
     dock->raise();
   });
+  connect(dock->toggleViewAction(), &QAction::toggled, this, [this, dock](bool shown) {
+    // By its cross: neither here nor with the window.
+    if (!shown && !arranging_ && window_.isVisible() && dock->isHidden()) closed_.insert(dock);
+  });
   if (spec.when == When::Asked || spec.when == When::RunAsked) closed_.insert(dock);
   docks_.push_back({spec, dock, spec.when == When::Always || spec.when == When::Asked});
   showAll();
@@ -105,6 +110,7 @@ bool Docks::isDocked(const Dock& dock) {
 
 /// What is possible, wanted and not folded away.
 void Docks::showAll() {
+  const QScopedValueRollback arranging(arranging_, true);
   for (const Dock& dock : docks_) {
     const bool shown =
         dock.possible && !closed_.contains(dock.widget) && (open_ || !isDocked(dock));
@@ -123,7 +129,22 @@ void Docks::setOpen(bool open) {
   Q_EMIT opened(open_);
 }
 
-void Docks::restored(bool open) {
+int Docks::width() const {
+  for (const Dock& dock : docks_) {
+    if (!isDocked(dock) || dock.widget->visibleRegion().isEmpty()) continue;
+    return window_.dockWidgetArea(dock.widget) == Qt::RightDockWidgetArea
+               ? window_.width() - dock.widget->x()
+               : dock.widget->width();
+  }
+  return 0;
+}
+
+void Docks::setWidth(int width) {
+  const auto docked = std::ranges::find_if(docks_, &Docks::isDocked);
+  if (docked != docks_.end()) window_.resizeDocks({docked->widget}, {width}, Qt::Horizontal);
+}
+
+void Docks::restored(bool open, int width) {
   for (const Dock& dock : docks_) {
     const bool is_ours = dock.spec.when == When::Always || dock.spec.when == When::Asked;
     // In a folded inspector all are hidden, which says nothing of each.
@@ -133,6 +154,10 @@ void Docks::restored(bool open) {
   }
   open_ = open;
   showAll();
+  setWidth(width > 0 ? width : kFirstWidth);
+  // What was in front may have been of a run that is no more.
+  for (const Dock& dock : docks_)
+    if (dock.spec.in_front) dock.widget->raise();
   Q_EMIT opened(open_);
 }
 
@@ -144,12 +169,12 @@ void Docks::showRunDocks(bool run_exists, bool has_camera) {
   showAll();
 }
 
-void Docks::showRobotDock(bool is_live) {
+void Docks::setPossible(const QWidget& panel, bool possible) {
   for (Dock& dock : docks_) {
-    if (dock.spec.when != When::Robot || dock.possible == is_live) continue;
-    dock.possible = is_live;
+    if (!dock.widget->isAncestorOf(&panel) || dock.possible == possible) continue;
+    dock.possible = possible;
     showAll();
-    if (is_live && !dock.widget->isHidden()) dock.widget->raise();
+    if (possible && !dock.widget->isHidden()) dock.widget->raise();
   }
 }
 
@@ -183,8 +208,7 @@ void Docks::addSwitches(QMenu& menu) const {
 }
 
 void Docks::arrange(QSize window) {
-  const auto docked = std::ranges::find_if(docks_, &Docks::isDocked);
-  if (docked != docks_.end()) window_.resizeDocks({docked->widget}, {kFirstWidth}, Qt::Horizontal);
+  setWidth(kFirstWidth);
   setOpen(window.width() >= kRoomyWindow.width() && window.height() >= kRoomyWindow.height());
 }
 

@@ -24,7 +24,7 @@ class Docks : public QObject {
     Run,       ///< while a run exists, unless somebody has closed it
     RunAsked,  ///< the same, and not before somebody asks for it
     Camera,    ///< while a run with a camera exists
-    Robot,     ///< while there is a live robot
+    Now,       ///< while there is something to show: setPossible()
   };
   struct Spec {
     QString name;  ///< for the state of the window
@@ -41,8 +41,8 @@ class Docks : public QObject {
 
   /// Those of a run come and go with it; what the user has closed stays closed.
   void showRunDocks(bool run_exists, bool has_camera);
-  /// That of the devices, while there is a live robot.
-  void showRobotDock(bool is_live);
+  /// Comes in front when it becomes possible, unless somebody has closed it.
+  void setPossible(const QWidget& panel, bool possible);
   /// That of a panel, in front; not while it has no run to show.
   void show(const QWidget& panel);
   /// The same, and the inspector stays folded where somebody has folded it.
@@ -52,8 +52,11 @@ class Docks : public QObject {
   void arrange(QSize window);
   bool isOpen() const { return open_; }
   void setOpen(bool open);
-  /// After the window has been given the state of an earlier session.
-  void restored(bool open);
+  /// Pixels, with its tabs; 0 while it is folded.
+  int width() const;
+  /// After the window has been given the state of an earlier session. The width is told apart: the
+  /// state's is that of a window of another size.
+  void restored(bool open, int width);
 
  Q_SIGNALS:
   void opened(bool open);
@@ -68,6 +71,7 @@ class Docks : public QObject {
     bool possible = true;  ///< there is something to show
   };
   static bool isDocked(const Dock& dock);
+  void setWidth(int width);
   void showAll();
   const Dock* dockOf(const QWidget& panel) const;
 
@@ -76,6 +80,7 @@ class Docks : public QObject {
   QSet<QDockWidget*> closed_;     ///< by the user, or never asked for
   QDockWidget* front_ = nullptr;  ///< of those that are folded away
   bool open_ = true;
+  bool arranging_ = false;
 };
 
 }  // namespace handmap

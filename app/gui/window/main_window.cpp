@@ -48,6 +48,7 @@
 #include "widgets/run/panels/log_panel.h"
 #include "widgets/run/panels/run_setup_panel.h"
 #include "widgets/run/panels/transport_bar.h"
+#include "widgets/style/elided_label.h"
 #include "widgets/style/names.h"
 #include "widgets/teach/teach_panel.h"
 #include "widgets/tools/toolbox.h"
@@ -60,7 +61,8 @@ constexpr auto kNotNowTopic = "not now";
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kStateKey = "window/state";
 constexpr auto kInspectorKey = "window/inspector";
-constexpr int kStateVersion = 7;  // of the set of docks and bars
+constexpr auto kInspectorWidthKey = "window/inspector_width";
+constexpr int kStateVersion = 8;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 900);
 
 /// The file or folder that is dragged; empty for anything else.
@@ -89,7 +91,7 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
       run_panels_(RunPanels::make()),
       editing_panels_(EditingPanels::make(document_, &run_panels_.layers, docks_)),
       shell_{*this, actions_, *messages_, *dialogs_, docks_, settings_},
-      hint_(new QLabel),
+      hint_(new ElidedLabel),
       cursor_(new QLabel),
       scale_(new QLabel),
       run_state_(new QLabel) {
@@ -397,7 +399,8 @@ void MainWindow::restoreState() {
   }
   restoreGeometry(settings_.value(kGeometryKey).toByteArray());
   if (QMainWindow::restoreState(settings_.value(kStateKey).toByteArray(), kStateVersion)) {
-    docks_.restored(settings_.value(kInspectorKey, true).toBool());
+    docks_.restored(settings_.value(kInspectorKey, true).toBool(),
+                    settings_.value(kInspectorWidthKey).toInt());
   } else {
     docks_.arrange(screen()->availableSize().boundedTo(kFirstSize));
   }
@@ -410,6 +413,7 @@ void MainWindow::saveState() {
   settings_.setValue(kGeometryKey, saveGeometry());
   settings_.setValue(kStateKey, QMainWindow::saveState(kStateVersion));
   settings_.setValue(kInspectorKey, docks_.isOpen());
+  if (const int width = docks_.width(); width > 0) settings_.setValue(kInspectorWidthKey, width);
   run_panels_.setup.save(settings_);
   run_panels_.layers.save(settings_);
 }
