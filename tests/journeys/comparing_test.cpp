@@ -1,5 +1,5 @@
 // A drawing beside a true map, in the window: figures, arrows, the table on disk.
-#include <QDialog>
+#include <QDockWidget>
 #include <QFile>
 #include <QGraphicsScene>
 #include <QPushButton>
@@ -46,8 +46,9 @@ class ComparingWindow : public WindowTest {
     dialogs_->paths = {path("truth.handmap")};
     action(*window_, "file.compare")->trigger();
   }
-  QDialog* dialog() { return window_->findChild<QDialog*>("comparison_dialog"); }
-  QTreeWidget* figures() { return dialog()->findChild<QTreeWidget*>("comparison_figures"); }
+  QDockWidget* dock() { return window_->findChild<QDockWidget*>("comparison"); }
+  bool isCompared() { return !dock()->isHidden() && dock()->toggleViewAction()->isEnabled(); }
+  QTreeWidget* figures() { return dock()->findChild<QTreeWidget*>("comparison_figures"); }
   const ErrorArrowsItem* arrows() {
     for (const QGraphicsItem* item : window_->canvas().scene()->items()) {
       if (const auto* found = dynamic_cast<const ErrorArrowsItem*>(item)) return found;
@@ -59,10 +60,12 @@ class ComparingWindow : public WindowTest {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(ComparingWindow, FiguresAndArrowsStayAsLongAsTheDialog) {
+TEST_F(ComparingWindow, FiguresAndArrowsStayAsLongAsThePanel) {
   compare(houses(5, 12.0), houses(6, 0.0));
-  ASSERT_NE(dialog(), nullptr);
-  EXPECT_TRUE(dialog()->isVisible());
+  ASSERT_TRUE(isCompared());
+  const QRect map(window_->canvas().mapToGlobal(QPoint()), window_->canvas().size());
+  EXPECT_FALSE(map.intersects(QRect(dock()->mapToGlobal(QPoint()), dock()->size())))
+      << "the arrows stay in sight";
   EXPECT_EQ(figures()->columnCount(), 2);
   ASSERT_NE(arrows(), nullptr);
   EXPECT_EQ(arrows()->arrows().size(), 5);
@@ -71,16 +74,19 @@ TEST_F(ComparingWindow, FiguresAndArrowsStayAsLongAsTheDialog) {
   document_.setSelection({"b0"});
   window_->canvas().deleteSelected();
   EXPECT_TRUE(QTest::qWaitFor([&] { return arrows()->arrows().size() == 4; }, kPatienceMs));
-  dialog()->close();
+  action(*window_, "view.inspector")->trigger();
+  EXPECT_EQ(arrows()->arrows().size(), 4) << "folded, there is more room for them";
+  action(*window_, "view.inspector")->trigger();
+  dock()->close();
   EXPECT_TRUE(arrows()->arrows().isEmpty());
   EXPECT_TRUE(arrows()->missing().isEmpty());
 }
 
 TEST_F(ComparingWindow, TheTableIsThatOfTheCommandLine) {
   compare(houses(5, 12.0), houses(6, 0.0));
-  ASSERT_NE(dialog(), nullptr);
+  ASSERT_TRUE(isCompared());
   dialogs_->paths = {path("out.csv")};
-  dialog()->findChild<QPushButton*>("comparison_save")->click();
+  dock()->findChild<QPushButton*>("comparison_save")->click();
   const std::string told = figureTable({figuresOf(
       readSketch(path("drawing.handmap").toStdString(), path("truth.handmap").toStdString()))});
   EXPECT_EQ(readFile(path("out.csv").toStdString(), 1 << 20), told);
@@ -88,15 +94,15 @@ TEST_F(ComparingWindow, TheTableIsThatOfTheCommandLine) {
 
 TEST_F(ComparingWindow, AnotherDrawingEndsIt) {
   compare(houses(5, 12.0), houses(6, 0.0));
-  ASSERT_NE(dialog(), nullptr);
+  ASSERT_TRUE(isCompared());
   action(*window_, "file.new")->trigger();
-  EXPECT_FALSE(dialog()->isVisible());
+  EXPECT_FALSE(isCompared());
   EXPECT_TRUE(arrows()->arrows().isEmpty());
 }
 
 TEST_F(ComparingWindow, TooLittleInCommonIsTold) {
   compare(houses(2, 12.0), houses(6, 0.0));
-  EXPECT_EQ(dialog(), nullptr);
+  EXPECT_FALSE(isCompared());
   EXPECT_TRUE(message(*window_).contains("too little in common: 2 building"))
       << message(*window_).toStdString();
 }
@@ -109,7 +115,7 @@ TEST_F(ComparingWindow, WhatIsNoMapIsTold) {
   document_.reset(houses(5, 0.0));
   dialogs_->paths = {path("no.handmap")};
   action(*window_, "file.compare")->trigger();
-  EXPECT_EQ(dialog(), nullptr);
+  EXPECT_FALSE(isCompared());
   EXPECT_TRUE(message(*window_).contains("no.handmap")) << message(*window_).toStdString();
   document_.reset();
 }
@@ -118,7 +124,7 @@ TEST_F(ComparingWindow, AfterARunTheCorrectedMapStandsBesideTheDrawing) {
   runSimulator(*window_);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->run().result() != nullptr; }, kPatienceMs));
   action(*window_, "file.compare")->trigger();
-  ASSERT_NE(dialog(), nullptr);
+  ASSERT_TRUE(isCompared());
   EXPECT_TRUE(dialogs_->asked.isEmpty());  // the simulator knows
   ASSERT_EQ(figures()->columnCount(), 3);
   const QTreeWidgetItem* things = figures()->topLevelItem(0);

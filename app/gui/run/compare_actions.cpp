@@ -10,13 +10,14 @@
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_controller.h"
 #include "app/gui/run/source_actions.h"
+#include "app/gui/shell/docks.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/background/failure.h"
 #include "widgets/canvas/map_canvas.h"
-#include "widgets/comparing/comparison_dialog.h"
+#include "widgets/comparing/comparison_panel.h"
 #include "widgets/comparing/error_arrows_item.h"
 #include "widgets/document/map_document.h"
 #include "widgets/messages/dialogs.h"
@@ -47,7 +48,15 @@ CompareActions::CompareActions(const Shell& shell, MapDocument& document, MapCan
       files_(files),
       sources_(sources),
       run_(run),
-      arrows_(new ErrorArrowsItem) {
+      arrows_(new ErrorArrowsItem),
+      panel_(new ComparisonPanel) {
+  const QDockWidget& dock = shell_.docks.add(
+      {"comparison", tr("Comparison"), Docks::Group::Drawing, Docks::When::Now}, panel_);
+  connect(dock.toggleViewAction(), &QAction::toggled, this, [this](bool shown) {
+    if (!shown && shell_.docks.isOpen()) end();  // closed, not folded away
+  });
+  connect(panel_, &ComparisonPanel::saveRequested, this, &CompareActions::save);
+  connect(panel_, &ComparisonPanel::otherTruthRequested, this, &CompareActions::ask);
   constexpr double kAboveTheRun = 50.0;
   arrows_->setZValue(kOverlayZ + kAboveTheRun);
   canvas.scene()->addItem(arrows_);
@@ -57,9 +66,7 @@ CompareActions::CompareActions(const Shell& shell, MapDocument& document, MapCan
   connect(&document_, &MapDocument::mapChanged, this, &CompareActions::updateSoon);
   connect(&run_, &RunController::newsArrived, this, &CompareActions::updateSoon);
   connect(&run_, &RunController::stateChanged, this, &CompareActions::updateSoon);
-  connect(&files_, &FileActions::drawingReplaced, this, [this] {
-    if (truth_) dialog_->reject();
-  });
+  connect(&files_, &FileActions::drawingReplaced, this, &CompareActions::end);
   shell_.actions.on("file.compare", this, [this] { begin(); });
 }
 
@@ -111,20 +118,9 @@ void CompareActions::compare(const Map& truth, const QString& name) {
   shell_.messages.withdraw(kCompareTopic);
   truth_ = truth;
   truth_name_ = name;
-  showDialog();
-}
-
-void CompareActions::showDialog() {
-  if (dialog_ == nullptr) {
-    dialog_ = new ComparisonDialog(&shell_.window);
-    connect(dialog_, &ComparisonDialog::saveRequested, this, &CompareActions::save);
-    connect(dialog_, &ComparisonDialog::otherTruthRequested, this, &CompareActions::ask);
-    connect(dialog_, &QDialog::finished, this, &CompareActions::end);
-  }
   update();
-  dialog_->show();
-  dialog_->raise();
-  dialog_->activateWindow();
+  shell_.docks.setPossible(*panel_, true);
+  shell_.docks.show(*panel_);
 }
 
 void CompareActions::updateSoon() {
@@ -140,13 +136,14 @@ void CompareActions::update() {
   if (const auto result = run_.result()) {
     columns.push_back(figuresOf(sketchOf(name, result->map(), *truth_), "corrected"));
   }
-  dialog_->setFigures(truth_name_, columns);
+  panel_->setFigures(truth_name_, columns);
   arrows_->setPairs(pairsOf(drawn));
 }
 
 void CompareActions::end() {
   truth_.reset();
   arrows_->clear();
+  shell_.docks.setPossible(*panel_, false);
 }
 
 void CompareActions::save() {
@@ -154,7 +151,7 @@ void CompareActions::save() {
   files_.exportAs({tr("Save the figures"), base + tr("-figures") + QStringLiteral(".csv"),
                    tr("Tables (*.csv)"), QStringLiteral("csv"), tr("The table of figures")},
                   [this](const QString& path) {
-                    writeFileAtomically(QFile::encodeName(path).toStdString(), dialog_->table());
+                    writeFileAtomically(QFile::encodeName(path).toStdString(), panel_->table());
                   });
 }
 

@@ -1,5 +1,5 @@
-// The drawing, and what a run made of it, beside a true map: figures in a dialog, and arrows on the
-// canvas for as long as it is open.
+// The drawing, and what a run made of it, beside a true map: figures in a panel, and arrows on the
+// canvas for as long as it is there.
 #pragma once
 
 #include <QObject>
@@ -11,7 +11,7 @@
 
 namespace handmap {
 
-class ComparisonDialog;
+class ComparisonPanel;
 class ErrorArrowsItem;
 class FileActions;
 class MapCanvas;
@@ -33,7 +33,6 @@ class CompareActions : public QObject {
   void open(const QString& path);
   /// Says so instead where both have too little in common.
   void compare(const Map& truth, const QString& name);
-  void showDialog();
   void update();
   void updateSoon();
   void end();
@@ -45,8 +44,8 @@ class CompareActions : public QObject {
   const SourceActions& sources_;
   RunController& run_;
   ErrorArrowsItem* arrows_;  ///< of the scene
-  ComparisonDialog* dialog_ = nullptr;
-  std::optional<Map> truth_;  ///< while the dialog is open
+  ComparisonPanel* panel_;
+  std::optional<Map> truth_;  ///< while both are compared
   QString truth_name_;
   QTimer soon_;
 };

@@ -1,6 +1,6 @@
-#include "widgets/comparing/comparison_dialog.h"
+#include "widgets/comparing/comparison_panel.h"
 
-#include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -14,36 +14,42 @@ namespace handmap {
 
 namespace {
 
-constexpr QSize kComparisonSize(560, 620);
+constexpr int kIndentation = 10;  // pixels
+constexpr double kSmallFont = 0.85;
 
 }  // namespace
 
-ComparisonDialog::ComparisonDialog(QWidget* parent)
-    : QDialog(parent), words_(new QLabel), tree_(new QTreeWidget) {
-  setObjectName("comparison_dialog");
-  setWindowTitle(tr("Compare drawings"));
+ComparisonPanel::ComparisonPanel(QWidget* parent)
+    : QWidget(parent), words_(new QLabel), tree_(new QTreeWidget) {
+  setObjectName("comparison_panel");
   words_->setObjectName("comparison_words");
   words_->setWordWrap(true);
   tree_->setObjectName("comparison_figures");
   tree_->setAccessibleName(tr("Figures of the drawing"));
   tree_->setUniformRowHeights(true);
+  // In a narrow panel there is to be room for the names beside two columns.
+  tree_->setIndentation(kIndentation);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * kSmallFont);
+  tree_->setFont(small);
+  tree_->header()->setFont(small);
   tree_->header()->setStretchLastSection(false);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  auto* save = buttons->addButton(tr("&Save as CSV…"), QDialogButtonBox::ActionRole);
+  auto* save = new QPushButton(tr("&Save as CSV…"));
   save->setObjectName("comparison_save");
-  auto* other = buttons->addButton(tr("&Another True Map…"), QDialogButtonBox::ActionRole);
+  auto* other = new QPushButton(tr("&Another True Map…"));
   other->setObjectName("comparison_other");
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(save, &QPushButton::clicked, this, &ComparisonDialog::saveRequested);
-  connect(other, &QPushButton::clicked, this, &ComparisonDialog::otherTruthRequested);
+  connect(save, &QPushButton::clicked, this, &ComparisonPanel::saveRequested);
+  connect(other, &QPushButton::clicked, this, &ComparisonPanel::otherTruthRequested);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(words_);
   layout->addWidget(tree_, 1);
-  layout->addWidget(buttons);
-  resize(kComparisonSize);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(other);
+  buttons->addWidget(save);
+  layout->addLayout(buttons);
 }
 
-void ComparisonDialog::setFigures(const QString& truth, const std::vector<SketchFigures>& columns) {
+void ComparisonPanel::setFigures(const QString& truth, const std::vector<SketchFigures>& columns) {
   const bool other_columns = columns.size() != columns_.size();
   columns_ = columns;
   words_->setText(tr("Against %1. The arrows lead from the true places to the drawn ones; a ring "
@@ -51,7 +57,7 @@ void ComparisonDialog::setFigures(const QString& truth, const std::vector<Sketch
                       .arg(truth));
   if (other_columns) {
     QStringList titles{tr("Figure"), tr("Drawing")};
-    if (columns.size() > 1) titles << tr("Corrected map");
+    if (columns.size() > 1) titles << tr("Corrected");
     tree_->clear();
     tree_->setColumnCount(static_cast<int>(titles.size()));
     tree_->setHeaderLabels(titles);
@@ -62,7 +68,7 @@ void ComparisonDialog::setFigures(const QString& truth, const std::vector<Sketch
 }
 
 /// Items stay, and with them what is folded and where one has scrolled to.
-void ComparisonDialog::fill() {
+void ComparisonPanel::fill() {
   constexpr int kGroups = static_cast<int>(FigureGroup::Count);
   const bool first = tree_->topLevelItemCount() == 0;
   for (int i = 0; first && i < kGroups; ++i) {

@@ -2,7 +2,7 @@
 // that a run made of it.
 #pragma once
 
-#include <QDialog>
+#include <QWidget>
 #include <vector>
 
 #include "core/sketch_study/figures.h"
@@ -12,10 +12,10 @@ class QTreeWidget;
 
 namespace handmap {
 
-class ComparisonDialog : public QDialog {
+class ComparisonPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit ComparisonDialog(QWidget* parent = nullptr);
+  explicit ComparisonPanel(QWidget* parent = nullptr);
 
   /// One column each: of the drawing, and, where there is one, of the corrected map.
   void setFigures(const QString& truth, const std::vector<SketchFigures>& columns);

@@ -1,4 +1,4 @@
-#include "widgets/comparing/comparison_dialog.h"
+#include "widgets/comparing/comparison_panel.h"
 
 #include <QLabel>
 #include <QPainter>
@@ -12,7 +12,7 @@
 
 namespace handmap {
 
-class ComparisonDialogTest : public QObject {
+class ComparisonPanelTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -39,9 +39,9 @@ class ComparisonDialogTest : public QObject {
     drawing.buildings.pop_back();
     return sketchOf("d.handmap", drawing, threeHouses(0.0));
   }
-  static QTreeWidgetItem* row(const ComparisonDialog& dialog, FigureGroup group,
+  static QTreeWidgetItem* row(const ComparisonPanel& panel, FigureGroup group,
                               const QString& title) {
-    const auto* tree = dialog.findChild<QTreeWidget*>("comparison_figures");
+    const auto* tree = panel.findChild<QTreeWidget*>("comparison_figures");
     QTreeWidgetItem* under = tree->topLevelItem(static_cast<int>(group));
     for (int i = 0; i < under->childCount(); ++i) {
       if (under->child(i)->text(0) == title) return under->child(i);
@@ -50,7 +50,7 @@ class ComparisonDialogTest : public QObject {
   }
 };
 
-void ComparisonDialogTest::everyFigureIsToldInWords() {
+void ComparisonPanelTest::everyFigureIsToldInWords() {
   QSet<QString> titles;
   const std::vector<NamedFigure> figures = namedFigures(figuresOf(sketch(5.0)));
   for (const NamedFigure& figure : figures) {
@@ -62,7 +62,7 @@ void ComparisonDialogTest::everyFigureIsToldInWords() {
   QCOMPARE(static_cast<std::size_t>(titles.size()), figures.size() - 2);
 }
 
-void ComparisonDialogTest::valuesHaveTheUnitOfTheirName() {
+void ComparisonPanelTest::valuesHaveTheUnitOfTheirName() {
   QCOMPARE(figureValue("euclidean_shift_x_m", "5.12345"), QStringLiteral("5.123 m"));
   QCOMPARE(figureValue("euclidean_theta_deg", "-3"), QStringLiteral("-3°"));
   QCOMPARE(figureValue("missing", "123456"), QStringLiteral("123456"));
@@ -70,27 +70,27 @@ void ComparisonDialogTest::valuesHaveTheUnitOfTheirName() {
   QCOMPARE(figureValue("affine_p", ""), QStringLiteral("–"));
 }
 
-void ComparisonDialogTest::showsTheFiguresOfTheDrawingAndOfTheCorrectedMap() {
-  ComparisonDialog dialog;
+void ComparisonPanelTest::showsTheFiguresOfTheDrawingAndOfTheCorrectedMap() {
+  ComparisonPanel panel;
   const SketchFigures drawn = figuresOf(sketch(5.0));
-  dialog.setFigures("“t.handmap”", {drawn});
-  const auto* tree = dialog.findChild<QTreeWidget*>("comparison_figures");
+  panel.setFigures("“t.handmap”", {drawn});
+  const auto* tree = panel.findChild<QTreeWidget*>("comparison_figures");
   QCOMPARE(tree->columnCount(), 2);
-  QCOMPARE(row(dialog, FigureGroup::Things, "Missing")->text(1), QStringLiteral("1"));
-  QCOMPARE(row(dialog, FigureGroup::Euclidean, "Shift along x")->text(1), QStringLiteral("5 m"));
+  QCOMPARE(row(panel, FigureGroup::Things, "Missing")->text(1), QStringLiteral("1"));
+  QCOMPARE(row(panel, FigureGroup::Euclidean, "Shift along x")->text(1), QStringLiteral("5 m"));
   // Three places are too few for the affine fit.
-  QCOMPARE(row(dialog, FigureGroup::Affine, "Shift along x")->text(1), QStringLiteral("–"));
-  QVERIFY(!row(dialog, FigureGroup::Pairs, "Angle accuracy")->toolTip(0).isEmpty());
+  QCOMPARE(row(panel, FigureGroup::Affine, "Shift along x")->text(1), QStringLiteral("–"));
+  QVERIFY(!row(panel, FigureGroup::Pairs, "Angle accuracy")->toolTip(0).isEmpty());
   const SketchFigures corrected = figuresOf(sketch(1.0), "corrected");
-  dialog.setFigures("“t.handmap”", {drawn, corrected});
+  panel.setFigures("“t.handmap”", {drawn, corrected});
   QCOMPARE(tree->columnCount(), 3);
-  QCOMPARE(row(dialog, FigureGroup::Euclidean, "Shift along x")->text(1), QStringLiteral("5 m"));
-  QCOMPARE(row(dialog, FigureGroup::Euclidean, "Shift along x")->text(2), QStringLiteral("1 m"));
-  QCOMPARE(dialog.table(), figureTable({drawn, corrected}));
-  QVERIFY(dialog.findChild<QLabel*>("comparison_words")->text().contains("“t.handmap”"));
+  QCOMPARE(row(panel, FigureGroup::Euclidean, "Shift along x")->text(1), QStringLiteral("5 m"));
+  QCOMPARE(row(panel, FigureGroup::Euclidean, "Shift along x")->text(2), QStringLiteral("1 m"));
+  QCOMPARE(panel.table(), figureTable({drawn, corrected}));
+  QVERIFY(panel.findChild<QLabel*>("comparison_words")->text().contains("“t.handmap”"));
 }
 
-void ComparisonDialogTest::arrowsLeadFromTheTrueToTheDrawnPlaces() {
+void ComparisonPanelTest::arrowsLeadFromTheTrueToTheDrawnPlaces() {
   ErrorArrowsItem item;
   item.setPairs(pairsOf(sketch(25.0)));
   QCOMPARE(item.arrows().size(), 3);
@@ -119,5 +119,5 @@ void ComparisonDialogTest::arrowsLeadFromTheTrueToTheDrawnPlaces() {
 
 }  // namespace handmap
 
-QTEST_MAIN(handmap::ComparisonDialogTest)
-#include "comparison_dialog_test.moc"
+QTEST_MAIN(handmap::ComparisonPanelTest)
+#include "comparison_panel_test.moc"
