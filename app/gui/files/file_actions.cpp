@@ -30,7 +30,7 @@ namespace {
 
 constexpr auto kRecentKey = "files/recent";
 constexpr auto kFolderKey = "files/folder";
-constexpr auto kExportTopic = "export";
+const QString kExportTopic = QStringLiteral("export");
 constexpr int kMostRecent = 8;
 
 }  // namespace
@@ -46,7 +46,10 @@ FileActions::FileActions(const Shell& shell, MapDocument& document, MapCanvas& c
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
 }
 
-FileActions::~FileActions() { self_->cut(); }
+FileActions::~FileActions() {
+  self_->cut();
+  for (std::stop_source& one : written_) one.request_stop();
+}
 
 template <typename Work>
 bool FileActions::guarded(Work work) {
@@ -203,28 +206,46 @@ void FileActions::exportTo(const QString& path, const QString& what,
   if (guarded(work)) tellExport(path, what);
 }
 
-void FileActions::exportInBackground(const Export& what,
-                                     std::function<void(const QString& path)> write) {
+void FileActions::exportInBackground(const Export& what, LongWrite write) {
   const QString path = askPath(what.title, what.suggestion, what.filter, what.suffix);
   if (path.isEmpty() || !guarded([&] { refuseWhatIsRead(path); })) return;
-  shell_.messages.show(MessageBar::Kind::Info,
-                       tr("“%1” is being written…").arg(QFileInfo(path).fileName()), {},
-                       kExportTopic);
-  startInBackground([self = self_, path, name = what.what, write = std::move(write)] {
+  if (written_.contains(path)) written_[path].request_stop();
+  const std::stop_source stop;
+  written_[path] = stop;
+  const QString file = QFileInfo(path).fileName();
+  // It stays as long as there is something to be stopped.
+  shell_.messages.ask(tr("“%1” is being written…").arg(file), {}, kExportTopic + path)
+      .addAction(tr("Stop writing"), [stop]() mutable { stop.request_stop(); });
+  startInBackground([self = self_, stop, path, name = what.what, write = std::move(write)] {
     std::exception_ptr failure;
+    bool whole = false;
     try {
-      write(path);
+      whole = write(path, stop.get_token());
     } catch (...) {
       failure = std::current_exception();
     }
-    self->post([path, name, failure](FileActions& files) {
-      files.shell_.messages.withdraw(kExportTopic);
+    self->post([stop, path, name, failure, whole](FileActions& files) {
+      if (!(files.written_.value(path) == stop)) return;  // another one goes there
+      files.written_.remove(path);
+      files.shell_.messages.withdraw(kExportTopic + path);
       const auto rethrow = [&failure] {
         if (failure) std::rethrow_exception(failure);
       };
-      if (files.guarded(rethrow)) files.tellExport(path, name);
+      if (files.guarded(rethrow) && whole) files.tellExport(path, name);
     });
   });
+}
+
+bool FileActions::mayClose() {
+  constexpr int kStop = 0;
+  if (written_.isEmpty()) return true;
+  const QString file = QFileInfo(written_.firstKey()).fileName();
+  const int answer = shell_.dialogs.choose({tr("Stop writing?"),
+                                            tr("“%1” is not written to its end yet.").arg(file),
+                                            {tr("&Stop writing")}});
+  if (answer != kStop && !written_.isEmpty()) return false;  // it may be there meanwhile
+  for (std::stop_source& one : written_) one.request_stop();
+  return true;
 }
 
 void FileActions::tellExport(const QString& path, const QString& what) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <QList>
+#include <QMap>
 #include <QObject>
 #include <QPixmap>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "app/gui/shell/shell.h"
 #include "core/map/map.h"
@@ -80,8 +82,12 @@ class FileActions : public QObject {
   };
   /// Asks where, writes and tells; what `write` throws is told too.
   void exportAs(const Export& what, const std::function<void(const QString& path)>& write);
-  /// The same in a thread of its own, for what takes long; `write` owns all that it uses.
-  void exportInBackground(const Export& what, std::function<void(const QString& path)> write);
+  /// The same in a thread of its own, for what takes long; `write` owns all that it uses, and is
+  /// false where it was stopped.
+  using LongWrite = std::function<bool(const QString& path, const std::stop_token& stop)>;
+  void exportInBackground(const Export& what, LongWrite write);
+  /// Asks while something is still written. False: the user wants to stay.
+  bool mayClose();
   static QString mapFilter();
   static QString openFilter();
   QMenu& recentMenu() { return *recent_; }
@@ -129,6 +135,7 @@ class FileActions : public QObject {
   std::function<bool(bool coming_back)> may_leave_run_ = [](bool) { return true; };
   std::function<QStringList()> coming_back_ = [] { return QStringList(); };
   bool is_coming_back_ = false;
+  QMap<QString, std::stop_source> written_;      ///< in the background, by path
   std::shared_ptr<Lifeline<FileActions>> self_;  ///< shared with the threads that export
 };
 

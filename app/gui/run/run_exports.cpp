@@ -19,18 +19,23 @@ namespace handmap {
 namespace {
 
 /// The moments that the history has kept. What cannot be written whole leaves an older file as it
-/// was.
-void writeHistory(const RunHistory& history, const Map& drawing, const SourceInfo& source,
-                  const RunResult& result, const std::filesystem::path& path) {
+/// was. False: stopped.
+bool writeHistory(const RunHistory& history, const Map& drawing, const SourceInfo& source,
+                  const RunResult& result, const std::filesystem::path& path,
+                  const std::stop_token& stop) {
   std::filesystem::path part = path;
   part += ".part";
   try {
     RunLog log(part, drawing, source);
     for (int index = history.first(); index <= history.newest(); ++index) {
       log.add(*history.at(index));
+      if (!stop.stop_requested()) continue;
+      std::filesystem::remove(part);
+      return false;
     }
     log.finish(result.map(), result.last->trajectory.all(), result.warnings);
     std::filesystem::rename(part, path);
+    return true;
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
@@ -122,10 +127,13 @@ void RunExports::exportReport() {
   files_.exportInBackground(
       {tr("Export a report"), nameOf(tr("-report")) + QStringLiteral(".html"), tr("Pages (*.html)"),
        QStringLiteral("html"), tr("The report of the run")},
-      [inputs = std::move(inputs), recording](const QString& path) {
+      [inputs = std::move(inputs), recording](const QString& path, const std::stop_token& stop) {
         ReportInputs all = inputs;
         if (is_directory(recording)) all.recording = openRecording(recording);  // for its pictures
-        writeFileAtomically(path.toStdString(), reportHtml(all));
+        const std::string page = stop.stop_requested() ? std::string() : reportHtml(all);
+        if (stop.stop_requested()) return false;
+        writeFileAtomically(path.toStdString(), page);
+        return true;
       });
 }
 
@@ -137,8 +145,9 @@ void RunExports::exportMcap() {
   files_.exportInBackground(
       {tr("Export the run as MCAP"), nameOf(tr("-run")) + QStringLiteral(".mcap"),
        tr("MCAP (*.mcap)"), QStringLiteral("mcap"), tr("The run")},
-      [result, history, tape, drawing = run_.drawing()](const QString& path) {
-        writeHistory(*history, drawing, tape->info(), *result, path.toStdString());
+      [result, history, tape, drawing = run_.drawing()](const QString& path,
+                                                        const std::stop_token& stop) {
+        return writeHistory(*history, drawing, tape->info(), *result, path.toStdString(), stop);
       });
 }
 

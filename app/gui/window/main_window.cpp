@@ -419,7 +419,7 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->mayLeave() || !model_->mayClose()) {
+  if (!files_->mayLeave() || !model_->mayClose() || !files_->mayClose()) {
     event->ignore();
     return;
   }
