@@ -72,6 +72,17 @@ TEST_F(RecordingOpenerTest, DoubtsPointsInMillimetresAndReadsThemAgain) {
   EXPECT_TRUE(doubts[1].empty());
 }
 
+TEST_F(RecordingOpenerTest, TellsWhatAnImportTookForGranted) {
+  auto log = std::make_shared<Log>();
+  for (int i = 0; i < 3; ++i) log->scans.push_back({0.1 * i, {{5.0F, 1.0F, 0.0F, 1.0F}}});
+  std::vector<std::string> told;
+  QObject::connect(&opener_, &RecordingOpener::opened, &opener_,
+                   [&](const auto&, const auto&, const auto&, const auto& notes) { told = notes; });
+  opener_.import(log, path("imported"));
+  EXPECT_EQ(heard(), QStringList{"imported"});
+  EXPECT_EQ(told, std::vector<std::string>{"no poses: the scans are to tell the motion"});
+}
+
 TEST_F(RecordingOpenerTest, TellsWhatIsWrongWithAFolder) {
   opener_.open(path("nowhere"));
   ASSERT_EQ(heard().size(), 1);

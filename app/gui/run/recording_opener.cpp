@@ -45,7 +45,7 @@ void RecordingOpener::begin(std::function<Answer()> open) {
     self->post([request, answer = answerOf(open)](RecordingOpener& opener) {
       if (request != opener.request_) return;
       if (const auto* opened = std::get_if<Opened>(&answer)) {
-        Q_EMIT opener.opened(opened->recording, opened->acts, opened->doubts);
+        Q_EMIT opener.opened(opened->recording, opened->acts, opened->doubts, opened->notes);
       } else if (const auto* poses = std::get_if<Poses>(&answer)) {
         Q_EMIT opener.posesOpened(*poses);
       } else if (const auto* robot = std::get_if<Robot>(&answer)) {
@@ -70,11 +70,11 @@ void RecordingOpener::import(const std::shared_ptr<const Log>& log, const QStrin
   forget();
   begin([stop = stop_.get_token(), log,
          path = std::filesystem::path(folder.toStdString())]() -> Answer {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes;  // those of the log itself stand in the dialog
     writeLog(*log, path, path.filename().string(), notes);
     auto recording = std::make_shared<const Recording>(openRecording(path, stop));
     Doubts doubts = doubtsOf(*recording, stop);
-    return Opened{std::move(recording), {}, std::move(doubts)};
+    return Opened{std::move(recording), {}, std::move(doubts), std::move(notes)};
   });
 }
 
@@ -87,7 +87,7 @@ void RecordingOpener::import(const std::shared_ptr<const Bag>& bag, const ToldTo
     importBag(*bag, planOf(*bag, topics), path, path.filename().string(), notes, {}, stop);
     auto recording = std::make_shared<const Recording>(openRecording(path, stop));
     Doubts doubts = doubtsOf(*recording, stop);
-    return Opened{std::move(recording), {}, std::move(doubts)};
+    return Opened{std::move(recording), {}, std::move(doubts), std::move(notes)};
   });
 }
 

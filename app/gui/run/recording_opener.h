@@ -44,9 +44,11 @@ class RecordingOpener : public QObject {
   void forgetSimulation();
 
  Q_SIGNALS:
-  /// With what a person said while it was made, and what in its numbers is likely not meant so.
+  /// With what a person said while it was made, what in its numbers is likely not meant so, and
+  /// what its import took for granted or left out.
   void opened(const std::shared_ptr<const handmap::Recording>& recording,
-              const std::vector<handmap::Act>& acts, const handmap::Doubts& doubts);
+              const std::vector<handmap::Act>& acts, const handmap::Doubts& doubts,
+              const std::vector<std::string>& notes);
   void posesOpened(const std::vector<handmap::StampedPose>& poses);
   void simulated(const handmap::Robot& robot);
   void failed(const handmap::Failure& failure);
@@ -56,6 +58,7 @@ class RecordingOpener : public QObject {
     std::shared_ptr<const Recording> recording;
     std::vector<Act> acts;
     Doubts doubts;
+    std::vector<std::string> notes = {};
   };
   using Poses = std::vector<StampedPose>;
   using Answer = std::variant<Opened, Poses, Robot, Failure>;

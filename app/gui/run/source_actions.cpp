@@ -26,6 +26,7 @@ constexpr auto kRecordingFolderKey = "files/recording_folder";
 constexpr auto kStartTopic = "where_it_starts";
 constexpr auto kNotReadyTopic = "not ready";
 constexpr auto kImportTopic = "import";
+constexpr auto kNotesTopic = "import notes";
 
 }  // namespace
 
@@ -201,7 +202,8 @@ void SourceActions::openRecording(const QString& folder, std::optional<ReplayOpt
 }
 
 void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
-                             const std::vector<Act>& acts, const Doubts& doubts) {
+                             const std::vector<Act>& acts, const Doubts& doubts,
+                             const std::vector<std::string>& notes) {
   shell_.messages.withdraw(kImportTopic);
   // Said first: a run that begins at once takes it away.
   shell_.messages.show(
@@ -216,6 +218,16 @@ void SourceActions::onOpened(const std::shared_ptr<const Recording>& recording,
   setRobot(std::move(robot));
   tellActs();
   tellDoubts(recording, acts, doubts);
+  tellNotes(notes);
+}
+
+void SourceActions::tellNotes(const std::vector<std::string>& notes) {
+  shell_.messages.withdraw(kNotesTopic);
+  if (notes.empty()) return;
+  QStringList lines;
+  for (const std::string& note : notes) lines << QString::fromStdString(note);
+  shell_.messages.show(MessageBar::Kind::Warning, tr("Of what was imported:"), lines.join(u'\n'),
+                       kNotesTopic);
 }
 
 void SourceActions::withdrawDoubts() {

@@ -75,7 +75,8 @@ class SourceActions : public QObject {
   const Missing* missing(bool may_start_on_route = false) const;
   void addSimulatorMenu();
   void onOpened(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts,
-                const Doubts& doubts);
+                const Doubts& doubts, const std::vector<std::string>& notes);
+  void tellNotes(const std::vector<std::string>& notes);
   void withdrawDoubts();
   void tellDoubts(const std::shared_ptr<const Recording>& recording, const std::vector<Act>& acts,
                   const Doubts& doubts);
