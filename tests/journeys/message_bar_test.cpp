@@ -1,5 +1,6 @@
 #include "widgets/messages/message_bar.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
@@ -130,6 +131,19 @@ TEST_F(MessageBarTest, WhatHasAButtonDoesNotGoByItself) {
   EXPECT_TRUE(bar_.messages().first()->findChild<QTimer*>()->isActive());
   bar_.show(Kind::Info, "to be answered").addAction("Do", [] {});
   EXPECT_FALSE(bar_.messages().first()->findChild<QTimer*>()->isActive());
+}
+
+TEST_F(MessageBarTest, ManyButtonsLeaveTheTextItsRoom) {
+  bar_.resize(760, 200);
+  Message& message = bar_.show(Kind::Info, QString("what was found ").repeated(15));
+  for (const char* name : {"B02", "B07", "Review…", "Accept correction"})
+    message.addAction(name, [] {});
+  QCoreApplication::processEvents();
+  const auto* text = message.findChild<QLabel*>("message_text");
+  ASSERT_TRUE(text);
+  EXPECT_GT(text->width(), 600);
+  for (const auto* button : message.findChildren<QPushButton*>())
+    EXPECT_GE(button->y(), text->geometry().bottom());
 }
 
 }  // namespace

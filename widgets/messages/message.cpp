@@ -17,6 +17,8 @@ namespace {
 
 constexpr int kInfoStaysMs = 12'000;
 constexpr int kWarningStaysMs = 40'000;
+constexpr int kBesideWord = 8;  // pixels, in a button
+constexpr int kMostBeside = 2;   // buttons beside the text
 
 QStyle::StandardPixmap pictureOf(Message::Kind kind) {
   switch (kind) {
@@ -50,6 +52,7 @@ Message::Message(QString topic, QWidget* parent)
       icon_(new QLabel),
       picture_(new QLabel),
       text_(new QLabel),
+      body_(new QBoxLayout(QBoxLayout::LeftToRight)),
       buttons_(new QHBoxLayout),
       timer_(new QTimer(this)) {
   setAutoFillBackground(true);
@@ -57,6 +60,7 @@ Message::Message(QString topic, QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 4, 6, 4);
   picture_->hide();
+  text_->setObjectName("message_text");
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -68,8 +72,11 @@ Message::Message(QString topic, QWidget* parent)
   close->setAccessibleName(close->toolTip());
   layout->addWidget(icon_);
   layout->addWidget(picture_);
-  layout->addWidget(text_, 1);
-  layout->addLayout(buttons_);
+  buttons_->setSpacing(4);
+  body_->addWidget(text_, 1);
+  body_->addLayout(buttons_);
+  body_->setAlignment(buttons_, Qt::AlignRight);
+  layout->addLayout(body_, 1);
   layout->addWidget(close);
   connect(close, &QToolButton::clicked, this, [this] {
     Q_EMIT dismissed();
@@ -93,13 +100,18 @@ void Message::setText(Kind kind, const QString& text, const QString& hint) {
     item->widget()->deleteLater();
     delete item;
   }
+  body_->setDirection(QBoxLayout::LeftToRight);
   applyColours();
   letGoInTime();
 }
 
 void Message::addAction(const QString& text, std::function<void()> action, Then then) {
   auto* button = new QPushButton(text);
+  // Several are to stand in one row of a small window.
+  button->setMaximumWidth(button->fontMetrics().horizontalAdvance(text) + 2 * kBesideWord);
   buttons_->addWidget(button);
+  // Many leave the text no room beside them.
+  if (buttons_->count() > kMostBeside) body_->setDirection(QBoxLayout::TopToBottom);
   connect(button, &QPushButton::clicked, this, [this, then, action = std::move(action)] {
     if (then == Then::Close) Q_EMIT dismissed();
     action();

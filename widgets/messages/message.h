@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <functional>
 
+class QBoxLayout;
 class QHBoxLayout;
 class QImage;
 class QLabel;
@@ -51,6 +52,7 @@ class Message : public QFrame {
   QLabel* icon_;
   QLabel* picture_;
   QLabel* text_;
+  QBoxLayout* body_;  ///< the text, and beside or below it
   QHBoxLayout* buttons_;
   QTimer* timer_;
 };

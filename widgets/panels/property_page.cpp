@@ -72,7 +72,9 @@ void PropertyPage::showField(QWidget& field, bool shown) {
 }
 
 void PropertyPage::showText(QLineEdit& field, const QString& text) {
-  if (field.text() != text) field.setText(text);
+  if (field.text() == text) return;
+  field.setText(text);
+  if (!field.hasFocus()) field.setCursorPosition(0);  // a long one is read from its beginning
 }
 
 void PropertyPage::finish() {

@@ -158,8 +158,12 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   EXPECT_EQ(text(BuildingsModel::Deeper), "0");
   EXPECT_EQ(text(BuildingsModel::Turned), "0");
   EXPECT_EQ(text(BuildingsModel::Sure), "0.40") << "the worst of those that were seen";
-  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("of 100 buildings with such signs about 30"));
+  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("wrong in about 30 of 100"));
   EXPECT_EQ(text(BuildingsModel::Error), "–");
+  forgetCertainty(refined.buildings[0]);
+  refined.buildings[0].estimate->observations = 0;
+  model.setRefined(refined);
+  EXPECT_EQ(text(BuildingsModel::Why), "not seen: it moves with the others");
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);
 }

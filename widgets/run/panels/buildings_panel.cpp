@@ -16,6 +16,7 @@ namespace handmap {
 
 namespace {
 
+constexpr int kWidestColumn = 190;  // pixels; the rest is in the tooltip
 constexpr int kCsvRole = BuildingsModel::kCsvRole;
 
 QString csvField(QString text) {
@@ -95,6 +96,7 @@ void BuildingsPanel::makeTable() {
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setMinimumSectionSize(0);
+  table_->horizontalHeader()->setMaximumSectionSize(kWidestColumn);
   // What a narrow panel shows: the building, how far it moved, and why that is doubtful.
   table_->horizontalHeader()->moveSection(BuildingsModel::Why, BuildingsModel::Turned);
   QFont small = font();

@@ -25,12 +25,13 @@ Suspicion ReviewWords::suspicion(const Map& drawing, const Map& refined, std::si
   }
   if (const double doubt = doubtOf(now); doubt > 0.0) {
     found.degree += 2.0 * doubt;  // 1 where either is as likely
-    found.reasons << tr("of 100 buildings with such signs about %1 were wrong")
-                         .arg(std::lround(100.0 * doubt));
+    found.reasons << tr("wrong in about %1 of 100 such cases").arg(std::lround(100.0 * doubt));
   }
   if (!isRecognised(now)) {
     found.degree += kUnseenDegree;
-    found.reasons << tr("not seen: it stays as drawn");
+    const bool carried = changeOf(drawing.buildings[building], now).moved_m() >= kLeastMove_m;
+    found.reasons << (carried ? tr("not seen: it moves with the others")
+                              : tr("not seen: it stays as drawn"));
     return found;
   }
   const std::vector<SideEstimate> walls = wallsOf(now);
