@@ -1,8 +1,12 @@
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
 #include "core/bags/mcap_writer.h"
+#include "core/recording/frame_table.h"
 #include "tests/cli/program.h"
 
 namespace handmap {
@@ -66,6 +70,64 @@ TEST_F(BagsCli, ImportSaysWhyThereIsNothingToImport) {
   writeText("a.bag", "no bag at all");
   expectFailed(run({"info", "a.bag"}), 2,
                "handmap-cli: error: a.bag: found another beginning, expected #ROSBAG V2.0\n");
+}
+
+/// The rows of the street's folder that are in its bag; with images of the bag where `own` is
+/// false.
+void writeStreetRows(const std::filesystem::path& street, const std::filesystem::path& bag,
+                     const std::filesystem::path& folder, bool own) {
+  constexpr double kBegin_s = 1317045941.6903532 - 6.189430;  // of the folder's times
+  const auto rows = readFrameTable(street / "frames.csv");
+  create_directory(folder);
+  for (const char* file : {"odometry.tum", "calib.txt", "recording.json"}) {
+    create_symlink(street / file, folder / file);
+  }
+  for (const char* images : {"image_0", "image_1"}) {
+    create_directory_symlink((own ? street : absolute(bag)) / images, folder / images);
+  }
+  std::ofstream table(folder / "frames.csv");
+  table << frameTableHeader();
+  for (const FrameRow& in_bag : readFrameTable(bag / "frames.csv")) {
+    if (in_bag.left.empty()) continue;
+    const auto row = std::ranges::min_element(rows, {}, [&](const FrameRow& each) {
+      return std::abs(each.time_s + kBegin_s - in_bag.time_s);
+    });
+    ASSERT_NEAR(row->time_s + kBegin_s, in_bag.time_s, 1e-3);
+    FrameRow same = *row;
+    same.points.clear();
+    if (!own) {
+      same.left = in_bag.left;
+      same.right = in_bag.right;
+    }
+    table << formatFrameRow(same);
+  }
+}
+
+/// The bag keeps the images as they are, the folder as JPEG: 2 grey values of 255 apart.
+TEST_F(BagsCli, TheStreetsBagGivesTheSameRunAsItsFolder) {
+  const std::filesystem::path shared = HANDMAP_SHARED_DATA;
+  const std::filesystem::path file = shared / "bags/kitti_street_excerpt.bag";
+  if (!exists(file)) GTEST_SKIP() << "no real recordings beside the project";
+  ASSERT_EQ(run({"import", file, "--out", "bag", "--points", "none", "--quiet"}).status, 0);
+  const std::filesystem::path street = absolute(shared / "street");
+  writeStreetRows(street, "bag", "same-images", false);
+  writeStreetRows(street, "bag", "own-images", true);
+  std::map<std::string, nlohmann::json> ends;
+  for (const char* recording : {"bag", "same-images", "own-images"}) {
+    const Outcome outcome = run({"run", "--map", street / "sketch-a.handmap", "--recording",
+                                 recording, "--json", "--quiet"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    ends[recording] = nlohmann::json::parse(outcome.out);
+  }
+  const auto apart_m = [&](const char* recording) {
+    const auto at = [&](const char* key) {
+      return ends["bag"]["pose"][key].get<double>() - ends[recording]["pose"][key].get<double>();
+    };
+    return std::hypot(at("x"), at("y"));
+  };
+  EXPECT_EQ(ends["bag"]["observations"], 6);
+  EXPECT_LT(apart_m("same-images"), 0.001);
+  EXPECT_LT(apart_m("own-images"), 0.1);
 }
 
 /// By programs of others: ./dev peers gets them.
