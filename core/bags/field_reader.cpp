@@ -38,6 +38,21 @@ std::string_view FieldReader::take(std::size_t bytes) {
   return taken;
 }
 
+std::string FieldReader::numbers(std::size_t items, std::size_t bytes_each) {
+  if (items == 0) return {};
+  if (is_cdr_) align(bytes_each);
+  if (items > left() / bytes_each) {
+    fail(phrase("{} bytes", left()), phrase("{} × {} bytes", items, bytes_each));
+  }
+  std::string raw(take(items * bytes_each));
+  if (!is_big_) return raw;
+  for (auto number = raw.begin(); number != raw.end();
+       number += static_cast<std::ptrdiff_t>(bytes_each)) {
+    std::reverse(number, number + static_cast<std::ptrdiff_t>(bytes_each));
+  }
+  return raw;
+}
+
 double FieldReader::finite(double most) {
   const auto value = get<double>();
   if (!std::isfinite(value) || std::abs(value) > most) {

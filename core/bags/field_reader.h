@@ -41,6 +41,8 @@ class FieldReader {
   /// How many items follow, of at least `bytes_each`: no more than there is room for.
   std::size_t count(std::size_t bytes_each);
   std::string_view take(std::size_t bytes);
+  /// Numbers of so many bytes each, as they lie in memory (little-endian).
+  std::string numbers(std::size_t items, std::size_t bytes_each);
   /// A length in Length and as many bytes.
   template <typename Length>
   std::string_view takeSized() {

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/bags/ros_messages.h"
+#include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 
@@ -34,28 +35,28 @@ constexpr std::array kForms = {PixelForm{"mono8", 1, -1},
                                PixelForm{"yuv422", 2, cv::COLOR_YUV2BGR_UYVY},
                                PixelForm{"yuv422_yuy2", 2, cv::COLOR_YUV2BGR_YUY2}};
 
-cv::Mat readPlainImage(FieldReader& fields) {
-  const auto height = fields.get<std::uint32_t>();
-  const auto width = fields.get<std::uint32_t>();
-  const std::string encoding = fields.text(100);
-  fields.get<std::uint8_t>();  // 8 bit: no order of bytes
-  const auto step = std::size_t{fields.get<std::uint32_t>()};
-  const std::string_view data = fields.takeSized<std::uint32_t>();
+}  // namespace
+
+cv::Mat imageOf(const PlainImage& plain, const std::string& source) {
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    throwBadInput(source, "", found, expected);
+  };
+  const auto& [height, width, encoding, step, data] = plain;
   const auto form = std::ranges::find(kForms, encoding, &PixelForm::name);
   if (form == kForms.end()) {
-    fields.fail(fmt::format("\"{}\"", encoding), "mono8, bgr8, rgb8, bayer_rggb8, yuv422 …");
+    refuse(fmt::format("\"{}\"", encoding), "mono8, bgr8, rgb8, bayer_rggb8, yuv422 …");
   }
   const std::uint64_t pixels = std::uint64_t{width} * height;
   if (pixels == 0 || pixels > static_cast<std::uint64_t>(kMaxImagePixels)) {
-    fields.fail(phrase("{} × {} pixels", width, height), phrase("at most {}", kMaxImagePixels));
+    refuse(phrase("{} × {} pixels", width, height), phrase("at most {}", kMaxImagePixels));
   }
   const std::size_t line = std::size_t{width} * static_cast<std::size_t>(form->channels);
   if (step < line || data.size() / step < height) {
-    fields.fail(phrase("{} bytes", data.size()), phrase("{} bytes", line * height));
+    refuse(phrase("{} bytes", data.size()), phrase("{} bytes", line * height));
   }
   const bool is_pair = form->channels == 2 || encoding.starts_with("bayer");
   if (is_pair && (width % 2 != 0 || height % 2 != 0)) {
-    fields.fail(phrase("{} × {} pixels", width, height), phrase("even numbers"));
+    refuse(phrase("{} × {} pixels", width, height), phrase("even numbers"));
   }
   const cv::Mat raw(static_cast<int>(height), static_cast<int>(width), CV_8UC(form->channels),
                     const_cast<char*>(data.data()), step);
@@ -65,11 +66,18 @@ cv::Mat readPlainImage(FieldReader& fields) {
   return image;
 }
 
-}  // namespace
-
 cv::Mat readImage(FieldReader fields, const BagTopic& topic) {
   readHeader(fields, topic.encoding);
-  if (topic.type == "sensor_msgs/Image") return readPlainImage(fields);
+  if (topic.type == "sensor_msgs/Image") {
+    PlainImage plain;
+    plain.height = fields.get<std::uint32_t>();
+    plain.width = fields.get<std::uint32_t>();
+    plain.encoding = fields.text(100);
+    fields.get<std::uint8_t>();  // 8 bit: no order of bytes
+    plain.step = std::size_t{fields.get<std::uint32_t>()};
+    plain.data = fields.takeSized<std::uint32_t>();
+    return imageOf(plain, fields.source());
+  }
   fields.text(200);  // "jpeg", "bgr8; jpeg compressed bgr8"; the bytes themselves tell
   return decodeImage(fields.takeSized<std::uint32_t>(), fields.source());
 }

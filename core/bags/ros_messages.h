@@ -50,6 +50,16 @@ struct CameraInfo {
 };
 CameraInfo readCameraInfo(FieldReader fields, const BagTopic& topic);
 
+/// What a sensor_msgs/Image holds.
+struct PlainImage {
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string encoding;
+  std::size_t step = 0;  ///< bytes of a line
+  std::string_view data;
+};
+cv::Mat imageOf(const PlainImage& plain, const std::string& source);
+
 /// sensor_msgs/Image and CompressedImage, 8 bit: one channel, or three (blue first).
 cv::Mat readImage(FieldReader fields, const BagTopic& topic);
 

@@ -8,7 +8,8 @@
 //                                                    number or "first"), "vision" (GigE, USB3)
 //                 "device": "/dev/video0"            both images in one, side by side; or
 //                 "left": "…", "right": "…",         two devices; each also a file or a URL
-//                 "ros": "ws://host:9090",           left and right are topics: CompressedImage
+//                 "ros": "ws://host:9090",           left and right are topics: CompressedImage,
+//                                                    of a Foxglove bridge Image too
 //                 "calibration": "calib.yml",        of OpenCV, or calib.txt of KITTI: rectified
 //                 "width": 1280, "height": 480,      what to ask the device for
 //                 "rate_hz": 15,
@@ -32,7 +33,7 @@
 //    "record":   "recordings"}                       a folder; each run gets a new one inside
 //
 // Paths count from the folder of the file. "port": "/dev/ttyUSB0@115200", "tcp://host:port"; of
-// "ros" the rosbridge: "ws://host:9090".
+// "ros" a rosbridge, "ws://host:9090", or a Foxglove bridge, "foxglove://host:8765".
 #pragma once
 
 #include <filesystem>
@@ -52,7 +53,7 @@ struct CameraRig {
   CameraKind kind = CameraKind::Video;
   std::string left;                   ///< device, file or URL
   std::string right;                  ///< empty: `left` gives both images side by side
-  std::string ros;                    ///< a rosbridge: `left` and `right` are topics behind it
+  std::string ros;                    ///< a bridge: `left` and `right` are topics behind it
   std::filesystem::path calibration;  ///< absolute, or relative to the working folder
   CameraMount mount{0.0, 0.0, kDefaultCameraHeight, 0.0, 0.0};
   int width = 0;  ///< of the image as the device gives it; 0: as it likes
@@ -120,7 +121,7 @@ StopRig sixPans();
 
 /// Who is told of a run: where the robot is, and what the drawing became.
 struct PublishRig {
-  std::string ros;   ///< a rosbridge; empty: none
+  std::string ros;   ///< a bridge; empty: none
   int foxglove = 0;  ///< port; 0: nothing listens
   bool beyond_this_machine = false;
   std::vector<std::string> origins = {};  ///< of web pages that may look on, beside Foxglove's own

@@ -4,7 +4,7 @@
 
 #include "core/bags/mcap_writer.h"
 #include "core/map/map_io.h"
-#include "core/run_log/ros_definitions.h"
+#include "core/bags/ros_definitions.h"
 #include "core/run_log/ros_writing.h"
 
 namespace handmap {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "drivers/camera/video_camera.h"
+#include "drivers/foxglove_bridge/ros_address.h"
 #include "drivers/odometry_lines/line_odometry.h"
 #include "drivers/pan_tilt/ptu_head.h"
 #include "drivers/rosbridge/ros_devices.h"
@@ -82,19 +83,18 @@ class Maker {
   static QString topic(const std::string& name) { return QString::fromStdString(name); }
 
   /// One connection for all devices behind one address.
-  std::shared_ptr<RosbridgeClient> ros(const std::string& url) {
+  std::shared_ptr<RosClient> ros(const std::string& url) {
     auto& client = ros_clients_[url];
     if (!client) {
       const RosVersion version = rig_.ros_version == 1 ? RosVersion::Ros1 : RosVersion::Ros2;
-      client = std::make_shared<RosbridgeClient>(
-          RosbridgeOptions{QUrl(QString::fromStdString(url)), version}, kRosSeed);
+      client = rosClientAt(url, version, kRosSeed);
     }
     return client;
   }
 
   const Rig& rig_;
   RigMonitor& monitor_;
-  std::map<std::string, std::shared_ptr<RosbridgeClient>> ros_clients_;
+  std::map<std::string, std::shared_ptr<RosClient>> ros_clients_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/geometry/pose2.h"
 #include "core/recording/observation.h"
-#include "drivers/rosbridge/rosbridge_client.h"
+#include "drivers/rosbridge/ros_client.h"
 
 namespace handmap::emulated {
 

@@ -104,7 +104,11 @@ void RosbridgeEmulator::obey(QWebSocket* socket, const QCborMap& message) {
   };
   const QString topic = text("topic");
   if (op == "subscribe") {
-    clients_[socket].topics[topic] = text("compression") == QLatin1String("cbor");
+    const bool is_raw = knows_raw_ && text("compression") == QLatin1String("cbor-raw");
+    clients_[socket].topics[topic] = is_raw ? RosbridgeForm::Raw
+                                     : text("compression") == QLatin1String("cbor")
+                                         ? RosbridgeForm::Cbor
+                                         : RosbridgeForm::Json;
     if (!text("type").isEmpty()) types_[topic] = text("type");
   } else if (op == "unsubscribe") {
     clients_[socket].topics.erase(topic);
@@ -125,7 +129,14 @@ void RosbridgeEmulator::publish(const QString& topic, const QCborMap& message) {
   for (const auto& [socket, client] : clients_) {
     const auto found = client.topics.find(topic);
     if (found == client.topics.end()) continue;
-    if (found->second) {
+    if (found->second == RosbridgeForm::Raw) {
+      const std::string bytes = RosSchema::known(types_.value(topic).toStdString())
+                                    .write(RosValue(message, topic.toStdString()));
+      QCborMap raw = whole;
+      raw[QLatin1String("msg")] = QCborMap{
+          {QLatin1String("bytes"), QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size()))}};
+      socket->sendBinaryMessage(QCborValue(raw).toCbor());
+    } else if (found->second == RosbridgeForm::Cbor) {
       socket->sendBinaryMessage(QCborValue(whole).toCbor());
     } else {
       sendText(*socket, jsonOf(whole));
@@ -159,6 +170,14 @@ void RosbridgeEmulator::sendRaw(const QByteArray& bytes, bool binary) {
       socket->sendTextMessage(QString::fromUtf8(bytes));
     }
   }
+}
+
+RosbridgeForm RosbridgeEmulator::formOf(const QString& topic) const {
+  for (const auto& [socket, client] : clients_) {
+    const auto found = client.topics.find(topic);
+    if (found != client.topics.end()) return found->second;
+  }
+  return RosbridgeForm::Json;
 }
 
 bool RosbridgeEmulator::hasSubscriber(const QString& topic) const {

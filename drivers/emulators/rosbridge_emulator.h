@@ -10,6 +10,8 @@
 #include <QWebSocketServer>
 #include <map>
 
+#include "drivers/rosbridge/rosbridge_client.h"
+
 namespace handmap {
 
 class RosbridgeEmulator : public QObject {
@@ -30,18 +32,21 @@ class RosbridgeEmulator : public QObject {
   void sendRaw(const QByteArray& bytes, bool binary);
   /// Messages in JSON come in pieces of so many bytes; 0: whole.
   void setFragmentSize(int bytes) { fragment_bytes_ = bytes; }
+  /// Old ones do not know "cbor-raw" and send JSON then.
+  void setKnowsRaw(bool knows) { knows_raw_ = knows; }
 
   bool hasSubscriber(const QString& topic) const;
   /// It was advertised so that who comes later gets the last one.
   bool isKept(const QString& topic) const { return kept_.contains(topic); }
   QString typeOf(const QString& topic) const { return types_.value(topic); }
+  RosbridgeForm formOf(const QString& topic) const;  ///< in which somebody gets it
 
  Q_SIGNALS:
   void published(const QString& topic, const QCborMap& message);
 
  private:
   struct Client {
-    std::map<QString, bool> topics;  ///< whether it wants CBOR
+    std::map<QString, RosbridgeForm> topics;  ///< in which form it wants them
   };
   void welcome();
   void take(QWebSocket* socket, const QString& text);
@@ -54,6 +59,7 @@ class RosbridgeEmulator : public QObject {
   QHash<QString, QString> types_;
   QSet<QString> kept_;
   int fragment_bytes_ = 0;
+  bool knows_raw_ = true;
   int fragmented_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "core/tape/tape.h"
 #include "drivers/device/reconnect.h"
 #include "drivers/foxglove/foxglove_server.h"
+#include "drivers/foxglove_bridge/ros_address.h"
 #include "drivers/onlookers/run_state.h"
 #include "drivers/rosbridge/ros_publisher.h"
 
@@ -84,13 +85,12 @@ class Onlookers::Telling : public QObject {
     };
     say(DeviceState::Connecting, {});
     const RosVersion version = rig_.ros_version == 1 ? RosVersion::Ros1 : RosVersion::Ros2;
-    auto client = std::make_shared<RosbridgeClient>(
-        RosbridgeOptions{QUrl(QString::fromStdString(url)), version}, kSeed);
-    connect(client.get(), &RosbridgeClient::connected, this,
+    auto client = rosClientAt(url, version, kSeed);
+    connect(client.get(), &RosClient::connected, this,
             [say] { say(DeviceState::Ready, {}); });
-    connect(client.get(), &RosbridgeClient::lost, this,
+    connect(client.get(), &RosClient::lost, this,
             [say](const QString& why) { say(DeviceState::Lost, why); });
-    connect(client.get(), &RosbridgeClient::troubled, this,
+    connect(client.get(), &RosClient::troubled, this,
             [say](const QString&, const QString& why) { say(DeviceState::Degraded, why); });
     ros_.emplace(std::move(client));
     connect(&*ros_, &RosPublisher::poseGiven, this, [this](const Pose2& pose) {

@@ -21,8 +21,8 @@ RosType scanType(RosScanner::Kind kind) {
 
 }  // namespace
 
-RosOdometry::RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic,
-                         QString look, RigClock clock)
+RosOdometry::RosOdometry(std::shared_ptr<RosClient> client, const QString& topic, QString look,
+                         RigClock clock)
     : client_(client),
       look_(std::move(look)),
       topic_(std::move(client), topic, {QStringLiteral("nav_msgs"), QStringLiteral("Odometry")},
@@ -66,7 +66,7 @@ void RosOdometry::close() {
   topic_.close();
 }
 
-RosScanner::RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& topic, Kind kind,
+RosScanner::RosScanner(std::shared_ptr<RosClient> client, const QString& topic, Kind kind,
                        RigClock clock)
     : topic_(std::move(client), topic, scanType(kind), std::move(clock),
              [this, kind](const RosValue& message, double arrival_s) {
@@ -83,8 +83,8 @@ RosScanner::RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& t
   connect(&topic_, &RosTopic::stateChanged, this, &Device::stateChanged);
 }
 
-RosCamera::RosCamera(std::shared_ptr<RosbridgeClient> client, const QString& left,
-                     const QString& right, RigClock clock)
+RosCamera::RosCamera(std::shared_ptr<RosClient> client, const QString& left, const QString& right,
+                     RigClock clock)
     : left_(client, left, {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")}, clock,
             [this](const RosValue& message, double arrival_s) {
               return take(left_images_, right_images_, message, arrival_s);
@@ -117,7 +117,7 @@ void RosCamera::close() {
 }
 
 QString RosCamera::take(Images& own, Images& other, const RosValue& message, double arrival_s) {
-  RosImageMessage image = readCompressedImage(message);
+  RosImageMessage image = readImage(message);
   while (!other.empty() && other.front().stamp_s < image.stamp_s - kSameMoment_s) {
     other.pop_front();
     ++unpaired_;

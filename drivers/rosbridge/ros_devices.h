@@ -1,4 +1,4 @@
-// Devices of a rig whose data come over rosbridge.
+// Devices of a rig whose data come by a bridge of ROS.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ class RosOdometry : public OdometrySensor {
   Q_DISABLE_COPY_MOVE(RosOdometry)
  public:
   /// `look`: the topic of the Empty; empty: none.
-  RosOdometry(std::shared_ptr<RosbridgeClient> client, const QString& topic, QString look,
+  RosOdometry(std::shared_ptr<RosClient> client, const QString& topic, QString look,
               RigClock clock);
   ~RosOdometry() override;
   void open() override;
@@ -26,7 +26,7 @@ class RosOdometry : public OdometrySensor {
  private:
   void nameFrames(const RosOdometryMessage& read);
 
-  std::shared_ptr<RosbridgeClient> client_;
+  std::shared_ptr<RosClient> client_;
   QString look_;
   OdometryStream stream_;
   std::optional<OdometryFrames> frames_;  ///< told last
@@ -38,8 +38,7 @@ class RosScanner : public RangeSensor {
   Q_OBJECT
  public:
   enum class Kind { LaserScan, PointCloud2 };
-  RosScanner(std::shared_ptr<RosbridgeClient> client, const QString& topic, Kind kind,
-             RigClock clock);
+  RosScanner(std::shared_ptr<RosClient> client, const QString& topic, Kind kind, RigClock clock);
   void open() override { topic_.open(); }
   void close() override { topic_.close(); }
 
@@ -52,7 +51,7 @@ class RosScanner : public RangeSensor {
 class RosCamera : public PairCamera {
   Q_OBJECT
  public:
-  RosCamera(std::shared_ptr<RosbridgeClient> client, const QString& left, const QString& right,
+  RosCamera(std::shared_ptr<RosClient> client, const QString& left, const QString& right,
             RigClock clock);
   void open() override;
   void close() override;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/bags/ros_messages.h"
 #include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 #include "core/recording/laser_scan.h"
@@ -132,10 +133,18 @@ RosPointsMessage readPointCloud(const RosValue& message) {
   return {stampOf(message), pointsOf(packed)};
 }
 
-RosImageMessage readCompressedImage(const RosValue& message) {
+RosImageMessage readImage(const RosValue& message) {
   const QByteArray data = message.at("data").bytes(kMostBytes);
   const std::string_view bytes(data.constData(), static_cast<std::size_t>(data.size()));
-  return {stampOf(message), decodeImage(bytes, phrase("image over rosbridge"))};
+  const std::string source = phrase("image over ROS");
+  const auto encoding = message.find("encoding");
+  if (!encoding) return {stampOf(message), decodeImage(bytes, source)};
+  const auto count = [&](const char* key) {
+    return static_cast<std::uint32_t>(message.at(key).integer(0, 0xffffffff));
+  };
+  return {stampOf(message),
+          ros::imageOf({count("height"), count("width"), encoding->text(100), count("step"), bytes},
+                       source)};
 }
 
 }  // namespace handmap

@@ -44,11 +44,11 @@ RosPointsMessage readLaserScan(const RosValue& message);
 /// sensor_msgs/PointCloud2 with x, y, z as float32 or float64; at most 2 million points.
 RosPointsMessage readPointCloud(const RosValue& message);
 
-/// sensor_msgs/CompressedImage: PNG or JPEG, 8 bit.
+/// sensor_msgs/CompressedImage: PNG or JPEG; or sensor_msgs/Image; 8 bit.
 struct RosImageMessage {
   double stamp_s = 0.0;
   cv::Mat image;
 };
-RosImageMessage readCompressedImage(const RosValue& message);
+RosImageMessage readImage(const RosValue& message);
 
 }  // namespace handmap

@@ -10,7 +10,7 @@
 
 #include "core/map/map.h"
 #include "core/map/occupancy_grid.h"
-#include "drivers/rosbridge/rosbridge_client.h"
+#include "drivers/rosbridge/ros_client.h"
 
 namespace handmap {
 

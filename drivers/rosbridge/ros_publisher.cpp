@@ -15,9 +15,9 @@ RosType rosType(const char* package, const char* name) {
 
 }  // namespace
 
-RosPublisher::RosPublisher(std::shared_ptr<RosbridgeClient> client, RosTopics topics)
+RosPublisher::RosPublisher(std::shared_ptr<RosClient> client, RosTopics topics)
     : client_(std::move(client)), topics_(std::move(topics)) {
-  using Keep = RosbridgeClient::Keep;
+  using Keep = RosClient::Keep;
   const RosType pose = rosType("geometry_msgs", "PoseWithCovarianceStamped");
   client_->advertise(topics_.pose, pose);
   client_->advertise(topics_.transforms, rosType("tf2_msgs", "TFMessage"));
@@ -25,7 +25,7 @@ RosPublisher::RosPublisher(std::shared_ptr<RosbridgeClient> client, RosTopics to
   client_->advertise(topics_.grid, rosType("nav_msgs", "OccupancyGrid"), Keep::Last);
   client_->advertise(topics_.markers, rosType("visualization_msgs", "MarkerArray"), Keep::Last);
   client_->subscribe(topics_.given_pose, pose, [this](const RosValue& message) { take(message); });
-  connect(client_.get(), &RosbridgeClient::connected, this, [this] {
+  connect(client_.get(), &RosClient::connected, this, [this] {
     sendGrid();
     sendMap();
   });

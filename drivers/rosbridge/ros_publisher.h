@@ -1,4 +1,4 @@
-// Tells ROS of a run, over rosbridge, and hears where a person says that the robot is.
+// Tells ROS of a run and hears where a person says that the robot is.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ class RosPublisher : public QObject {
   Q_OBJECT
   Q_DISABLE_COPY_MOVE(RosPublisher)
  public:
-  explicit RosPublisher(std::shared_ptr<RosbridgeClient> client, RosTopics topics = {});
+  explicit RosPublisher(std::shared_ptr<RosClient> client, RosTopics topics = {});
   ~RosPublisher() override;
 
   struct Transform {
@@ -50,7 +50,7 @@ class RosPublisher : public QObject {
   void sendMap();
   void sendGrid();
 
-  std::shared_ptr<RosbridgeClient> client_;
+  std::shared_ptr<RosClient> client_;
   RosTopics topics_;
   std::shared_ptr<const Map> map_;
   std::optional<OccupancyGrid> grid_;

@@ -13,23 +13,23 @@ constexpr double kUnheard_s = 2.0;  // since it was connected: no rosbridge says
 
 }  // namespace
 
-RosTopic::RosTopic(std::shared_ptr<RosbridgeClient> client, QString topic, RosType type,
-                   RigClock clock, Take take)
+RosTopic::RosTopic(std::shared_ptr<RosClient> client, QString topic, RosType type, RigClock clock,
+                   Take take)
     : client_(std::move(client)),
       topic_(std::move(topic)),
       type_(std::move(type)),
       clock_(std::move(clock)),
       take_(std::move(take)) {
-  connect(client_.get(), &RosbridgeClient::connected, this, [this] {
+  connect(client_.get(), &RosClient::connected, this, [this] {
     if (!open_) return;
     awaitFirst();
     tell(DeviceState::Connecting, qPhrase("waiting for {}", topic_.toStdString()));
   });
-  connect(client_.get(), &RosbridgeClient::lost, this, [this](const QString& why) {
+  connect(client_.get(), &RosClient::lost, this, [this](const QString& why) {
     heard_ = false;
     if (open_) tell(DeviceState::Lost, why);
   });
-  connect(client_.get(), &RosbridgeClient::troubled, this,
+  connect(client_.get(), &RosClient::troubled, this,
           [this](const QString& about, const QString& why) {
             if (!open_ || (!about.isEmpty() && about != topic_)) return;
             health_.bad();
@@ -46,7 +46,7 @@ RosTopic::~RosTopic() {
 void RosTopic::open() {
   if (std::exchange(open_, true)) return;
   awaitFirst();
-  tell(DeviceState::Connecting, qPhrase("connecting to the rosbridge"));
+  tell(DeviceState::Connecting, qPhrase("connecting to ROS"));
   client_->subscribe(topic_, type_, [this](const RosValue& message) { come(message); });
   client_->open();
   timer_.start(kTopicWatch_ms);

@@ -9,7 +9,7 @@
 #include "drivers/device/device.h"
 #include "drivers/device/health.h"
 #include "drivers/device/told_state.h"
-#include "drivers/rosbridge/rosbridge_client.h"
+#include "drivers/rosbridge/ros_client.h"
 
 namespace handmap {
 
@@ -20,7 +20,7 @@ class RosTopic : public QObject {
   /// What comes; throws Error for what cannot be used. Returns a remark, empty where all is well.
   using Take = std::function<QString(const RosValue& message, double arrival_s)>;
 
-  RosTopic(std::shared_ptr<RosbridgeClient> client, QString topic, RosType type, RigClock clock,
+  RosTopic(std::shared_ptr<RosClient> client, QString topic, RosType type, RigClock clock,
            Take take);
   ~RosTopic() override;
   void open();
@@ -35,7 +35,7 @@ class RosTopic : public QObject {
   void watch();
   void tell(DeviceState state, const QString& detail);
 
-  std::shared_ptr<RosbridgeClient> client_;
+  std::shared_ptr<RosClient> client_;
   QString topic_;
   RosType type_;
   RigClock clock_;

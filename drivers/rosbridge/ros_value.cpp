@@ -28,17 +28,30 @@ double read(const char* at, bool little) {
   return static_cast<double>(little ? qFromLittleEndian<Number>(at) : qFromBigEndian<Number>(at));
 }
 
-/// Bytes of one element; 0 for the kinds that nobody sends (half and quadruple precision).
-std::size_t elementSize(unsigned tag) {
+std::string shown(const QCborValue& value) {
+  if (value.isUndefined() || value.isInvalid()) return "nothing";
+  if (value.isNull()) return "null";
+  if (value.isMap()) return phrase("an object");
+  if (value.isArray()) return phrase("a list");
+  if (value.isString()) return fmt::format("\"{}\"", value.toString().left(40).toStdString());
+  if (value.isInteger()) return fmt::format("{}", value.toInteger());
+  if (value.isDouble()) return fmt::format("{:g}", value.toDouble());
+  return phrase("another kind of value");
+}
+
+}  // namespace
+
+// Nobody sends half and quadruple precision.
+std::size_t typedSize(unsigned tag) {
   const unsigned size = tag & 3U;
   if ((tag & kFloat) == 0) return std::size_t{1} << size;
   return size == 1 || size == 2 ? std::size_t{2} << size : 0;
 }
 
-double element(unsigned tag, const char* at) {
+double typedNumber(unsigned tag, const char* at) {
   const bool little = (tag & kLittle) != 0;
   if ((tag & kFloat) != 0) {
-    return elementSize(tag) == 4 ? read<float>(at, little) : read<double>(at, little);
+    return typedSize(tag) == 4 ? read<float>(at, little) : read<double>(at, little);
   }
   const bool is_signed = (tag & kSigned) != 0;
   switch (tag & 3U) {
@@ -52,19 +65,6 @@ double element(unsigned tag, const char* at) {
       return is_signed ? read<qint64>(at, little) : read<quint64>(at, little);
   }
 }
-
-std::string shown(const QCborValue& value) {
-  if (value.isUndefined() || value.isInvalid()) return "nothing";
-  if (value.isNull()) return "null";
-  if (value.isMap()) return phrase("an object");
-  if (value.isArray()) return phrase("a list");
-  if (value.isString()) return fmt::format("\"{}\"", value.toString().left(40).toStdString());
-  if (value.isInteger()) return fmt::format("{}", value.toInteger());
-  if (value.isDouble()) return fmt::format("{:g}", value.toDouble());
-  return phrase("another kind of value");
-}
-
-}  // namespace
 
 void RosValue::fail(const std::string& found, const std::string& expected) const {
   throwBadInput(topic_, path_, found, expected);
@@ -177,7 +177,7 @@ std::vector<double> RosValue::typedArray(std::size_t most) const {
     failKind(phrase("a list of numbers"));
   }
   const auto kind = static_cast<unsigned>(tag);
-  const std::size_t size = elementSize(kind);
+  const std::size_t size = typedSize(kind);
   if (size == 0 || static_cast<std::size_t>(bytes.size()) % size != 0) {
     failKind(phrase("a list of numbers of 8 to 64 bits"));
   }
@@ -185,7 +185,8 @@ std::vector<double> RosValue::typedArray(std::size_t most) const {
   if (count > most) fail(phrase("{} values", count), phrase("at most {}", most));
   std::vector<double> numbers;
   numbers.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) numbers.push_back(element(kind, bytes.data() + i * size));
+  for (std::size_t i = 0; i < count; ++i)
+    numbers.push_back(typedNumber(kind, bytes.data() + i * size));
   return numbers;
 }
 

@@ -1,4 +1,4 @@
-// One value of a ROS message as it came over rosbridge, read with messages that name its path.
+// One value of a ROS message as a bridge sent it, read with messages that name its path.
 #pragma once
 
 #include <QByteArray>
@@ -9,6 +9,10 @@
 #include <vector>
 
 namespace handmap {
+
+/// Of an element of a typed array (RFC 8746): its bytes (0: a kind that nobody sends), its number.
+std::size_t typedSize(unsigned tag);
+double typedNumber(unsigned tag, const char* at);
 
 /// Whatever reads it throws BadInput "/odom: pose.pose.position.x: found …, expected …".
 class RosValue {

@@ -3474,16 +3474,8 @@
         <translation>{} × {} 点</translation>
     </message>
     <message>
-        <source>image over rosbridge</source>
-        <translation>rosbridge 経由の画像</translation>
-    </message>
-    <message>
         <source>waiting for {}</source>
         <translation>{} を待っています</translation>
-    </message>
-    <message>
-        <source>connecting to the rosbridge</source>
-        <translation>rosbridge に接続しています</translation>
     </message>
     <message>
         <source>nothing has come of {} for {} s</source>
@@ -4580,6 +4572,34 @@
     <message>
         <source>was another field of view meant, as 270° and not 180°? --angles of import says it</source>
         <translation>視野が違いませんか（180° でなく 270° など）。import の --angles で指定します</translation>
+    </message>
+    <message>
+        <source>this bridge takes no messages of ROS 2: ROS is not told anything</source>
+        <translation>このブリッジは ROS 2 のメッセージを受け取りません。ROS には何も伝わりません</translation>
+    </message>
+    <message>
+        <source>too many types</source>
+        <translation>型が多すぎる</translation>
+    </message>
+    <message>
+        <source>too many fields</source>
+        <translation>項目が多すぎる</translation>
+    </message>
+    <message>
+        <source>a type and a name</source>
+        <translation>型と名前</translation>
+    </message>
+    <message>
+        <source>a type that is told</source>
+        <translation>説明のある型</translation>
+    </message>
+    <message>
+        <source>image over ROS</source>
+        <translation>ROS 経由の画像</translation>
+    </message>
+    <message>
+        <source>connecting to ROS</source>
+        <translation>ROS に接続しています</translation>
     </message>
 </context>
 <context>
@@ -8091,10 +8111,6 @@ Corrected by a run.</source>
         <translation>ROS 経由のカメラ二台</translation>
     </message>
     <message>
-        <source>Rosbridge</source>
-        <translation>Rosbridge</translation>
-    </message>
-    <message>
         <source>Topic of the left</source>
         <translation>左のトピック</translation>
     </message>
@@ -8105,10 +8121,6 @@ Corrected by a run.</source>
     <message>
         <source>Send to ROS</source>
         <translation>ROS へ送る</translation>
-    </message>
-    <message>
-        <source>not sent; a rosbridge is ws://host:9090</source>
-        <translation>送らない。rosbridge は ws://host:9090</translation>
     </message>
     <message>
         <source>off</source>
@@ -8125,10 +8137,6 @@ Corrected by a run.</source>
     <message>
         <source>From other machines too</source>
         <translation>他の計算機からも</translation>
-    </message>
-    <message>
-        <source>Enter where the rosbridge is: ws://host:9090.</source>
-        <translation>rosbridge の場所を入力してください: ws://host:9090</translation>
     </message>
     <message>
         <source>Choose the left camera.</source>
@@ -8199,10 +8207,6 @@ Corrected by a run.</source>
         <translation>カメラの前に市松模様の板をかざす</translation>
     </message>
     <message>
-        <source>A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or an address (192.168.0.10, host:port); of ROS the rosbridge: ws://host:9090</source>
-        <translation>シリアルポート（/dev/ttyUSB0、速度つきは /dev/ttyUSB0@115200）またはアドレス（192.168.0.10、host:port）。ROS なら rosbridge: ws://host:9090</translation>
-    </message>
-    <message>
         <source>Motion from</source>
         <translation>動きの情報源</translation>
     </message>
@@ -8213,6 +8217,22 @@ Corrected by a run.</source>
     <message>
         <source>Version of ROS</source>
         <translation>ROS の版</translation>
+    </message>
+    <message>
+        <source>A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or an address (192.168.0.10, host:port); of ROS a rosbridge (ws://host:9090) or a Foxglove bridge (foxglove://host:8765)</source>
+        <translation>シリアルポート（/dev/ttyUSB0、速度つきは /dev/ttyUSB0@115200）またはアドレス（192.168.0.10、host:port）。ROS なら rosbridge（ws://host:9090）または Foxglove bridge（foxglove://host:8765）</translation>
+    </message>
+    <message>
+        <source>Bridge to ROS</source>
+        <translation>ROS へのブリッジ</translation>
+    </message>
+    <message>
+        <source>not sent; ws://host:9090 or foxglove://host:8765</source>
+        <translation>送らない。ws://host:9090 または foxglove://host:8765</translation>
+    </message>
+    <message>
+        <source>Enter where the bridge to ROS is: ws://host:9090 or foxglove://host:8765.</source>
+        <translation>ROS へのブリッジの場所を入力してください: ws://host:9090 または foxglove://host:8765</translation>
     </message>
 </context>
 <context>

@@ -166,7 +166,8 @@ TEST_F(LiveWindow, TheDialogSaysWhatIsMissing) {
   EXPECT_EQ(wordsOf(*dialog), "Choose where the scanner is connected.");
   sees->setCurrentIndex(sees->findText("Two cameras over ROS"));
   dialog->findChild<QPushButton*>("rig_use")->click();
-  EXPECT_EQ(wordsOf(*dialog), "Enter where the rosbridge is: ws://host:9090.");
+  EXPECT_EQ(wordsOf(*dialog),
+            "Enter where the bridge to ROS is: ws://host:9090 or foxglove://host:8765.");
   sees->setCurrentIndex(sees->findText("Stereo camera, both images in one"));
   dialog->findChild<QComboBox*>("rig_camera")->setEditText(" ");
   dialog->findChild<QPushButton*>("rig_use")->click();

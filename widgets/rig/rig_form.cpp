@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QStringListModel>
 #include <QToolButton>
+#include <QUrl>
 #include <algorithm>
 
 #include "widgets/messages/dialogs.h"
@@ -32,7 +33,8 @@ QString cameraHint() {
 QString portHint() {
   return RigForm::tr(
       "A serial port (/dev/ttyUSB0, with a rate: /dev/ttyUSB0@115200) or an address "
-      "(192.168.0.10, host:port); of ROS the rosbridge: ws://host:9090");
+      "(192.168.0.10, host:port); of ROS a rosbridge (ws://host:9090) or a "
+      "Foxglove bridge (foxglove://host:8765)");
 }
 
 void offer(QComboBox& box, const QStringList& choices) {
@@ -65,8 +67,8 @@ RigForm::RigForm(Dialogs& dialogs, Cameras cameras, QWidget* parent)
   connect(foxglove_, &QSpinBox::valueChanged, this, &RigForm::showRows);
   connect(has_head_, &QCheckBox::toggled, this, &RigForm::showRows);
   connect(publish_ros_, &QLineEdit::textChanged, this, &RigForm::showRows);
-  for (QLineEdit* field : rosbridges())
-    connect(field, &QLineEdit::editingFinished, this, &RigForm::shareRosbridge);
+  for (QLineEdit* field : bridges())
+    connect(field, &QLineEdit::editingFinished, this, &RigForm::shareBridge);
   listPorts();
   Rig rig;
   rig.name = tr("My robot").toStdString();
@@ -93,7 +95,7 @@ void RigForm::makeSensorRows(QFormLayout& form) {
   left_ = addPort(form, tr("Camera"), cameraHint());
   left_->setObjectName("rig_camera");
   right_ = addPort(form, tr("Right camera"), cameraHint());
-  camera_ros_ = addRosbridge(form, tr("Rosbridge"));
+  camera_ros_ = addBridge(form, tr("Bridge to ROS"));
   camera_ros_->setObjectName("rig_camera_ros");
   left_topic_ = new QLineEdit(QStringLiteral("/left/image_raw/compressed"));
   right_topic_ = new QLineEdit(QStringLiteral("/right/image_raw/compressed"));
@@ -149,9 +151,9 @@ void RigForm::makeOutputRows(QFormLayout& form) {
   record_->setPlaceholderText(tr("not recorded"));
   record_->setToolTip(tr("Each run gets a new folder in it"));
   form.addRow(tr("Record into"), withBrowse(record_, true));
-  publish_ros_ = addRosbridge(form, tr("Send to ROS"));
+  publish_ros_ = addBridge(form, tr("Send to ROS"));
   publish_ros_->setObjectName("rig_publish_ros");
-  publish_ros_->setPlaceholderText(tr("not sent; a rosbridge is ws://host:9090"));
+  publish_ros_->setPlaceholderText(tr("not sent; ws://host:9090 or foxglove://host:8765"));
   publish_ros_->setToolTip(
       tr("Pose, frames, occupancy grid and buildings are published there, and /initialpose is "
          "heard"));
@@ -172,9 +174,9 @@ void RigForm::makeOutputRows(QFormLayout& form) {
   form.addRow(beyond_);
 }
 
-QLineEdit* RigForm::addRosbridge(QFormLayout& form, const QString& label) {
+QLineEdit* RigForm::addBridge(QFormLayout& form, const QString& label) {
   auto* edit = new QLineEdit;
-  edit->setPlaceholderText(QStringLiteral("ws://host:9090"));
+  edit->setPlaceholderText(QStringLiteral("ws://host:9090, foxglove://host:8765"));
   form.addRow(label, edit);
   return edit;
 }
@@ -267,16 +269,14 @@ void RigForm::offerMotions() {
   odometry_->setCurrentIndex(same >= 0 ? same : odometry_->findData(static_cast<int>(alone)));
 }
 
-std::vector<QLineEdit*> RigForm::rosbridges() const {
+std::vector<QLineEdit*> RigForm::bridges() const {
   return {camera_ros_, scanner_port_->lineEdit(), odometry_port_->lineEdit(), publish_ros_};
 }
 
 /// One is enough: the fields of others that go over ROS and are empty get it too.
-void RigForm::shareRosbridge() {
-  const auto fields = rosbridges();
-  const auto has = [](const QLineEdit* field) {
-    return field->text().trimmed().startsWith(QLatin1String("ws"));
-  };
+void RigForm::shareBridge() {
+  const auto fields = bridges();
+  const auto has = [](const QLineEdit* field) { return isBridge(QUrl(field->text().trimmed())); };
   const auto known = std::find_if(fields.begin(), fields.end(), has);
   if (known == fields.end()) return;
   const QString url = (*known)->text().trimmed();
@@ -292,7 +292,7 @@ void RigForm::shareRosbridge() {
 }
 
 void RigForm::showRows() {
-  shareRosbridge();
+  shareBridge();
   const bool camera = hasCamera();
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
   const bool ros = odometry == OdometryRigKind::Ros;

@@ -14,6 +14,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLineEdit;
 class QSpinBox;
+class QUrl;
 
 namespace handmap {
 
@@ -60,15 +61,16 @@ class RigForm : public QWidget {
   void checkEntered() const;
   void need(QLineEdit* field, const QString& words) const;
   void need(QComboBox* field, const QString& words) const;
-  void needRosbridge(QLineEdit* field) const;
-  QLineEdit* addRosbridge(QFormLayout& form, const QString& label);
+  static bool isBridge(const QUrl& url);  ///< by its scheme
+  void needBridge(QLineEdit* field) const;
+  QLineEdit* addBridge(QFormLayout& form, const QString& label);
   QComboBox* addPort(QFormLayout& form, const QString& label, const QString& hint);
   QDoubleSpinBox* addNumber(QFormLayout& form, const QString& label, double low, double high,
                             const QString& suffix);
   QWidget* withBrowse(QLineEdit* edit, bool folder);
   void offerMotions();
-  std::vector<QLineEdit*> rosbridges() const;
-  void shareRosbridge();
+  std::vector<QLineEdit*> bridges() const;
+  void shareBridge();
   void showRows();
   Sees sees() const;
   static ScannerKind scannerOf(Sees sees);

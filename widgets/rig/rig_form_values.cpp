@@ -33,13 +33,17 @@ void RigForm::need(QComboBox* field, const QString& words) const {
   if (field->isVisibleTo(this) && textOf(*field).empty()) refuse(field, words);
 }
 
-void RigForm::needRosbridge(QLineEdit* field) const {
+bool RigForm::isBridge(const QUrl& url) {
+  const QString scheme = url.scheme();
+  return scheme == QLatin1String("ws") || scheme == QLatin1String("wss") ||
+         scheme == QLatin1String("foxglove") || scheme == QLatin1String("foxgloves");
+}
+
+void RigForm::needBridge(QLineEdit* field) const {
   if (!field->isVisibleTo(this)) return;
   const QUrl url(field->text().trimmed());
-  const bool web_socket =
-      url.scheme() == QLatin1String("ws") || url.scheme() == QLatin1String("wss");
-  if (!web_socket || url.host().isEmpty()) {
-    refuse(field, tr("Enter where the rosbridge is: ws://host:9090."));
+  if (!isBridge(url) || url.host().isEmpty()) {
+    refuse(field, tr("Enter where the bridge to ROS is: ws://host:9090 or foxglove://host:8765."));
   }
 }
 
@@ -48,7 +52,7 @@ void RigForm::checkEntered() const {
   const bool two = seesWithTwo();
   need(left_, two ? tr("Choose the left camera.") : tr("Choose a camera."));
   need(right_, tr("Choose the right camera."));
-  needRosbridge(camera_ros_);
+  needBridge(camera_ros_);
   need(left_topic_, tr("Enter the topic of the left images."));
   need(right_topic_, tr("Enter the topic of the right images."));
   need(calibration_, tr("Choose the calibration of the camera: calib.yml."));
@@ -57,7 +61,7 @@ void RigForm::checkEntered() const {
   need(head_port_, tr("Choose where the head is connected."));
   need(odometry_port_, tr("Choose where the wheels are connected."));
   need(odometry_topic_, tr("Enter the topic of the wheels."));
-  if (!publish_ros_->text().trimmed().isEmpty()) needRosbridge(publish_ros_);
+  if (!publish_ros_->text().trimmed().isEmpty()) needBridge(publish_ros_);
   const auto odometry = static_cast<OdometryRigKind>(odometry_->currentData().toInt());
   const bool wheels = odometry == OdometryRigKind::Lines || odometry == OdometryRigKind::Ros;
   if (hasCamera() && has_head_->isChecked() && !wheels) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/bags/ros_messages.h"
-#include "core/run_log/ros_definitions.h"
+#include "core/bags/ros_definitions.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/world.h"
 #include "tests/core/base/temporary_folder.h"

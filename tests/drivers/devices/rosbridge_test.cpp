@@ -13,6 +13,7 @@
 #include "drivers/emulators/rosbridge_emulator.h"
 #include "drivers/rosbridge/ros_devices.h"
 #include "drivers/rosbridge/ros_publisher.h"
+#include "drivers/rosbridge/rosbridge_client.h"
 #include "tests/drivers/devices/peer.h"
 #include "tests/drivers/devices/waiting.h"
 
@@ -23,9 +24,10 @@ using test::Peer;
 using test::StateLog;
 using test::waitUntil;
 
-std::shared_ptr<RosbridgeClient> clientOf(const RosbridgeEmulator& server, bool cbor = true,
+std::shared_ptr<RosbridgeClient> clientOf(const RosbridgeEmulator& server,
+                                          RosbridgeForm form = RosbridgeForm::Raw,
                                           RosVersion ros = RosVersion::Ros2) {
-  return std::make_shared<RosbridgeClient>(RosbridgeOptions{server.url(), ros, cbor});
+  return std::make_shared<RosbridgeClient>(RosbridgeOptions{server.url(), ros, form});
 }
 
 struct Odometry {
@@ -68,13 +70,13 @@ TEST(RosbridgeClient, OtherAddressesAreRefused) {
   }
 }
 
-class RosbridgeOf : public testing::TestWithParam<std::tuple<bool, RosVersion, int>> {};
+class RosbridgeOf : public testing::TestWithParam<std::tuple<RosbridgeForm, RosVersion, int>> {};
 
 TEST_P(RosbridgeOf, OdometryComes) {
-  const auto [cbor, ros, fragment_bytes] = GetParam();
+  const auto [form, ros, fragment_bytes] = GetParam();
   RosbridgeEmulator server;
   server.setFragmentSize(fragment_bytes);
-  Odometry odometry(clientOf(server, cbor, ros));
+  Odometry odometry(clientOf(server, form, ros));
   odometry.device.open();
   ASSERT_TRUE(movesUntil(
       server, [&] { return odometry.count >= 5; }, ros));
@@ -91,15 +93,28 @@ TEST_P(RosbridgeOf, OdometryComes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, RosbridgeOf,
-                         testing::Values(std::tuple(true, RosVersion::Ros2, 0),
-                                         std::tuple(false, RosVersion::Ros2, 0),
-                                         std::tuple(false, RosVersion::Ros1, 50),
-                                         std::tuple(true, RosVersion::Ros1, 0)));
+                         testing::Values(std::tuple(RosbridgeForm::Raw, RosVersion::Ros2, 0),
+                                         std::tuple(RosbridgeForm::Cbor, RosVersion::Ros2, 0),
+                                         std::tuple(RosbridgeForm::Json, RosVersion::Ros2, 0),
+                                         std::tuple(RosbridgeForm::Json, RosVersion::Ros1, 50),
+                                         std::tuple(RosbridgeForm::Raw, RosVersion::Ros1, 0)));
+
+TEST(Rosbridge, OneThatKnowsNoRawMessagesIsAskedForCbor) {
+  RosbridgeEmulator server;
+  server.setKnowsRaw(false);
+  Odometry odometry(clientOf(server));
+  odometry.device.open();
+  ASSERT_TRUE(movesUntil(
+      server, [&] { return server.formOf(QStringLiteral("/odom")) == RosbridgeForm::Cbor; }));
+  const int before = odometry.count;
+  EXPECT_TRUE(movesUntil(server, [&] { return odometry.count > before + 2; }));
+  EXPECT_TRUE(odometry.log.is(DeviceState::Ready));
+}
 
 TEST(Rosbridge, ScansCloudsAndPairsOfImagesComeOverOneConnection) {
-  for (const bool cbor : {true, false}) {
+  for (const auto form : {RosbridgeForm::Raw, RosbridgeForm::Cbor, RosbridgeForm::Json}) {
     RosbridgeEmulator server;
-    const auto client = clientOf(server, cbor);
+    const auto client = clientOf(server, form);
     const RigClock clock = startedRigClock();
     RosScanner laser(client, QStringLiteral("/scan"), RosScanner::Kind::LaserScan, clock);
     RosScanner lidar(client, QStringLiteral("/points"), RosScanner::Kind::PointCloud2, clock);

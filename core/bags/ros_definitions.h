@@ -1,4 +1,4 @@
-// The fields of the ROS 2 messages that a run is written in, as MCAP tells them to its readers.
+// The fields of the ROS 2 messages that are read and written, as MCAP and bridges tell them.
 #pragma once
 
 #include <string>

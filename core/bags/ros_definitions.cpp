@@ -1,4 +1,4 @@
-#include "core/run_log/ros_definitions.h"
+#include "core/bags/ros_definitions.h"
 
 #include <algorithm>
 #include <array>
@@ -49,6 +49,20 @@ constexpr std::array kDefinitions = {
                "uint32 height\ngeometry_msgs/Pose origin\n"},
     Definition{"nav_msgs/OccupancyGrid",
                "std_msgs/Header header\nnav_msgs/MapMetaData info\nint8[] data\n"},
+    Definition{"std_msgs/Empty", ""},
+    Definition{"diagnostic_msgs/KeyValue", "string key\nstring value\n"},
+    Definition{"diagnostic_msgs/DiagnosticStatus",
+               "byte level\nstring name\nstring message\nstring hardware_id\n"
+               "diagnostic_msgs/KeyValue[] values\n"},
+    Definition{"diagnostic_msgs/DiagnosticArray",
+               "std_msgs/Header header\ndiagnostic_msgs/DiagnosticStatus[] status\n"},
+    Definition{"sensor_msgs/LaserScan",
+               "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\n"
+               "float32 angle_increment\nfloat32 time_increment\nfloat32 scan_time\n"
+               "float32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities\n"},
+    Definition{"sensor_msgs/Image",
+               "std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\n"
+               "uint8 is_bigendian\nuint32 step\nuint8[] data\n"},
     Definition{"sensor_msgs/PointField",
                "string name\nuint32 offset\nuint8 datatype\nuint32 count\n"},
     Definition{"sensor_msgs/PointCloud2",
