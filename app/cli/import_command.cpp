@@ -10,6 +10,7 @@
 #include "core/bag_import/bag_import.h"
 #include "core/base/text.h"
 #include "core/geometry/pose2.h"
+#include "core/kitti_raw/kitti_raw.h"
 #include "core/logs/log.h"
 #include "core/plausibility/plausibility.h"
 
@@ -110,11 +111,30 @@ int importFromBag(const ImportArguments& arguments, const std::string& name) {
   return 0;
 }
 
+int importFromKitti(const ImportArguments& arguments, const std::string& name) {
+  if (arguments.files.size() > 1) {
+    throw Error(ErrorCode::Usage,
+                fmt::format("{}: found {} files, expected the folder of one drive",
+                            arguments.files.front(), arguments.files.size()));
+  }
+  // Without a slash behind it.
+  const std::filesystem::path folder =
+      (std::filesystem::absolute(arguments.files.front()).lexically_normal() / "").parent_path();
+  std::vector<std::string> notes;
+  const ImportedDrive imported = importKittiRaw(
+      folder, arguments.out, name.empty() ? folder.filename().string() : name, notes);
+  sayNotes(arguments, notes);
+  fmt::print("{}: recording of {} pairs of images, {} scans and {} true poses\n", arguments.out,
+             imported.pairs, imported.scans, imported.poses);
+  return 0;
+}
+
 int import(ImportArguments arguments) {
   checkOutputFolder(arguments.out);
   std::string name = arguments.name;
   if (name.empty()) name = std::filesystem::path(arguments.files.front()).stem().string();
   if (isBag(arguments.files.front())) return importFromBag(arguments, name);
+  if (isKittiRaw(arguments.files.front())) return importFromKitti(arguments, name);
   const Log log = readAsking(arguments);
   std::vector<std::string> notes = log.notes;
   const std::size_t scans = writeLog(log, arguments.out, name, notes);
@@ -134,7 +154,8 @@ void addImportCommand(CLI::App& app, ChosenCommand& chosen) {
   command
       ->add_option(
           "log", a.files,
-          "A bag of ROS 1 (.bag) or ROS 2 (.mcap, .db3 or its folder); or CARMEN logs, "
+          "A bag of ROS 1 (.bag) or ROS 2 (.mcap, .db3 or its folder); the folder of a drive of "
+          "KITTI's raw data; or CARMEN logs, "
           "tables with a header (.csv), poses (.tum), arrays of numpy (.npy, .npz), several "
           "together, as scans and poses")
       ->required()

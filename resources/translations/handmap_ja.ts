@@ -4601,6 +4601,50 @@
         <source>connecting to ROS</source>
         <translation>ROS に接続しています</translation>
     </message>
+    <message>
+        <source>a later time, 2011-09-26 13:02:25.594360375</source>
+        <translation>より後の時刻、2011-09-26 13:02:25.594360375</translation>
+    </message>
+    <message>
+        <source>latitude, longitude, altitude, roll, pitch and yaw</source>
+        <translation>緯度、経度、高度、ロール、ピッチ、ヨー</translation>
+    </message>
+    <message>
+        <source>latitude and longitude in degrees</source>
+        <translation>度で書かれた緯度と経度</translation>
+    </message>
+    <message>
+        <source>a multiple of {}</source>
+        <translation>{} の倍数</translation>
+    </message>
+    <message>
+        <source>no such file, nor in the folder above</source>
+        <translation>そのファイルがなく、上のフォルダーにもない</translation>
+    </message>
+    <message>
+        <source>the calibration of that day beside the drive</source>
+        <translation>走行の隣にその日の較正ファイル</translation>
+    </message>
+    <message>
+        <source>the true way is that of the inertial unit, not of the camera</source>
+        <translation>真の道のりはカメラではなく慣性装置のものです</translation>
+    </message>
+    <message>
+        <source>a drive that is not rectified</source>
+        <translation>平行化されていない走行</translation>
+    </message>
+    <message>
+        <source>the synchronized and rectified one, …_sync</source>
+        <translation>同期され平行化された走行、…_sync</translation>
+    </message>
+    <message>
+        <source>neither pairs of images nor scans</source>
+        <translation>画像の組もスキャンもない</translation>
+    </message>
+    <message>
+        <source>no odometry: the images are to tell the motion</source>
+        <translation>オドメトリがありません。動きは画像から求めます</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
