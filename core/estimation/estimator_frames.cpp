@@ -14,6 +14,11 @@ constexpr std::size_t kFromStart = 10;
 
 }  // namespace
 
+/// A motion between sights of nothing is told by the wheels alone, whatever tells the others.
+double HandmapEstimator::State::noiseTo(std::size_t frame) const {
+  return frame < kFromStart || frames[frame].blind ? 1.0 : odometry_noise;
+}
+
 void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
                                        const Scan& scan) {
   if (!scan.first_looked_at.empty() && !frames.empty()) {
@@ -23,7 +28,7 @@ void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, con
     evidence.reinsertAll();
   }
   frames.push_back(makeFrame(time_s, odometry, at, scan));
-  frames.back().odometry_noise = frames.size() <= kFromStart ? 1.0 : odometry_noise;
+  frames.back().odometry_noise = noiseTo(frames.size() - 1);
   if (frames.size() > 1) {
     const Frame& before = frames[frames.size() - 2];
     frames.back().number = before.number + 1;
@@ -91,7 +96,7 @@ void HandmapEstimator::State::layAlong(const std::vector<Pose2>& odometry) {
   for (std::size_t i = 1; i < frames.size(); ++i) {
     const Frame& last = frames[i - 1];
     Frame& frame = frames[i];
-    frame.odometry_noise = i < kFromStart ? 1.0 : odometry_noise;
+    frame.odometry_noise = noiseTo(i);
     frame.pose = last.pose * smoother.scaled(between(last.odometry, frame.odometry));
   }
 }

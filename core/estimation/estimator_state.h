@@ -49,6 +49,7 @@ struct HandmapEstimator::State {
     return frames.back().pose * smoother.scaled(observations.back().offset);
   }
   void updateTrajectory();
+  double noiseTo(std::size_t frame) const;
   void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
   void layAlong(const std::vector<Pose2>& odometry);

@@ -45,6 +45,7 @@ Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const S
   frame.time_s = time_s;
   frame.odometry = odometry;
   frame.pose = pose;
+  frame.blind = scan.rays.empty();
   frame.bias_sigma_per_m = scan.bias_sigma_per_m;
   frame.ray_by_ray = scan.ray_by_ray;
   frame.rays.reserve(scan.rays.size());

@@ -38,6 +38,7 @@ struct Frame {
   Pose2 pose;                   ///< map frame, best so far
   std::vector<FrameRay> rays;   ///< by bearing
   std::vector<Sighting> sightings;
+  bool blind = false;             ///< the sensor was silent
   double bias_sigma_per_m = 0.0;  ///< as that of the scan
   bool ray_by_ray = false;        ///< the same
 };

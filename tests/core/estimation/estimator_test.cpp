@@ -133,6 +133,28 @@ TEST(HandmapEstimator, ClosesALoop) {
   EXPECT_GT(iou / static_cast<double>(errors.size()), 0.7);
 }
 
+TEST(HandmapEstimator, WhereNothingIsSeenThePoseIsAsUnsureAsTheWheels) {
+  const World world = twoRowWorld(17);
+  const auto source = simulate(world, {}, 5);
+  HandmapEstimator estimator(world.map, EstimatorOptions{}, 1);
+  Perception perception(source->info(), {});
+  std::vector<Pose2> odometry;
+  const int seen = source->info().observations / 2;
+  while (const auto observation = source->next()) {
+    const bool blind = static_cast<int>(odometry.size()) >= seen;
+    odometry.push_back(observation->odometry);
+    estimator.step(observation->time_s, odometry.back(),
+                   blind ? Scan{} : perception(*observation)->scan);
+    if (static_cast<int>(odometry.size()) == seen) estimator.reviseOdometry(odometry, 0.1);
+  }
+  estimator.finish();
+  const double way_m =
+      (odometry.back().position() - odometry[static_cast<std::size_t>(seen)].position()).norm();
+  ASSERT_GT(way_m, 30.0);
+  const double by_wheels = OdometryNoise{}.heading_variance_per_m * way_m;
+  EXPECT_GT(estimator.poseCovariance()(2, 2), 0.4 * by_wheels);
+}
+
 TEST(HandmapEstimator, IsTheSameEveryTime) {
   const World world = twoRowWorld(19);
   const Map drawing = perturbed(world.map, 5.0, 20);
