@@ -111,11 +111,11 @@ class HandmapMethod : public EstimationMethod {
     const bool goes_on = !concluded_ || (!finished_ && concluded_->trajectory.by ==
                                                            TrajectoryHypothesis::By::Buildings);
     const bool laid = concluded_ && concluded_->covariance;  // on a drawing that is right
-    return [drawing = shared_drawing_, concluded = concluded_ ? concluded_->map : Map(), laid,
+    return [drawing = shared_drawing_, concluded = concluded_map_, laid,
             since = goes_on ? estimatedMap() : std::function<Map()>()] {
-      Map now = since ? since() : concluded;
-      for (std::size_t b = 0; since && b < concluded.buildings.size(); ++b) {
-        const Building& last = concluded.buildings[b];
+      Map now = since ? since() : *concluded;
+      for (std::size_t b = 0; since && concluded && b < concluded->buildings.size(); ++b) {
+        const Building& last = concluded->buildings[b];
         if (isRecognised(last) &&
             (laid || isBetterFounded(last, now.buildings[b], drawing->buildings[b])))
           now.buildings[b] = last;
@@ -165,6 +165,7 @@ class HandmapMethod : public EstimationMethod {
     for (NearbyBuilding& building : estimator_.nearby())
       placed.push_back({building.building, std::move(building.outline), building.found});
     recognition_.look(wall_rays_.add(placed, estimator_.pose(), scan), driven_m_ - looked_at_m_);
+    shown_rays_ = std::make_shared<const WallRays>(wall_rays_);
     looked_at_m_ = driven_m_;
   }
 
@@ -172,9 +173,9 @@ class HandmapMethod : public EstimationMethod {
   /// the drawing has it: its outline would be another one with each look.
   std::function<Map()> estimatedMap() const {
     return [drawing = shared_drawing_, later = estimator_.refinedMapLater(),
-            predicted_later = estimator_.predictedMapLater(), rays = wall_rays_] {
+            predicted_later = estimator_.predictedMapLater(), rays = shown_rays_] {
       Map map = later();
-      rays.state(*drawing, map);
+      rays->state(*drawing, map);
       Map predicted = predicted_later();
       for (std::size_t b = 0; b < map.buildings.size(); ++b) {
         if (!drawing->buildings[b].fixed && !hasSeenWall(map.buildings[b]))
@@ -264,6 +265,7 @@ class HandmapMethod : public EstimationMethod {
   /// From now on the way is the believed one, and goes on as that does.
   void show(Conclusion conclusion) {
     concluded_ = std::move(conclusion);
+    concluded_map_ = std::make_shared<const Map>(std::move(concluded_->map));
     std::vector<Pose2>& poses = concluded_->trajectory.poses;
     const std::vector<Pose2> told = posesBy(concluded_->trajectory.by);
     onward_ = poses.back() * inverse(told[poses.size() - 1]);
@@ -329,12 +331,14 @@ class HandmapMethod : public EstimationMethod {
   Recognition recognition_{Recognition::Drawing::FromMemory};
   double looked_at_m_ = 0.0;  ///< driven by then
   WallRays wall_rays_;        ///< of the buildings as the estimator had them when they were met
+  std::shared_ptr<const WallRays> shown_rays_ = std::make_shared<const WallRays>();  ///< the same
   PhaseRecorder* recorder_ = nullptr;
   std::optional<MatchedTrajectory> matched_;
   double driven_m_ = 0.0;  ///< by the recorded odometry
   Conclusions conclusions_;
-  std::optional<Conclusion> concluded_;  ///< the newest
-  Pose2 onward_;                         ///< from what tells its way to where that lies on the map
+  std::optional<Conclusion> concluded_;       ///< the newest, but for its map
+  std::shared_ptr<const Map> concluded_map_;  ///< shared by all that is shown of it
+  Pose2 onward_;  ///< from what tells its way to where that lies on the map
   SharedListWriter<StampedPose> shown_writer_;
   SharedList<StampedPose> shown_trajectory_;  ///< the believed way, once there is a conclusion
   bool finished_ = false;
