@@ -1,5 +1,7 @@
 // What would be lost with a run is asked about; what belongs to a recording stays with it.
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QThread>
 #include <algorithm>
 
 #include "app/gui/files/file_actions.h"
@@ -122,6 +124,52 @@ TEST_F(Leaving, ALiveDriveThatIsNotRecordedIsAskedAbout) {
   EXPECT_TRUE(window_->run().isActive());
   dialogs_->choices = {0};
   EXPECT_TRUE(window_->close());
+}
+
+TEST_F(Leaving, WhatIsStillWrittenIsAskedAbout) {
+  const auto write = [this] {
+    dialogs_->paths = {path("long.html")};
+    window_->files().exportInBackground({"Export", "long", {}, "html", "The report"},
+                                        [](const QString&, const std::stop_token& stop) {
+                                          while (!stop.stop_requested()) QThread::msleep(1);
+                                          return false;
+                                        });
+    dialogs_->asked.clear();
+  };
+  write();
+  EXPECT_FALSE(window_->close()) << "cancelled";
+  EXPECT_EQ(dialogs_->asked, QStringList{"Stop writing?"});
+  ASSERT_EQ(window_->messages().messages().size(), 1);
+  QTest::mouseClick(window_->messages().findChild<QPushButton*>(), Qt::LeftButton);
+  ASSERT_TRUE(waitForBackground(std::chrono::seconds(30)));
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(window_->close()) << "by its button it was stopped";
+  EXPECT_EQ(dialogs_->asked.size(), 1);
+  window_->show();
+  write();
+  dialogs_->choices = {0};
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(Leaving, ARunThatTakesAPartSaysSo) {
+  record("drive", 8);
+  document_.reset(world_.map);
+  ASSERT_TRUE(openRecording("drive"));
+  window_->sources().setTrim(2, 7);
+  window_->transport().setSpeed(0.0);
+  window_->runs().runOrResume();
+  EXPECT_TRUE(message(*window_).contains("begins with frame 2")) << message(*window_).toStdString();
+}
+
+TEST_F(Leaving, WhatIsAcceptedTwiceIsTold) {
+  record("drive", 8);
+  document_.reset(world_.map);
+  ASSERT_TRUE(openRecording("drive"));
+  runToTheEnd();
+  action(*window_, "run.accept")->trigger();
+  action(*window_, "run.accept")->trigger();
+  EXPECT_EQ(document_.undoStack().count(), 1);
+  EXPECT_TRUE(message(*window_).contains("already")) << message(*window_).toStdString();
 }
 
 TEST_F(Leaving, AnotherLanguageBringsTheRecordingAndItsRunBack) {

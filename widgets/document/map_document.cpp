@@ -385,7 +385,7 @@ void MapDocument::setMember(Value Map::*member, Value value, const QString& text
   push({swapMember(member, std::move(value))}, text, mergeable ? text : QString());
 }
 
-void MapDocument::acceptRefinement(const Map& refined, const QStringList& kept) {
+bool MapDocument::acceptRefinement(const Map& refined, const QStringList& kept) {
   const QSet<QString> keep(kept.begin(), kept.end());
   std::vector<Building> accepted;
   const auto places = placesOf(map_.buildings);
@@ -395,10 +395,11 @@ void MapDocument::acceptRefinement(const Map& refined, const QStringList& kept) 
     accepted.push_back(corrected(map_.buildings[place->second], building));
   }
   auto differing_ones = differing(accepted, map_.buildings);
-  if (differing_ones.empty() && map_.refinement == refined.refinement) return;
+  if (differing_ones.empty() && map_.refinement == refined.refinement) return false;
   push({swapItems(&Map::buildings, std::move(differing_ones)),
         swapMember(&Map::refinement, refined.refinement)},
        tr("Accept Correction"));
+  return true;
 }
 
 QStringList MapDocument::editedSince(const Map& before) const {

@@ -87,8 +87,8 @@ class MapDocument : public QObject {
   void setLayers(const LayerStates& layers, const QString& text, bool mergeable = false);
   void setGeoreference(std::optional<Georeference> georeference, bool mergeable = false);
   /// Shapes, estimates and doubts of the buildings that `refined` shares with the drawing, without
-  /// those of `kept`, and its "refinement" object: one undo step.
-  void acceptRefinement(const Map& refined, const QStringList& kept = {});
+  /// those of `kept`, and its "refinement" object: one undo step. False: it has them already.
+  bool acceptRefinement(const Map& refined, const QStringList& kept = {});
   /// Buildings that somebody has given another shape since the drawing was `before`; what a
   /// refinement did to them does not count.
   QStringList editedSince(const Map& before) const;

@@ -20,6 +20,7 @@ namespace handmap {
 namespace {
 
 constexpr auto kRecognizeKey = "draw/recognize";
+constexpr auto kArrangedTopic = "arranged";
 constexpr auto kSnapGridKey = "draw/snap_grid";
 constexpr auto kSnapObjectsKey = "draw/snap_objects";
 constexpr double kDuplicatePx = 24.0;  // so far from the original
@@ -41,6 +42,7 @@ EditActions::EditActions(const Shell& shell, MapDocument& document, MapCanvas& c
   connectArranging();
   connectSnapping();
   connect(&undo, &QUndoStack::indexChanged, this, &EditActions::updateEnabled);
+  connect(&document_, &MapDocument::mapChanged, this, &EditActions::updateEnabled);
   connect(&document_, &MapDocument::selectionChanged, this, &EditActions::updateEnabled);
   connect(&canvas_, &MapCanvas::contextMenuRequested, this, &EditActions::showMenu);
   updateEnabled();
@@ -93,7 +95,13 @@ void EditActions::arrangeBy(const char* id, Arranging arranging) {
   QAction& action = shell_.actions[QLatin1String(id)];
   connect(&action, &QAction::triggered, this, [this, &action, arranging = std::move(arranging)] {
     MapDocument& document = document_;
-    document.apply(arranging(document.map(), document.selection()), action.text().remove(u'&'));
+    const Map before = document.map();
+    document.apply(arranging(before, document.selection()), action.text().remove(u'&'));
+    if (!(document.map() == before)) return shell_.messages.withdraw(kArrangedTopic);
+    shell_.messages.show(MessageBar::Kind::Info,
+                         tr("“%1” changes nothing: what is selected is so already, or is locked.")
+                             .arg(action.iconText()),
+                         {}, kArrangedTopic);
   });
 }
 
@@ -195,6 +203,11 @@ void EditActions::updateEnabled() {
   const QStringList keys = document.selection();
   QUndoStack& undo = document_.undoStack();
   actions.setEnabled({"edit.undo"}, undo.canUndo(), tr("nothing has been changed"));
+  const Map& map = document_.map();
+  actions.setEnabled({"edit.select_all"},
+                     !map.buildings.empty() || !map.landmarks.empty() || !map.route.empty() ||
+                         map.start.has_value(),
+                     tr("nothing is drawn yet"));
   actions.setEnabled({"edit.redo"}, undo.canRedo(), tr("nothing has been taken back"));
   const QString nothing = tr("nothing is selected");
   actions.setEnabled({"edit.copy", "edit.duplicate"}, !keys.isEmpty(), nothing);

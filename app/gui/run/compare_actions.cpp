@@ -82,11 +82,12 @@ void CompareActions::begin() {
 }
 
 void CompareActions::ask() {
-  const QString path = shell_.dialogs.fileToOpen({tr("Open the true map"),
-                                                  shell_.settings.value(kTruthFolderKey).toString(),
-                                                  FileActions::mapFilter(),
-                                                  {},
-                                                  {}});
+  const QString path = shell_.dialogs.fileToOpen(
+      {tr("Open the true map"),
+       shell_.settings.value(kTruthFolderKey, QFileInfo(document_.filePath()).path()).toString(),
+       FileActions::mapFilter(),
+       {},
+       {}});
   if (path.isEmpty()) return;
   shell_.settings.setValue(kTruthFolderKey, QFileInfo(path).path());
   open(path);

@@ -48,10 +48,9 @@ void PlaybackActions::begin() {
 void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, int count) {
   int index = done - static_cast<int>(reports.size());
   for (const FrameReport& report : reports) markGap(report, ++index);
-  const bool first = done_ == 0;
   done_ = done;
   transport_.setExtent(done, count);
-  if (first) updateActions();
+  updateActions();
 }
 
 /// What lasts long, or goes back, by the clock of the recording.
@@ -111,10 +110,18 @@ void PlaybackActions::seekTime(double time_s) {
 
 void PlaybackActions::updateActions() {
   const bool has_past = done_ > 0;
-  shell_.actions.setEnabled({"run.back", "run.bookmark"}, has_past);
-  shell_.actions.setEnabled({"run.newest"}, has_past && !playback_.atNewest());
-  shell_.actions.setEnabled({"run.next_bookmark"},
-                            transport_.timeline().nextBookmark().has_value());
+  const RunHistory* history = playback_.history();
+  const bool has_before = has_past && history && playback_.index() > history->first();
+  const auto next = transport_.timeline().nextBookmark();
+  const QString nothing = tr("no run has seen anything yet");
+  const ActionSet& actions = shell_.actions;
+  actions.setEnabled({"run.back"}, has_before,
+                     has_past ? tr("the first moment that is kept is shown") : nothing);
+  actions.setEnabled({"run.bookmark"}, has_past, nothing);
+  actions.setEnabled({"run.newest"}, has_past && !playback_.atNewest(),
+                     has_past ? tr("the newest moment is shown") : nothing);
+  actions.setEnabled({"run.next_bookmark"}, next && *next != playback_.index(),
+                     tr("no other moment is marked"));
 }
 
 }  // namespace handmap

@@ -169,7 +169,11 @@ void ResultActions::accept() {
 }
 
 void ResultActions::take(const QStringList& kept) {
-  document_.acceptRefinement(run_.result()->map(), kept);
+  if (!document_.acceptRefinement(run_.result()->map(), kept)) {
+    shell_.messages.show(MessageBar::Kind::Info,
+                         tr("The drawing has all of it already: there is nothing to take."), {},
+                         kAcceptTopic);
+  }
   accepted_ = run_.number();
   shell_.messages.withdraw(kConcernsTopic);
   shell_.messages.withdraw(kSummaryTopic);

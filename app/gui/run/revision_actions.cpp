@@ -281,11 +281,23 @@ void RevisionActions::updateActions() {
   const auto has_building = [this] {
     return !selected(document_.map(), document_.selection()).buildings.empty();
   };
-  actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()));
-  actions.setEnabled({"run.give_pose"}, can, tr("no run shows a robot yet"));
+  const QString why_not = whyNot();
+  actions.setEnabled({"run.recompute"}, can && !(document_.map() == run_.drawing()),
+                     can ? tr("the drawing is the one that was run with") : why_not);
+  actions.setEnabled({"run.give_pose"}, can, why_not);
   actions["run.give_pose"].setVisible(run_.tape() != nullptr);
-  actions.setEnabled({"run.right", "run.not_there"}, can && has_building());
-  actions.setEnabled({"run.forget_poses"}, can && !acts_.poses().empty());
+  actions.setEnabled({"run.right", "run.not_there"}, can && has_building(),
+                     can ? tr("no building is selected") : why_not);
+  actions.setEnabled({"run.forget_poses"}, can && !acts_.poses().empty(),
+                     can ? tr("no pose was given") : why_not);
+}
+
+/// Why the run cannot be done again.
+QString RevisionActions::whyNot() const {
+  if (run_.isRevising()) return tr("the run is being done again");
+  if (!run_.history() || run_.history()->empty()) return tr("no run shows a robot yet");
+  if (run_.state() == RunState::Stopping) return tr("the run is ending");
+  return tr("the beginning of the run is no longer kept");
 }
 
 }  // namespace handmap

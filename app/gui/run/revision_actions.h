@@ -39,6 +39,7 @@ class RevisionActions : public QObject {
                   Toolbox& tools, PlaybackActions& past, SaidPanel& panel);
   ~RevisionActions() override;
 
+  QString whyNot() const;
   void updateActions();
   /// In place of those that were given.
   void takePoses(const std::vector<StampedPose>& poses);

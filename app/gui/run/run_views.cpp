@@ -123,11 +123,13 @@ void RunViews::connectFollowing() {
   });
   connect(&document_, &MapDocument::mapChanged, this,
           [this] { overlays_.setOnPicture(!document_.map().underlays.empty()); });
+  showRobotAt({});
 }
 
 void RunViews::showRobotAt(const std::optional<Pose2>& pose) {
   pose ? follow_->setPose(*pose) : follow_->forgetPose();
   pointer_->setPose(pose);
+  shell_.actions.setEnabled({"view.follow"}, pose.has_value(), tr("no run shows a robot yet"));
 }
 
 void RunViews::connectTable() {

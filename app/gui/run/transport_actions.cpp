@@ -13,6 +13,12 @@
 
 namespace handmap {
 
+namespace {
+
+constexpr auto kTrimTopic = "trim";
+
+}  // namespace
+
 TransportActions::TransportActions(const Shell& shell, MapDocument& document, FileActions& files,
                                    SourceActions& sources, RunController& run, RunViews& views,
                                    TransportBar& transport)
@@ -113,6 +119,17 @@ void TransportActions::start(RunController::Begin begin) {
   run_.start(document_.map(), *sources_.robot(), setup, begin);
   past_.begin();
   transport_.timeline().beginTrimmed();
+  tellTrim();
+}
+
+/// Somebody has asked for a part, perhaps long ago.
+void TransportActions::tellTrim() {
+  const auto trim = sources_.trim();
+  if (!trim || trim->from == trim->first) return;
+  shell_.messages.show(
+      MessageBar::Kind::Info,
+      tr("The run begins with frame %1 of the recording, as you have chosen.").arg(trim->from),
+      tr("The robot is taken to be at the start of the drawing then."), kTrimTopic);
 }
 
 /// The recording, and the run of it where there was one.

@@ -38,6 +38,7 @@ class TransportActions : public QObject {
   void connectActions();
   void connectRun();
   void start(RunController::Begin begin);
+  void tellTrim();
   QStringList comingBack() const;
   void onNews(const RunNews& news);
   void onRevised();
