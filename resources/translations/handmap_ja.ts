@@ -5475,13 +5475,13 @@ Observations: %4</source>
         <source>They are matched by the id that the file has, not by name.</source>
         <translation>名前ではなく、ファイルにある id で対応を取ります。</translation>
     </message>
+    <message>
+        <source>Comparison</source>
+        <translation>図面の比較</translation>
+    </message>
 </context>
 <context>
-    <name>handmap::ComparisonDialog</name>
-    <message>
-        <source>Compare drawings</source>
-        <translation>図面を比べる</translation>
-    </message>
+    <name>handmap::ComparisonPanel</name>
     <message>
         <source>Figures of the drawing</source>
         <translation>図面の数値</translation>
@@ -5507,8 +5507,8 @@ Observations: %4</source>
         <translation>図面</translation>
     </message>
     <message>
-        <source>Corrected map</source>
-        <translation>補正した地図</translation>
+        <source>Corrected</source>
+        <translation>補正後</translation>
     </message>
 </context>
 <context>
@@ -5713,6 +5713,14 @@ Observations: %4</source>
         <source>what is selected is locked</source>
         <translation>選択したものはロックされています</translation>
     </message>
+    <message>
+        <source>“%1” changes nothing: what is selected is so already, or is locked.</source>
+        <translation>「%1」で変わるものはありません。選んだものはすでにそうなっているか、ロックされています。</translation>
+    </message>
+    <message>
+        <source>nothing is drawn yet</source>
+        <translation>まだ何も描かれていません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::EditingPanels</name>
@@ -5901,6 +5909,22 @@ Observations: %4</source>
     <message>
         <source>The drawing does not say so yet: its georeference is the latitude and longitude of the origin. DXF and maps of robots need none.</source>
         <translation>図面にはまだそれがありません。位置情報は原点の緯度と経度です。DXF とロボットの地図には要りません。</translation>
+    </message>
+    <message>
+        <source>Stop writing</source>
+        <translation>書き出しをやめる</translation>
+    </message>
+    <message>
+        <source>Stop writing?</source>
+        <translation>書き出しをやめますか？</translation>
+    </message>
+    <message>
+        <source>“%1” is not written to its end yet.</source>
+        <translation>「%1」はまだ最後まで書き出されていません。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop writing</source>
+        <translation>やめる(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -6256,12 +6280,12 @@ Observations: %4</source>
 <context>
     <name>handmap::Language</name>
     <message>
-        <source>The program speaks it from its next start on.</source>
-        <translation>次に起動したときからこの言語になります。</translation>
-    </message>
-    <message>
         <source>Start again</source>
         <translation>起動し直す</translation>
+    </message>
+    <message>
+        <source>The other language comes with the next start of the program.</source>
+        <translation>次に起動したときから、選んだ言語になります。</translation>
     </message>
 </context>
 <context>
@@ -7552,6 +7576,22 @@ Corrected by a run.</source>
         <source>You said where the robot was</source>
         <translation>ロボットの位置を指定しました</translation>
     </message>
+    <message>
+        <source>no run has seen anything yet</source>
+        <translation>まだ何も観測していません</translation>
+    </message>
+    <message>
+        <source>the first moment that is kept is shown</source>
+        <translation>残っている最初の時点を表示しています</translation>
+    </message>
+    <message>
+        <source>the newest moment is shown</source>
+        <translation>最新の時点を表示しています</translation>
+    </message>
+    <message>
+        <source>no other moment is marked</source>
+        <translation>ほかに印を付けた時点がありません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Plot</name>
@@ -7753,13 +7793,13 @@ Corrected by a run.</source>
         <source>Leave this run?</source>
         <translation>この実行を離れますか?</translation>
     </message>
+    <message>
+        <source>The drawing has all of it already: there is nothing to take.</source>
+        <translation>すでにすべて図面に取り入れてあります。新しく取り入れるものはありません。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::ReviewWords</name>
-    <message>
-        <source>of 100 buildings with such signs about %1 were wrong</source>
-        <translation>このような兆候の建物 100 棟のうち、約 %1 棟が誤りでした</translation>
-    </message>
     <message>
         <source>not seen: it stays as drawn</source>
         <translation>見えていない：描かれたまま</translation>
@@ -7767,6 +7807,14 @@ Corrected by a run.</source>
     <message>
         <source>%1 of %2 walls seen</source>
         <translation>%2 面のうち %1 面の壁が見えた</translation>
+    </message>
+    <message>
+        <source>wrong in about %1 of 100 such cases</source>
+        <translation>同様の場合の 100 件中約 %1 件が誤り</translation>
+    </message>
+    <message>
+        <source>not seen: it moves with the others</source>
+        <translation>見えていない：まわりと一緒に移動</translation>
     </message>
 </context>
 <context>
@@ -7912,6 +7960,30 @@ Corrected by a run.</source>
     <message>
         <source>no run shows a robot yet</source>
         <translation>まだロボットを表示する実行がありません</translation>
+    </message>
+    <message>
+        <source>the drawing is the one that was run with</source>
+        <translation>図面は実行したときのままです</translation>
+    </message>
+    <message>
+        <source>no building is selected</source>
+        <translation>建物が選択されていません</translation>
+    </message>
+    <message>
+        <source>no pose was given</source>
+        <translation>指定した位置がありません</translation>
+    </message>
+    <message>
+        <source>the run is being done again</source>
+        <translation>実行をやり直しているところです</translation>
+    </message>
+    <message>
+        <source>the run is ending</source>
+        <translation>実行が終わるところです</translation>
+    </message>
+    <message>
+        <source>the beginning of the run is no longer kept</source>
+        <translation>実行の始めはもう残っていません</translation>
     </message>
 </context>
 <context>
@@ -8601,6 +8673,10 @@ Corrected by a run.</source>
         <source>no run has corrected anything yet</source>
         <translation>まだどの実行も補正していません</translation>
     </message>
+    <message>
+        <source>no run shows a robot yet</source>
+        <translation>まだロボットを表示する実行がありません</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RunWorker</name>
@@ -8845,6 +8921,10 @@ Corrected by a run.</source>
     <message>
         <source>A recording is being made of “%1”…</source>
         <translation>「%1」から記録を作っています…</translation>
+    </message>
+    <message>
+        <source>Of what was imported:</source>
+        <translation>取り込みについて：</translation>
     </message>
 </context>
 <context>
@@ -9187,6 +9267,14 @@ Corrected by a run.</source>
     <message>
         <source>No robot</source>
         <translation>ロボットなし</translation>
+    </message>
+    <message>
+        <source>The run begins with frame %1 of the recording, as you have chosen.</source>
+        <translation>選んだとおり、記録のフレーム %1 から実行します。</translation>
+    </message>
+    <message>
+        <source>The robot is taken to be at the start of the drawing then.</source>
+        <translation>そのときロボットは図面の出発点にいるものとします。</translation>
     </message>
 </context>
 <context>
