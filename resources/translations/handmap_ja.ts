@@ -7762,10 +7762,6 @@ Corrected by a run.</source>
         <translation>取り込む前に見てください: %1。</translation>
     </message>
     <message>
-        <source>They are hatched.</source>
-        <translation>網掛けで示しています。</translation>
-    </message>
-    <message>
         <source>Review…</source>
         <translation>確認…</translation>
     </message>
@@ -7796,6 +7792,10 @@ Corrected by a run.</source>
     <message>
         <source>The drawing has all of it already: there is nothing to take.</source>
         <translation>すでにすべて図面に取り入れてあります。新しく取り入れるものはありません。</translation>
+    </message>
+    <message>
+        <source>Hatched on the map.</source>
+        <translation>地図では斜線で示しています。</translation>
     </message>
 </context>
 <context>

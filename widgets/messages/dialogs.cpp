@@ -59,7 +59,9 @@ class SystemDialogs : public Dialogs {
 
   QList<double> numbers(const QString& title, const QList<Number>& lines) override {
     QDialog dialog(&window_);
+    constexpr int kBesideTitle = 160;  // pixels: icon and buttons of the frame
     dialog.setWindowTitle(title);
+    dialog.setMinimumWidth(dialog.fontMetrics().horizontalAdvance(title) + kBesideTitle);
     auto* form = new QFormLayout(&dialog);
     QList<QDoubleSpinBox*> fields;
     for (const Number& line : lines) {

@@ -99,7 +99,7 @@ void ResultActions::alarm() {
   QString text = lines.mid(0, kMostConcernsTold).join(tr("; "));
   if (more > 0) text += tr("; and %n more", nullptr, static_cast<int>(more));
   shell_.messages.show(MessageBar::Kind::Warning, tr("Look before you accept: %1.").arg(text),
-                       tr("They are hatched."), kConcernsTopic);
+                       tr("Hatched on the map."), kConcernsTopic);
   for (const QString& id : ids.mid(0, static_cast<qsizetype>(kMostDoubtfulOffered)))
     shell_.messages.addAction(id, [this, id] { Q_EMIT buildings_.showRequested(id); });
 }
