@@ -11,6 +11,9 @@ namespace handmap {
 namespace {
 
 constexpr double kLeastSigma_m = 1e-3;
+/// Share of the walls that stand metres off whatever their σ: 48 of 1,694 statements of 0.99 and
+/// more were wrong (1,184 walls of 33 simulated drives: campus 3, two rows 4, streets 41).
+constexpr double kElsewhere = 0.03;
 
 std::string quotedForCsv(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -40,7 +43,7 @@ std::vector<WallTolerance> tolerancesOf(const Map& refined) {
   std::vector<WallTolerance> walls;
   for (const Building& building : refined.buildings) {
     if (!building.estimate) continue;
-    const double right = 1.0 - building.doubt.value_or(0.0);
+    const double right = (1.0 - kElsewhere) * (1.0 - building.doubt.value_or(0.0));
     const Sides sides = sidesOf(building);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       WallTolerance wall{building.id, static_cast<int>(k), sides[k].sigma, sides[k].seen, {}};

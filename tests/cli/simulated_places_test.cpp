@@ -1,6 +1,10 @@
 // Drawings of simulated places that are as rough as real ones: README's figures, guarded.
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
+#include "core/map/map_io.h"
+#include "core/report/report.h"
 #include "tests/cli/program.h"
 
 namespace handmap {
@@ -53,6 +57,66 @@ TEST_F(SimulatedPlaces, ARoughCampusWhoseDrawnCornersAreWrong) {
   EXPECT_LT(corrected.drawn, 0.55);
   EXPECT_GT(corrected.refined, corrected.drawn + 0.15);
   EXPECT_LT(corrected.way_m, 1.0);
+}
+
+struct Verdicts {
+  int said = 0;  ///< "it is off by no more than so much", with 95 % at least
+  int right = 0;
+};
+
+/// How far a wall of what was found is from that side of the true building.
+double offBy(const Rectangle& found, int side, const Rectangle& truth) {
+  const auto wall = [](const Rectangle& box, std::size_t k) {
+    const double heading = box.heading + 0.5 * kPi * static_cast<double>(k);
+    const Vec2 outwards(std::cos(heading), std::sin(heading));
+    return std::pair(Vec2(box.centre + 0.5 * (k % 2 == 0 ? box.width : box.depth) * outwards),
+                     outwards);
+  };
+  const auto [at, outwards] = wall(found, static_cast<std::size_t>(side));
+  double best = -2.0;
+  double off_m = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto [true_at, true_outwards] = wall(truth, k);
+    if (outwards.dot(true_outwards) <= best) continue;
+    best = outwards.dot(true_outwards);
+    off_m = std::abs((at - true_at).dot(true_outwards));
+  }
+  return off_m;
+}
+
+/// What the table of a report says of the walls: within 0.3, 0.6, 1.2 m.
+TEST_F(SimulatedPlaces, VerdictsOnWallsAreRight) {
+  Verdicts verdicts;
+  for (const auto& [scene, seed] : {std::pair("two-rows", "1"),
+                                    {"campus", "2"},
+                                    {"street", "1"},
+                                    {"street", "2"},
+                                    {"two-rows", "4"}}) {
+    std::filesystem::remove_all("place");
+    std::vector<std::string> made{"simulate", "--scene", scene,   "--seed", seed,
+                                  "--sigma",  "3",       "--out", "place"};
+    if (scene != std::string("two-rows")) made.emplace_back("--laser");
+    ASSERT_EQ(run(made).status, 0);
+    ASSERT_EQ(run({"run", "--map", "place/sketch.handmap", "--recording", "place", "--out",
+                   "refined.handmap", "--quiet"})
+                  .status,
+              0);
+    const Map truth = readMap("place/truth.handmap");
+    const Map refined = readMap("refined.handmap");
+    for (const WallTolerance& wall : tolerancesOf(refined)) {
+      const Building* found = refined.find(wall.building);
+      const Building* real = truth.find(wall.building);
+      ASSERT_TRUE(found && real);
+      const double off_m = offBy(found->box(), wall.side, real->box());
+      for (std::size_t i = 0; i < kTolerances_m.size(); ++i) {
+        if (wall.within[i] < 0.95) continue;
+        ++verdicts.said;
+        verdicts.right += off_m <= kTolerances_m[i] ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(verdicts.said, 100);
+  EXPECT_GE(verdicts.right, verdicts.said * 95 / 100) << "of " << verdicts.said;
 }
 
 }  // namespace
