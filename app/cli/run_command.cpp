@@ -25,6 +25,7 @@
 #include "core/plausibility/drawing.h"
 #include "core/plausibility/plausibility.h"
 #include "core/recording/image_file.h"
+#include "core/run_log/run_film.h"
 #include "core/run_log/run_log.h"
 #include "core/session/lost_and_found.h"
 #include "core/session/redone_acts.h"
@@ -50,6 +51,7 @@ struct RunArguments {
   std::string report;
   std::string local_map;
   std::string mcap;
+  std::string film;
   std::string keep;
   std::string model;
   std::optional<int> building_class;
@@ -63,7 +65,8 @@ struct RunArguments {
 
 void checkOutputs(const RunArguments& arguments, const std::string& model) {
   checkOutputFiles(
-      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map, arguments.mcap},
+      {arguments.out, arguments.trajectory, arguments.report, arguments.local_map, arguments.mcap,
+       RunFilm::isVideo(arguments.film) ? arguments.film : std::string()},
       {arguments.map, arguments.replay.odometry, model, arguments.given_poses, arguments.live.rig});
 }
 
@@ -208,12 +211,26 @@ std::shared_ptr<const WindowClassifier> classifierFor(const RunArguments& argume
   }
 }
 
-/// nullptr where none was asked for.
-std::unique_ptr<RunLog> openLog(const RunArguments& arguments, const Map& drawing,
-                                const SourceInfo& source) {
-  if (arguments.mcap.empty()) return nullptr;
-  return std::make_unique<RunLog>(arguments.mcap, drawing, source);
-}
+/// What is written as the run goes on, where it was asked for.
+class Chronicle {
+ public:
+  Chronicle(const RunArguments& arguments, const Map& drawing, const SourceInfo& source) {
+    if (!arguments.mcap.empty()) log_.emplace(arguments.mcap, drawing, source);
+    if (!arguments.film.empty()) film_.emplace(arguments.film, drawing);
+  }
+  void add(const Snapshot& snapshot) {
+    if (log_) log_->add(snapshot);
+    if (film_) film_->add(snapshot);
+  }
+  void finish(const RunSession& session) {
+    if (log_) log_->finish(session.refinedMap(), session.trajectory(), session.warnings());
+    if (film_) film_->finish();
+  }
+
+ private:
+  std::optional<RunLog> log_;
+  std::optional<RunFilm> film_;
+};
 
 void keepDrawing(const RunArguments& arguments, Map drawing) {
   const std::string path = RunFolder{arguments.keep}.drawing();
@@ -223,11 +240,11 @@ void keepDrawing(const RunArguments& arguments, Map drawing) {
 
 /// What is still to be done, once the session is at its end.
 int finish(const RunArguments& arguments, const Map& drawing, const RunSession& session,
-           const std::shared_ptr<const Snapshot>& last, RunLog* log) {
+           const std::shared_ptr<const Snapshot>& last, Chronicle& chronicle) {
   if (!last) return Interrupt::kExitStatus;
   writeOutputs(arguments, session, *last);
   if (!arguments.keep.empty()) keepDrawing(arguments, drawing);
-  if (log != nullptr) log->finish(session.refinedMap(), session.trajectory(), session.warnings());
+  chronicle.finish(session);
   fmt::print("{}",
              arguments.json ? runSummaryJson(drawing, session) : runSummary(drawing, session));
   return 0;
@@ -257,14 +274,13 @@ int runRecording(RunArguments arguments, Map drawing) {
     source =
         std::make_unique<PunctualSource>(std::move(source), arguments.speed, interrupt.token());
   }
-  const auto log = openLog(arguments, drawing, source->info());
+  Chronicle chronicle(arguments, drawing, source->info());
   auto session = std::make_unique<RunSession>(drawing, std::move(source), arguments.settings);
   Progress progress(session->source().observations, arguments.verbosity());
-  const auto last = runToEnd(session, interrupt.token(), progress,
-                             [&](const std::shared_ptr<const Snapshot>& snapshot) {
-                               if (log) log->add(*snapshot);
-                             });
-  return finish(arguments, drawing, *session, last, log.get());
+  const auto last =
+      runToEnd(session, interrupt.token(), progress,
+               [&](const std::shared_ptr<const Snapshot>& snapshot) { chronicle.add(*snapshot); });
+  return finish(arguments, drawing, *session, last, chronicle);
 }
 
 /// As "Robot is here" does it in the window: the run is done again through the pose, as far as it
@@ -317,13 +333,13 @@ int runLive(const RunArguments& arguments, Map drawing) {
                              drive.mayBeGivenPoses() ? TapeLimits::toDoAgain() : TapeLimits());
   GivenOnTheWay through(drawing, tape, arguments.settings);
   auto session = std::make_unique<RunSession>(drawing, tape, arguments.settings);
-  const auto log = openLog(arguments, drawing, session->source());
+  Chronicle chronicle(arguments, drawing, session->source());
   LostAndFound lost;
   const auto last = runToEnd(session, {}, progress, [&](std::shared_ptr<const Snapshot>& snapshot) {
     if (const auto given = drive.takeGivenPose()) {
       if (auto redone = through(*given, session, progress)) snapshot = std::move(redone);
     }
-    if (log) log->add(*snapshot);
+    chronicle.add(*snapshot);
     drive.tell(snapshot);
     const auto news = lost.hear(certaintyOf(snapshot->report).kind);
     if (news == LostAndFound::News::Lost) {
@@ -333,7 +349,7 @@ int runLive(const RunArguments& arguments, Map drawing) {
     }
   });
   if (!arguments.quiet) fmt::print(stderr, "{}", drive.summary());
-  return finish(arguments, drawing, *session, last, log.get());
+  return finish(arguments, drawing, *session, last, chronicle);
 }
 
 int run(const CLI::App& command, RunArguments arguments) {
@@ -427,6 +443,11 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->add_option("--mcap", a.mcap,
                    "The whole run as messages of ROS 2, for Foxglove, Lichtblick, Rerun, RViz 2")
       ->option_text("run.mcap");
+  command
+      ->add_option("--film", a.film,
+                   "The map as the run goes on: a video (.mp4, .avi, .mkv, .webm), or a new folder "
+                   "of numbered pictures")
+      ->option_text("FILM");
   command
       ->add_option("--keep", a.keep,
                    "All of it in one folder, with the drawing; report makes a page of that")

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/bags/mcap_writer.h"
-#include "core/map/map_io.h"
 #include "core/bags/ros_definitions.h"
+#include "core/map/map_io.h"
 #include "core/run_log/ros_writing.h"
 
 namespace handmap {

@@ -4645,6 +4645,18 @@
         <source>no odometry: the images are to tell the motion</source>
         <translation>オドメトリがありません。動きは画像から求めます</translation>
     </message>
+    <message>
+        <source>no such video can be made here</source>
+        <translation>このような動画はここでは作れません</translation>
+    </message>
+    <message>
+        <source>it is not empty</source>
+        <translation>空ではありません</translation>
+    </message>
+    <message>
+        <source>nothing came of it</source>
+        <translation>何も書けませんでした</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/bags/ros_messages.h"
 #include "core/bags/ros_definitions.h"
+#include "core/bags/ros_messages.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/world.h"
 #include "tests/core/base/temporary_folder.h"
