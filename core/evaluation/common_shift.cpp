@@ -44,16 +44,40 @@ Fit fitted(const std::vector<Residual>& residuals, double own) {
   return fit;
 }
 
+/// The centre of a building as drawn, and how far off it was found.
+struct Moved {
+  Vec2 from;
+  Vec2 moved;
+  Vec2 sigma;
+};
+
+double middleOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Without those that were taken for something else: they moved as no other did.
+std::vector<Moved> withoutMistaken(std::vector<Moved> pairs) {
+  constexpr double kMost = 4.0;              // σ of the spread
+  constexpr double kSigmaOfMedian = 1.4826;  // of a normal error
+  for (const int axis : {0, 1}) {
+    std::vector<double> moved;
+    for (const Moved& pair : pairs) moved.push_back(pair.moved[axis]);
+    const double middle = middleOf(moved);
+    for (double& value : moved) value = std::abs(value - middle);
+    const double spread = kSigmaOfMedian * middleOf(moved);
+    std::erase_if(pairs, [&](const Moved& pair) {
+      return std::abs(pair.moved[axis] - middle) > kMost * std::hypot(spread, pair.sigma[axis]);
+    });
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined) {
-  struct Pair {
-    Vec2 from;
-    Vec2 moved;
-    Vec2 sigma;
-  };
-  std::vector<Pair> pairs;
-  Vec2 middle = Vec2::Zero();
+  std::vector<Moved> pairs;
   for (const Building& found : refined.buildings) {
     const Building* drawn = drawing.find(found.id);
     if (drawn == nullptr || !found.estimate || found.estimate->observations == 0) continue;
@@ -61,12 +85,13 @@ std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined)
     const Vec2 sigma(std::max(found.estimate->sigma_x, kLeastSigma_m),
                      std::max(found.estimate->sigma_y, kLeastSigma_m));
     pairs.push_back({from, found.box().centre - from, sigma});
-    middle += from;
   }
+  if (pairs.size() >= 3) pairs = withoutMistaken(std::move(pairs));
   if (pairs.size() < 3) return std::nullopt;
-  middle /= static_cast<double>(pairs.size());
+  Vec2 middle = Vec2::Zero();
+  for (const Moved& pair : pairs) middle += pair.from / static_cast<double>(pairs.size());
   std::vector<Residual> residuals;
-  for (const Pair& pair : pairs) {
+  for (const Moved& pair : pairs) {
     const Vec2 arm = pair.from - middle;
     residuals.push_back({{1.0, 0.0, -arm.y()}, pair.moved.x(), pair.sigma.x()});
     residuals.push_back({{0.0, 1.0, arm.x()}, pair.moved.y(), pair.sigma.y()});

@@ -18,7 +18,8 @@ struct CommonShift {
   int buildings = 0;
 };
 
-/// By the centres of the buildings that were observed, weighed by their σ and by what buildings are
+/// By the centres of the buildings that were observed, without those that moved as no other did
+/// (they were taken for something else), weighed by their σ and by what buildings are
 /// off of their own, which is found with it (Paule & Mandel 1982). nullopt for less than three.
 std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined);
 

@@ -66,6 +66,20 @@ TEST(CommonShift, TellsShiftAndTurnApart) {
   EXPECT_NEAR(common->shift.norm(), std::hypot(5.0, 3.0), 1.0);
 }
 
+TEST(CommonShift, IsNotThatOfBuildingsThatWereTakenForOthers) {
+  auto [drawing, refined] = made(7, {5.0, -3.0}, 0.0, 0.8);
+  const auto right = commonShiftOf(drawing, refined);
+  for (std::size_t i = 0; i < 4; ++i) {
+    refined.buildings[i].shape =
+        Rectangle{refined.buildings[i].box().centre + Vec2(-14.0, 9.0), 10.0, 8.0, 0.0};
+  }
+  const auto common = commonShiftOf(drawing, refined);
+  ASSERT_TRUE(right && common);
+  EXPECT_EQ(common->buildings, 16);
+  EXPECT_LT((common->shift - right->shift).norm(), 0.5);
+  EXPECT_LT(common->shift_sigma.maxCoeff(), 0.4);
+}
+
 TEST(CommonShift, NeedsThreeBuildingsThatWereSeen) {
   auto [drawing, refined] = made(7, {5.0, -3.0}, 0.0, 0.5);
   for (std::size_t i = 2; i < refined.buildings.size(); ++i) refined.buildings[i].estimate.reset();
