@@ -36,6 +36,7 @@ constexpr std::array kPrimitives = {
     Primitive{"uint32", 70},   Primitive{"int32", 78},    Primitive{"uint64", 71},
     Primitive{"int64", 79},    Primitive{"float32", 85},  Primitive{"float64", 86}};
 constexpr unsigned kFirstReal = 80;
+constexpr double kMostWhole = 9e18;  // of what 64 bits with a sign hold
 
 std::string plainType(std::string type) {
   if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
@@ -220,7 +221,8 @@ class RosSchema::Reading {
 
   QCborValue number(unsigned tag) {
     const double number = typedNumber(tag, fields_.numbers(1, typedSize(tag)).data());
-    return tag >= kFirstReal ? QCborValue(number) : QCborValue(static_cast<qint64>(number));
+    const bool is_whole = tag < kFirstReal && std::abs(number) < kMostWhole;
+    return is_whole ? QCborValue(static_cast<qint64>(number)) : QCborValue(number);
   }
 
   const RosSchema& schema_;
