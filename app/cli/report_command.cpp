@@ -21,7 +21,7 @@ struct ReportArguments {
   std::string out;
 };
 
-std::string pageOf(const RunFolder& kept, const ReportArguments& arguments) {
+ReportInputs inputsOf(const RunFolder& kept, const ReportArguments& arguments) {
   ReportInputs inputs;
   inputs.drawing = readMap(kept.drawing());
   inputs.refined = readMap(kept.refined());
@@ -30,7 +30,7 @@ std::string pageOf(const RunFolder& kept, const ReportArguments& arguments) {
   inputs.trajectory = readTum(kept.trajectory()).poses();
   if (!arguments.truth.empty()) inputs.truth = readMap(arguments.truth);
   if (!arguments.recording.empty()) inputs.recording = openRecording(arguments.recording);
-  return reportHtml(inputs);
+  return inputs;
 }
 
 /// A run may be larger than memory. The old file stays whole where it fails.
@@ -55,7 +55,9 @@ int report(const ReportArguments& arguments) {
                                      kept.trajectory(), kept.mcap(), arguments.truth});
   const std::string ending = std::filesystem::path(arguments.out).extension().string();
   if (ending == ".html") {
-    writeFileAtomically(arguments.out, pageOf(kept, arguments));
+    writeFileAtomically(arguments.out, reportHtml(inputsOf(kept, arguments)));
+  } else if (ending == ".pdf") {
+    writeFileAtomically(arguments.out, reportPdf(inputsOf(kept, arguments)));
   } else if (ending == ".csv") {
     writeFileAtomically(arguments.out, tolerancesCsv(readMap(kept.refined())));
   } else if (ending == ".tex") {
@@ -63,8 +65,8 @@ int report(const ReportArguments& arguments) {
   } else if (ending == ".mcap") {
     copyFile(kept.mcap(), arguments.out);
   } else {
-    throw Error(ErrorCode::Usage, fmt::format("--out: found {}, expected NAME.html, .csv, .tex "
-                                              "or .mcap",
+    throw Error(ErrorCode::Usage, fmt::format("--out: found {}, expected NAME.html, .pdf, .csv, "
+                                              ".tex or .mcap",
                                               arguments.out));
   }
   return 0;
@@ -86,7 +88,7 @@ void addReportCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--recording", a.recording, "For pictures on the way")->option_text("DIR");
   command
       ->add_option("--out", a.out,
-                   "The page (.html, which refers to nothing outside), how sure each wall is "
+                   "The page (.html, which refers to nothing outside; .pdf), how sure each wall is "
                    "(.csv, .tex), or the run as messages of ROS 2 (.mcap) (required)")
       ->required()
       ->option_text("FILE");

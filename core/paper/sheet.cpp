@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/paper/sheet_marks.h"
+#include "core/pdf/pdf_document.h"
 
 namespace handmap {
 
@@ -129,39 +128,23 @@ std::vector<SheetPart> sheetParts(const Sheet& sheet, const Map* map) {
 }
 
 std::string sheetPdf(const Sheet& sheet, const Map* map) {
-  constexpr double kA4Width_mm = 297.0, kA4Height_mm = 210.0, kPoint_mm = 25.4 / 72.0;
-  std::string drawing = fmt::format("{:.5f} 0 0 {:.5f} {:.3f} {:.3f} cm\n", 1.0 / kPoint_mm,
-                                    1.0 / kPoint_mm, (kA4Width_mm - kSheetWidth_mm) / 2 / kPoint_mm,
-                                    (kA4Height_mm - kSheetHeight_mm) / 2 / kPoint_mm);
-  for (const SheetPart& part : sheetParts(sheet, map)) {
+  constexpr double kA4Width_mm = 297.0, kA4Height_mm = 210.0;
+  PdfDocument pdf(kA4Width_mm, kA4Height_mm);
+  pdf.beginPage();
+  const Vec2 corner(0.5 * (kA4Width_mm - kSheetWidth_mm), 0.5 * (kA4Height_mm - kSheetHeight_mm));
+  for (SheetPart part : sheetParts(sheet, map)) {
+    for (Vec2& point : part.line) point += corner;
     const double grey = 1.0 - part.darkness;
-    drawing += fmt::format("{0:.3f} g {0:.3f} G {1:.3f} w\n", grey, part.width_mm);
-    for (std::size_t i = 0; i < part.line.size(); ++i) {
-      drawing +=
-          fmt::format("{:.3f} {:.3f} {}\n", part.line[i].x(), part.line[i].y(), i == 0 ? "m" : "l");
+    if (part.width_mm > 0.0) {
+      pdf.line(part.line, true, part.width_mm, {grey, grey, grey});
+    } else {
+      pdf.fill(part.line, {grey, grey, grey});
     }
-    drawing += part.width_mm > 0.0 ? "s\n" : "f\n";
   }
-  drawing += fmt::format("0 g BT /F 5 Tf {:.3f} {:.3f} Td ({} m) Tj ET\n",
-                         kSheetWidth_mm / 2 + kBarSquares * kSheetSquare_mm / 2 + 3.0,
-                         kBarY_mm - 1.75, formatNumber(kBarSquares * sheet.code.square_m));
-  const std::vector<std::string> objects = {
-      "<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
-      fmt::format("<</Type/Page/Parent 2 0 R/MediaBox[0 0 {:.2f} {:.2f}]/Contents 4 0 R"
-                  "/Resources<</Font<</F 5 0 R>>>>>>",
-                  kA4Width_mm / kPoint_mm, kA4Height_mm / kPoint_mm),
-      fmt::format("<</Length {}>>\nstream\n{}endstream", drawing.size(), drawing),
-      "<</Type/Font/Subtype/Type1/BaseFont/Helvetica>>"};
-  std::string pdf = "%PDF-1.4\n";
-  std::string table = fmt::format("xref\n0 {}\n0000000000 65535 f \n", objects.size() + 1);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    table += fmt::format("{:010} 00000 n \n", pdf.size());
-    pdf += fmt::format("{} 0 obj\n{}\nendobj\n", i + 1, objects[i]);
-  }
-  const std::size_t table_at = pdf.size();
-  return pdf + table +
-         fmt::format("trailer\n<</Size {}/Root 1 0 R>>\nstartxref\n{}\n%%EOF\n", objects.size() + 1,
-                     table_at);
+  const double bar_end = kSheetWidth_mm / 2 + kBarSquares * kSheetSquare_mm / 2;
+  pdf.text(corner + Vec2(bar_end + 3.0, kBarY_mm - 1.75), 5.0,
+           formatNumber(kBarSquares * sheet.code.square_m) + " m");
+  return pdf.bytes();
 }
 
 }  // namespace handmap

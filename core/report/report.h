@@ -1,5 +1,5 @@
-// A run in one HTML file that anybody can open: plan, timeline, table, what went wrong, and the
-// data itself. It refers to nothing outside.
+// A run in one file that anybody can open: plan, certainty, table, what went wrong. As HTML with a
+// timeline, pictures and the data itself, which refers to nothing outside; as PDF to be printed.
 #pragma once
 
 #include <optional>
@@ -39,6 +39,8 @@ struct ReportInputs {
 
 /// Throws BadInput where the report of the run is none.
 std::string reportHtml(const ReportInputs& inputs);
+/// Pages of A4, in English; throws alike.
+std::string reportPdf(const ReportInputs& inputs);
 /// A row a wall, with a header.
 std::string tolerancesCsv(const Map& refined);
 /// The same as a LaTeX table, with a word on what each column means.

@@ -8438,8 +8438,8 @@ Corrected by a run.</source>
         <translation>-レポート</translation>
     </message>
     <message>
-        <source>Pages (*.html)</source>
-        <translation>ページ (*.html)</translation>
+        <source>Pages (*.html *.pdf)</source>
+        <translation>ページ (*.html *.pdf)</translation>
     </message>
     <message>
         <source>The report of the run</source>

@@ -125,12 +125,14 @@ void RunExports::exportReport() {
     recording = robot->folder.toStdString();
   }
   files_.exportInBackground(
-      {tr("Export a report"), nameOf(tr("-report")) + QStringLiteral(".html"), tr("Pages (*.html)"),
-       QStringLiteral("html"), tr("The report of the run")},
+      {tr("Export a report"), nameOf(tr("-report")) + QStringLiteral(".html"),
+       tr("Pages (*.html *.pdf)"), QStringLiteral("html"), tr("The report of the run")},
       [inputs = std::move(inputs), recording](const QString& path, const std::stop_token& stop) {
         ReportInputs all = inputs;
         if (is_directory(recording)) all.recording = openRecording(recording);  // for its pictures
-        const std::string page = stop.stop_requested() ? std::string() : reportHtml(all);
+        if (stop.stop_requested()) return false;
+        const std::string page =
+            path.endsWith(QLatin1String(".pdf")) ? reportPdf(all) : reportHtml(all);
         if (stop.stop_requested()) return false;
         writeFileAtomically(path.toStdString(), page);
         return true;

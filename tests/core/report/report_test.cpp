@@ -93,5 +93,52 @@ TEST(Report, RefusesWhatIsNoReportOfARun) {
   test::expectBadInput([&] { reportHtml(wrong); }, {"report.json"});
 }
 
+/// Each object is where the table of the file says.
+void expectWhole(const std::string& pdf) {
+  ASSERT_TRUE(pdf.starts_with("%PDF-1.4\n"));
+  const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
+  ASSERT_EQ(pdf.compare(table, 5, "xref\n"), 0);
+  const std::size_t count = std::stoul(pdf.substr(table + 7));
+  for (std::size_t i = 1; i < count; ++i) {
+    const std::size_t row = pdf.find("65535 f \n", table) + 9 + 20 * (i - 1);
+    EXPECT_EQ(pdf.compare(std::stoul(pdf.substr(row, 10)), 6, std::to_string(i) + " 0 ob", 0, 6), 0)
+        << i;
+  }
+}
+
+TEST(ReportPdf, HasPlanTableAndWhatWentWrong) {
+  ReportInputs made = inputs();
+  made.drawing.name = "Our (small) street";
+  const std::string pdf = reportPdf(made);
+  expectWhole(pdf);
+  for (const char* text : {"(Our \\(small\\) street) Tj", "(5.00 m) Tj", "(10 %) Tj", "(0.60) Tj",
+                           "(Too dark.) Tj", "(seed: 1) Tj"}) {
+    EXPECT_NE(pdf.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(ReportPdf, HasAsManyPagesAsItNeeds) {
+  ReportInputs made = inputs();
+  for (int i = 0; i < 60; ++i) {
+    made.refined.buildings.push_back(made.refined.buildings[0]);
+    made.refined.buildings.back().id = "C" + std::to_string(i);
+  }
+  const std::string pdf = reportPdf(made);
+  expectWhole(pdf);
+  EXPECT_NE(pdf.find("/Count 6>>"), std::string::npos) << pdf.substr(pdf.find("/Count"), 12);
+}
+
+TEST(ReportPdf, NamesOfAnyScript) {
+  ReportInputs made = inputs();
+  made.refined.buildings[0].name = "\xE9\xA7\x85\xFF";  // a station, and no character
+  EXPECT_NE(reportPdf(made).find("<99C5> Tj"), std::string::npos);
+}
+
+TEST(ReportPdf, RefusesWhatIsNoReport) {
+  ReportInputs made = inputs();
+  made.run = "{}";
+  EXPECT_THROW(reportPdf(made), Error);
+}
+
 }  // namespace
 }  // namespace handmap

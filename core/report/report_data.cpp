@@ -1,10 +1,9 @@
-#include "core/report/report.h"
+#include "core/report/report_data.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -13,7 +12,6 @@
 #include "core/evaluation/common_shift.h"
 #include "core/map/map_io.h"
 #include "core/recording/image_file.h"
-#include "core/report/page.h"
 
 namespace handmap {
 
@@ -112,7 +110,9 @@ Json picturesJson(const Recording& recording, double first_s, double last_s) {
   return pictures;
 }
 
-Json dataOf(const ReportInputs& inputs) {
+}  // namespace
+
+nlohmann::ordered_json reportData(const ReportInputs& inputs) {
   const auto parsed = parseJson(inputs.run, inputs.run_file);
   const JsonValue run(parsed, inputs.run_file);
   Json data = {{"title", inputs.drawing.name},  {"program", "handmap " HANDMAP_VERSION},
@@ -150,23 +150,6 @@ Json dataOf(const ReportInputs& inputs) {
                    {"report.json", inputs.run}};
   if (!inputs.trajectory.empty()) data["files"]["trajectory.tum"] = formatTum(inputs.trajectory);
   return data;
-}
-
-}  // namespace
-
-std::string reportHtml(const ReportInputs& inputs) {
-  // Nothing in it ends the element that it stands in.
-  std::string data;
-  for (const char c : dataOf(inputs).dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      data += "\\u003c";
-    } else {
-      data += c;
-    }
-  }
-  std::string page(kReportPage);
-  constexpr std::string_view kPlace = "{\"place\": \"of the data\"}";
-  return page.replace(page.find(kPlace), kPlace.size(), data);
 }
 
 }  // namespace handmap
