@@ -21,6 +21,14 @@ constexpr double kParallel = toRadians(10.0);  // choice
 
 using Places = std::vector<std::optional<FittedOutline>>;
 
+struct Buildings {
+  const std::vector<OutlineTask>& tasks;
+  const Places& places;
+  std::vector<bool> done;  ///< its terrace is decided
+
+  bool hasPlace(std::size_t b) const { return places[b] && !done[b]; }
+};
+
 /// An interval along the terrace, and how deep it is there.
 struct Stretch {
   double from, to;
@@ -48,14 +56,15 @@ bool isParallel(const Polygon& outline, double heading) {
   return std::abs(std::remainder(headingOf(outline) - heading, kPi / 2.0)) < kParallel;
 }
 
-Terrace terraceAround(std::size_t first, double heading, const Places& places) {
+Terrace terraceAround(std::size_t first, double heading, const Buildings& buildings) {
+  const Places& places = buildings.places;
   const Stretch start = stretchOf(places[first]->outline, heading);
   Terrace terrace{heading, {first}, {start}, start.from, start.to};
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (!places[k] || std::ranges::find(terrace.houses, k) != terrace.houses.end()) continue;
-      if (!isParallel(places[k]->outline, heading)) continue;
+      if (std::ranges::find(terrace.houses, k) != terrace.houses.end()) continue;
+      if (!buildings.hasPlace(k) || !isParallel(places[k]->outline, heading)) continue;
       const Stretch other = stretchOf(places[k]->outline, heading);
       const bool beside = std::ranges::any_of(terrace.places, [&](const Stretch& house) {
         return std::max(house.from, other.from) - std::min(house.to, other.to) < kWallToWall_m &&
@@ -87,9 +96,11 @@ std::vector<std::size_t> longestFirst(const Places& places) {
 }
 
 /// Not of the terrace, and drawn on it or no farther from it than one σ.
-std::vector<std::size_t> drawnOn(const Terrace& terrace, const std::vector<OutlineTask>& tasks) {
+std::vector<std::size_t> drawnOn(const Terrace& terrace, const Buildings& buildings) {
+  const std::vector<OutlineTask>& tasks = buildings.tasks;
   std::vector<std::size_t> others;
   for (std::size_t b = 0; b < tasks.size(); ++b) {
+    if (buildings.done[b]) continue;
     if (std::ranges::find(terrace.houses, b) != terrace.houses.end()) continue;
     const Stretch drawn = stretchOf(tasks[b].drawn, terrace.heading);
     const double off = tasks[b].drawn_shift_m;
@@ -140,10 +151,9 @@ double priorsOf(const std::vector<TerraceHouse>& houses) {
 }
 
 /// As it is drawn, whatever was found for it.
-double priorAsItIs(std::size_t b, double heading, const std::vector<OutlineTask>& tasks,
-                   const Places& places) {
-  const Rectangle box = boundingRectangle(places[b]->outline, heading);
-  return placedOn(box, priorOf(asDrawn(tasks[b]))).prior;
+double priorAsItIs(std::size_t b, double heading, const Buildings& buildings) {
+  const Rectangle box = boundingRectangle(buildings.places[b]->outline, heading);
+  return placedOn(box, priorOf(asDrawn(buildings.tasks[b]))).prior;
 }
 
 /// What returns say for any of some outlines, each once.
@@ -175,22 +185,22 @@ struct Division {
 };
 
 /// With those of the others that make it more probable.
-Division divisionOf(const Terrace& terrace, const std::vector<OutlineTask>& tasks,
-                    const Places& places) {
-  std::vector<std::size_t> others = drawnOn(terrace, tasks);
+Division divisionOf(const Terrace& terrace, const Buildings& buildings) {
+  std::vector<std::size_t> others = drawnOn(terrace, buildings);
   std::vector<std::size_t> among = terrace.houses;
   double before = 0.0;
-  for (const std::size_t b : among) before += priorAsItIs(b, terrace.heading, tasks, places);
+  for (const std::size_t b : among) before += priorAsItIs(b, terrace.heading, buildings);
   Division best;
   while (!others.empty()) {
     std::size_t taken = others.size();
     for (std::size_t k = 0; k < others.size(); ++k) {
       among.push_back(others[k]);
-      std::vector<TerraceHouse> houses = divided(terrace, among, tasks);
+      std::vector<TerraceHouse> houses = divided(terrace, among, buildings.tasks);
       double gain = priorsOf(houses) - before;
       for (std::size_t n = terrace.houses.size(); n < among.size(); ++n) {
         const std::size_t b = among[n];
-        gain += places[b] ? -kIsThere - priorAsItIs(b, terrace.heading, tasks, places) : kIsThere;
+        gain +=
+            buildings.places[b] ? -kIsThere - priorAsItIs(b, terrace.heading, buildings) : kIsThere;
       }
       among.pop_back();
       if (gain <= best.gain) continue;
@@ -205,13 +215,12 @@ Division divisionOf(const Terrace& terrace, const std::vector<OutlineTask>& task
 }
 
 /// Whether the returns that stood for the houses stand for those of the division.
-bool leavesEvidence(const Division& division, const Terrace& terrace,
-                    const std::vector<OutlineTask>& tasks, const Places& places,
+bool leavesEvidence(const Division& division, const Terrace& terrace, const Buildings& buildings,
                     const PlacedRays& placed, double range_limit_m) {
   Evidence before(placed, range_limit_m);
   Evidence after(placed, range_limit_m);
   for (const std::size_t b : terrace.houses) {
-    before.add(priorOf(asDrawn(tasks[b])), places[b]->outline);
+    before.add(priorOf(asDrawn(buildings.tasks[b])), buildings.places[b]->outline);
   }
   for (const auto& [building, prior, place] : division.houses) after.add(prior, place.outline);
   return after.total() >= kLeastLeft * before.total();
@@ -223,25 +232,25 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
                                           const Places& places, const PlacedRays& placed,
                                           double range_limit_m, const std::stop_token& stop) {
   const RayOwners nobody(placed.rays.size(), kNobody);
+  Buildings buildings{tasks, places, std::vector<bool>(tasks.size(), false)};
   std::vector<TerraceHouse> all;
-  std::vector<bool> done(tasks.size(), false);
   for (const std::size_t i : longestFirst(places)) {
     if (stop.stop_requested()) break;
-    if (done[i]) continue;
+    if (buildings.done[i]) continue;
     const double heading = headingOf(places[i]->outline);
-    Terrace terrace = terraceAround(i, heading, places);
-    Division division = divisionOf(terrace, tasks, places);
-    Terrace across = terraceAround(i, heading + kPi / 2.0, places);
-    Division other = divisionOf(across, tasks, places);
+    Terrace terrace = terraceAround(i, heading, buildings);
+    Division division = divisionOf(terrace, buildings);
+    Terrace across = terraceAround(i, heading + kPi / 2.0, buildings);
+    Division other = divisionOf(across, buildings);
     if (other.gain > division.gain) {
       std::swap(terrace, across);
       std::swap(division, other);
     }
     if (division.houses.empty()) continue;
-    for (const std::size_t b : terrace.houses) done[b] = true;
-    if (!leavesEvidence(division, terrace, tasks, places, placed, range_limit_m)) continue;
+    for (const std::size_t b : terrace.houses) buildings.done[b] = true;
+    if (!leavesEvidence(division, terrace, buildings, placed, range_limit_m)) continue;
     for (TerraceHouse& house : division.houses) {
-      done[house.building] = true;
+      buildings.done[house.building] = true;
       scorePlace(house.place, scorerFor(house.prior, placed, range_limit_m, nobody,
                                         static_cast<int>(house.building)));
       all.push_back(std::move(house));
