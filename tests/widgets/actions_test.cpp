@@ -1,9 +1,11 @@
 // The table of actions, the icons and the colours.
 #include <QActionGroup>
+#include <QDockWidget>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMainWindow>
 #include <QMenuBar>
 #include <QPalette>
 #include <QPushButton>
@@ -100,6 +102,31 @@ class ActionsTest : public QObject {
     QVERIFY(!fuzzyScore("a", ""));
     QCOMPARE(fuzzyScore("", "Zoom In"), std::optional(0));
     QVERIFY(fuzzyScore("開", "ファイルを開く"));
+  }
+
+  /// A run that ends brings its panel while a command is being typed.
+  void thePaletteStaysOnTopOfAWindowThatIsLaidOutAnew() {
+    QMainWindow window;
+    auto* middle = new QWidget;
+    window.setCentralWidget(middle);
+    auto* one = new QDockWidget(&window);
+    auto* other = new QDockWidget(&window);
+    window.addDockWidget(Qt::RightDockWidgetArea, one);
+    window.addDockWidget(Qt::RightDockWidgetArea, other);
+    window.tabifyDockWidget(one, other);
+    other->hide();
+    const ActionSet actions;
+    CommandPalette palette(actions, window);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    palette.open();
+    other->show();
+    other->raise();
+    middle->raise();  // as its layout does where there is room to be animated
+    const auto is_on_top = [&] {
+      return window.children().indexOf(&palette) > window.children().indexOf(middle);
+    };
+    QTRY_VERIFY(is_on_top());
   }
 
   void thePaletteRunsWhatIsTyped() {

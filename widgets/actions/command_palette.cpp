@@ -78,6 +78,7 @@ CommandPalette::CommandPalette(const ActionSet& actions, QWidget& window)
   layout->addWidget(typed_);
   layout->addWidget(list_);
   typed_->installEventFilter(this);
+  window.installEventFilter(this);
   connect(typed_, &QLineEdit::textChanged, this, &CommandPalette::fill);
   connect(typed_, &QLineEdit::returnPressed, this, [this] { run(list_->currentItem()); });
   connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
@@ -145,8 +146,12 @@ void CommandPalette::close() {
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusOut && isVisible() &&
-      static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
+  if (watched == parentWidget()) {
+    // A window that lays out its panels anew puts what is in its middle on top.
+    if (event->type() == QEvent::LayoutRequest && isVisible())
+      QMetaObject::invokeMethod(this, &QWidget::raise, Qt::QueuedConnection);
+  } else if (event->type() == QEvent::FocusOut && isVisible() &&
+             static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
     hide();
   } else if (event->type() == QEvent::KeyPress) {
     const auto& key = static_cast<const QKeyEvent&>(*event);
