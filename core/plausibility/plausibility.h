@@ -12,8 +12,8 @@
 namespace handmap {
 
 /// Codes: odometry_units, odometry_heading, odometry_gaps, time_units, two_clocks, points_units,
-/// points_axes, ray_directions, opposite_turns, heights, range_limit, points_missing, scans_repeated, likelihood_zero, strange_key.
-/// Throws Error when `stop` is requested.
+/// points_axes, ray_directions, opposite_turns, heights, range_limit, points_missing,
+/// scans_repeated, likelihood_zero, strange_key. Throws Error when `stop` is requested.
 Doubts doubtsOf(const Recording& recording, const std::stop_token& stop = {});
 
 }  // namespace handmap

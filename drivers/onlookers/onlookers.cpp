@@ -86,8 +86,7 @@ class Onlookers::Telling : public QObject {
     say(DeviceState::Connecting, {});
     const RosVersion version = rig_.ros_version == 1 ? RosVersion::Ros1 : RosVersion::Ros2;
     auto client = rosClientAt(url, version, kSeed);
-    connect(client.get(), &RosClient::connected, this,
-            [say] { say(DeviceState::Ready, {}); });
+    connect(client.get(), &RosClient::connected, this, [say] { say(DeviceState::Ready, {}); });
     connect(client.get(), &RosClient::lost, this,
             [say](const QString& why) { say(DeviceState::Lost, why); });
     connect(client.get(), &RosClient::troubled, this,

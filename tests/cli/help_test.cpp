@@ -12,8 +12,8 @@ TEST_F(Help, OfTheProgramAndOfEveryCommand) {
   expectDone(run({"--help"}), contentOf(expected / "help.txt"));
   for (const std::string command :
        {"run", "odometry", "calibrate", "simulate", "perturb", "compare", "convert", "evaluate",
-        "figures", "sketch-stats", "validate", "train", "classify", "import", "info", "report", "try",
-        "trace", "sheet"}) {
+        "figures", "sketch-stats", "validate", "train", "classify", "import", "info", "report",
+        "try", "trace", "sheet"}) {
     expectDone(run({command, "--help"}), contentOf(expected / ("help-" + command + ".txt")));
   }
 }

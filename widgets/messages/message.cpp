@@ -18,7 +18,7 @@ namespace {
 constexpr int kInfoStaysMs = 12'000;
 constexpr int kWarningStaysMs = 40'000;
 constexpr int kBesideWord = 8;  // pixels, in a button
-constexpr int kMostBeside = 2;   // buttons beside the text
+constexpr int kMostBeside = 2;  // buttons beside the text
 
 QStyle::StandardPixmap pictureOf(Message::Kind kind) {
   switch (kind) {

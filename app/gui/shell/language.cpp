@@ -69,7 +69,8 @@ void Language::choose(const QString& name) {
   shell_.settings.setValue(kKey, name);
   shell_.settings.sync();
   shell_.messages
-      .show(MessageBar::Kind::Info, tr("The other language comes with the next start of the program."), {},
+      .show(MessageBar::Kind::Info,
+            tr("The other language comes with the next start of the program."), {},
             QStringLiteral("language"))
       .addAction(tr("Start again"), start_again_);
 }

@@ -131,14 +131,13 @@ TEST(RosMessages, ImagesAreDecodedAndDamagedOnesRefused) {
   cv::imencode(".png", cv::Mat(40, 60, CV_8UC3, cv::Scalar(1, 2, 3)), file);
   const QByteArray bytes(reinterpret_cast<const char*>(file.data()),
                          static_cast<qsizetype>(file.size()));
-  const auto read = readImage(
-      RosValue(emulated::compressedImage(1.0, bytes, RosVersion::Ros2), "/left"));
+  const auto read =
+      readImage(RosValue(emulated::compressedImage(1.0, bytes, RosVersion::Ros2), "/left"));
   EXPECT_EQ(read.image.size(), cv::Size(60, 40));
   for (const QByteArray& bad :
        {QByteArray(), bytes.left(20), bytes.left(bytes.size() - 20), QByteArray("not an image")}) {
-    EXPECT_THROW(readImage(
-                     RosValue(emulated::compressedImage(1.0, bad, RosVersion::Ros2), "/left")),
-                 Error);
+    EXPECT_THROW(
+        readImage(RosValue(emulated::compressedImage(1.0, bad, RosVersion::Ros2), "/left")), Error);
   }
 }
 
