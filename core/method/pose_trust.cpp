@@ -74,10 +74,10 @@ Eigen::Matrix3d poseCovariance(const FrameReport& report) {
 }
 
 void stateBlind(double blind_s, FrameReport& report) {
-  constexpr double kWalk_m_s = 1.0;    // of one axis: robots among people
-  constexpr double kTurn_rad_s = 0.5;  // as they turn at corners
+  constexpr double kWalk = 1.0;  // m/s of one axis: robots among people
+  constexpr double kTurn = 0.5;  // rad/s, as they turn at corners
   if (blind_s <= 0.0) return;
-  const Eigen::Array3d off = blind_s * Eigen::Array3d(kWalk_m_s, kWalk_m_s, kTurn_rad_s);
+  const Eigen::Array3d off = blind_s * Eigen::Array3d(kWalk, kWalk, kTurn);
   Eigen::Matrix3d covariance = poseCovariance(report);
   covariance.diagonal().array() += off.square();
   stateTrust(covariance, report);

@@ -58,7 +58,7 @@ std::string utf16Of(const std::vector<char32_t>& characters) {
 
 /// The font that a viewer brings for Japanese, where it has one; and what it is made of.
 const std::vector<std::string>& fontObjects() {
-  static const std::vector<std::string> objects = {
+  static const std::vector<std::string> kObjects = {
       "<</Type/Font/Subtype/Type1/BaseFont/Helvetica/Encoding/WinAnsiEncoding>>",
       "<</Type/Font/Subtype/Type0/BaseFont/HeiseiKakuGo-W5/Encoding/UniJIS-UTF16-H"
       "/DescendantFonts[5 0 R]>>",
@@ -67,7 +67,7 @@ const std::vector<std::string>& fontObjects() {
       "/Registry(Adobe)/Ordering(Japan1)/Supplement 4>>/FontDescriptor 6 0 R>>",
       "<</Type/FontDescriptor/FontName/HeiseiKakuGo-W5/Flags 4/FontBBox[-92 -250 1010 922]"
       "/ItalicAngle 0/Ascent 752/Descent -221/CapHeight 737/StemV 114>>"};
-  return objects;
+  return kObjects;
 }
 constexpr std::size_t kFirstFont = 3;  // number of their first object
 
