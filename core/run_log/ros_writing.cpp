@@ -157,7 +157,7 @@ std::string outlines(const Stamp& stamp, const Map& map) {
   for (const Building& building : map.buildings) {
     const Polygon outline = building.footprint();
     for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 from = outline[i];
+      const Vec2& from = outline[i];
       const Vec2 along = outline[(i + 1) % outline.size()] - from;
       const int steps = std::clamp(static_cast<int>(along.norm() / kOutlineStep_m), 1, 5000);
       for (int step = 0; step < steps; ++step) {

@@ -148,7 +148,7 @@ class RosSchema::Parser {
 
   /// Of the same package where none is named; ROS 1 knows "Header" alone.
   std::string resolved(const std::string& name, const std::string& within) {
-    const std::string plain = plainType(name);
+    std::string plain = plainType(name);
     const std::string near = within.substr(0, within.find('/') + 1) + plain;
     for (const std::string& type : {plain, near, "std_msgs/" + plain}) {
       if (texts_.contains(type)) return type;

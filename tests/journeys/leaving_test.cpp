@@ -82,6 +82,26 @@ TEST_F(Leaving, AFinishedRunThatNobodyAcceptedIsAskedAbout) {
   EXPECT_TRUE(dialogs_->asked.isEmpty());
 }
 
+/// Whether it was left behind finished or in the middle.
+TEST_F(Leaving, NothingOfARunIsLeftWithAnotherRobot) {
+  document_.reset(world_.map);
+  for (const bool finished : {true, false}) {
+    window_->sources().setRobot(simulatedRobot("other", world_, 3));
+    if (finished) {
+      runToTheEnd();
+    } else {
+      window_->runs().runOrResume();
+      ASSERT_TRUE(QTest::qWaitFor([&] { return window_->run().result() != nullptr; }, kPatienceMs));
+    }
+    auto* accept = window_->findChild<QPushButton*>("accept_ticked");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return accept->isEnabled(); }, kPatienceMs));
+    window_->sources().setRobot(simulatedRobot("other", world_, 4));
+    EXPECT_FALSE(accept->isEnabled()) << "in the review";
+    EXPECT_FALSE(action(*window_, "run.accept")->isEnabled());
+    EXPECT_FALSE(message(*window_).contains("The run is done")) << message(*window_).toStdString();
+  }
+}
+
 TEST_F(Leaving, WhatWasAcceptedAndTakenBackIsAskedAbout) {
   record("drive", 8);
   document_.reset(world_.map);

@@ -46,8 +46,8 @@ ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActi
   actions.on("run.accept", this, [this] { accept(); });
   connect(&buildings_, &BuildingsPanel::acceptRequested, this, &ResultActions::accept);
   files_.setMayLeaveRun([this](bool coming_back) { return mayLeave(coming_back); });
-  connect(&files_, &FileActions::drawingReplaced, this,
-          [this] { shell_.messages.withdraw(kAcceptTopic); });
+  connect(&files_, &FileActions::drawingReplaced, this, &ResultActions::forget);
+  connect(&sources_, &SourceActions::robotChanged, this, &ResultActions::forget);
   connect(&run_, &RunController::begun, this, [this] { skipped_ = 0; });
   connect(&run_, &RunController::frameSkipped, this, &ResultActions::onFrameSkipped);
   connect(&run_, &RunController::finished, this, &ResultActions::onFinished);
@@ -59,6 +59,13 @@ ResultActions::ResultActions(const Shell& shell, MapDocument& document, FileActi
 void ResultActions::updateActions() {
   shell_.actions.setEnabled({"run.accept"}, run_.result() != nullptr,
                             tr("no run has corrected anything yet"));
+}
+
+/// Another robot, or another drawing: nothing is left to be accepted.
+void ResultActions::forget() {
+  for (const char* topic : {kAcceptTopic, kSummaryTopic, kConcernsTopic})
+    shell_.messages.withdraw(topic);
+  updateActions();
 }
 
 void ResultActions::onFrameSkipped(int frame, const QString& reason) {

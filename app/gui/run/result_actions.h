@@ -36,6 +36,7 @@ class ResultActions : public QObject {
   void take(const QStringList& kept = {});
   /// Before somebody takes it over: what should be looked at first.
   void alarm();
+  void forget();
   void onFinished(bool cancelled);
   void onFrameSkipped(int frame, const QString& reason);
   /// Of a run at its end; true: its outcome is hardly worth a summary.

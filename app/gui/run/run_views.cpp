@@ -59,11 +59,7 @@ RunViews::RunViews(const Shell& shell, MapCanvas& canvas, MapDocument& document,
   connect(&panels_.log, &LogPanel::timeChosen, this, &RunViews::timeChosen);
   connect(&panels_.log, &LogPanel::showRequested, this, &RunViews::showBuilding);
   connect(&sources_, &SourceActions::robotChanged, this, &RunViews::forget);
-  connect(&files, &FileActions::drawingReplaced, this, [this] {
-    forget();
-    shell_.docks.showRunDocks(false, false);
-    panels_.layers.setRun(false, false);
-  });
+  connect(&files, &FileActions::drawingReplaced, this, &RunViews::forget);
   connectRun();
   connect(&teller_, &StoryTeller::told, this, &RunViews::hearStory);
   connectFollowing();
@@ -101,6 +97,9 @@ void RunViews::forget() {
   const auto& robot = sources_.robot();
   showTruth(robot ? robot->truth : std::vector<StampedPose>());
   if (robot && robot->truth_map) overlays_.setTruthMap(*robot->truth_map);
+  panels_.buildings.model().setDrawing({});
+  shell_.docks.showRunDocks(false, false);
+  panels_.layers.setRun(false, false);
 }
 
 void RunViews::showTruth(const std::vector<StampedPose>& trajectory) {
