@@ -56,10 +56,14 @@ bool isParallel(const Polygon& outline, double heading) {
   return std::abs(std::remainder(headingOf(outline) - heading, kPi / 2.0)) < kParallel;
 }
 
+Terrace oneHouse(std::size_t b, double heading, const Places& places) {
+  const Stretch place = stretchOf(places[b]->outline, heading);
+  return {heading, {b}, {place}, place.from, place.to};
+}
+
 Terrace terraceAround(std::size_t first, double heading, const Buildings& buildings) {
   const Places& places = buildings.places;
-  const Stretch start = stretchOf(places[first]->outline, heading);
-  Terrace terrace{heading, {first}, {start}, start.from, start.to};
+  Terrace terrace = oneHouse(first, heading, places);
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -234,6 +238,16 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
   const RayOwners nobody(placed.rays.size(), kNobody);
   Buildings buildings{tasks, places, std::vector<bool>(tasks.size(), false)};
   std::vector<TerraceHouse> all;
+  const auto divide = [&](const Terrace& terrace, Division division) {
+    if (!leavesEvidence(division, terrace, buildings, placed, range_limit_m)) return false;
+    for (TerraceHouse& house : division.houses) {
+      buildings.done[house.building] = true;
+      scorePlace(house.place, scorerFor(house.prior, placed, range_limit_m, nobody,
+                                        static_cast<int>(house.building)));
+      all.push_back(std::move(house));
+    }
+    return true;
+  };
   for (const std::size_t i : longestFirst(places)) {
     if (stop.stop_requested()) break;
     if (buildings.done[i]) continue;
@@ -248,12 +262,12 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
     }
     if (division.houses.empty()) continue;
     for (const std::size_t b : terrace.houses) buildings.done[b] = true;
-    if (!leavesEvidence(division, terrace, buildings, placed, range_limit_m)) continue;
-    for (TerraceHouse& house : division.houses) {
-      buildings.done[house.building] = true;
-      scorePlace(house.place, scorerFor(house.prior, placed, range_limit_m, nobody,
-                                        static_cast<int>(house.building)));
-      all.push_back(std::move(house));
+    if (divide(terrace, std::move(division))) continue;
+    // Where fronts are stepped the houses that are right would be lost with the others.
+    for (const std::size_t b : terrace.houses) {
+      const Terrace alone = oneHouse(b, terrace.heading, places);
+      Division of_one = divisionOf(alone, buildings);
+      if (!of_one.houses.empty()) divide(alone, std::move(of_one));
     }
   }
   return all;
