@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/run_folder.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/report/report.h"

@@ -264,7 +264,7 @@ int lookAtNumbers(const RunArguments& arguments, Recording recording, const Map&
   return complain(doubts);
 }
 
-int runRecording(RunArguments arguments, Map drawing) {
+int runRecording(RunArguments arguments, const Map& drawing) {
   const Recording recording = openRecording(arguments.recording);
   if (const int status = lookAtNumbers(arguments, recording, drawing); status != 0) return status;
   auto source = openWithOdometry(recording, arguments.replay, arguments.odometry,
@@ -319,7 +319,7 @@ class GivenOnTheWay {
 
 /// Ctrl-C ends the drive, not the run: what was found is smoothed and written. A second one ends
 /// the program.
-int runLive(const RunArguments& arguments, Map drawing) {
+int runLive(const RunArguments& arguments, const Map& drawing) {
   const Interrupt interrupt;
   Progress progress(0, arguments.verbosity());
   LiveDrive drive(arguments.live, drawing, arguments.settings.seed);
@@ -372,8 +372,8 @@ int run(const CLI::App& command, RunArguments arguments) {
   if (arguments.settings.perception.classify) {
     arguments.settings.perception.classifier = classifierFor(arguments, drawing);
   }
-  return arguments.live.any() ? runLive(arguments, std::move(drawing))
-                              : runRecording(std::move(arguments), std::move(drawing));
+  return arguments.live.any() ? runLive(arguments, drawing)
+                              : runRecording(std::move(arguments), drawing);
 }
 
 }  // namespace

@@ -26,9 +26,10 @@ for page in handmap handmap-cli; do
   if command -v groff >/dev/null; then
     [ -z "$(groff -man -ww -z $share/man/man1/$page.1 2>&1)" ] || fail "$page.1 is no clean page"
   fi
-  # Every option that the program tells stands in its page.
+  # Every option that the program tells stands in its page. (In a pipe tr would be broken off by what is found early.)
+  text=$(tr -d '\\-' <$share/man/man1/$page.1)
   for word in $(QT_QPA_PLATFORM=offscreen usr/bin/$page --help | grep -oE '^  --[a-z-]+|^  [a-z]{3,} ' | tr -d ' -'); do
-    tr -d '\\-' <$share/man/man1/$page.1 | grep -q "$word" || fail "$page.1 does not tell of $word"
+    grep -q "$word" <<<"$text" || fail "$page.1 does not tell of $word"
   done
 done
 
