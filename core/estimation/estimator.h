@@ -11,8 +11,8 @@
 #include "core/base/shared_list.h"
 #include "core/estimation/buildings/box_finder.h"
 #include "core/estimation/labels/assignment.h"
-#include "core/estimation/smoothing/odometry_noise.h"
 #include "core/map/map.h"
+#include "core/odometry/odometry_noise.h"
 #include "core/perception/local_map.h"
 #include "core/recording/trajectory.h"
 
@@ -22,7 +22,7 @@ struct EstimatorOptions {
   double range_limit_m = 40.0;
   int particles = 100;
   SensorOptions sensor;
-  OdometryNoise odometry;
+  OdometryNoise odometry = kWheels;
   DetectionOptions detection;
   FinderOptions finder;
   AssignmentOptions assignment;

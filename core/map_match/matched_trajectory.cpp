@@ -5,11 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "core/estimation/smoothing/odometry_noise.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
 
@@ -23,7 +21,6 @@ constexpr double kAside_m = 10.0;   // end on either side
 constexpr double kThin_m = 0.25;
 constexpr std::array kGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
 constexpr int kLeastMatched = 30;
-constexpr double kInformation = 0.02;  // of a match: as of a loop, neighbours are wrong together
 /// What walls and poses of one window are off together; windows overlap, and share it.
 constexpr double kFloor_m = 0.3;
 constexpr double kFloorTurn = toRadians(0.6);
@@ -38,37 +35,6 @@ constexpr int kMostRounds = 4;     // at the end
 constexpr double kStill_m = 0.02;  // no pose moves any more
 constexpr double kOnWall_m = 0.5;
 constexpr int kLeastOnWalls = 10;
-
-Eigen::Matrix3d sigmaOf(const Pose2& motion, TrajectoryNoise noise) {
-  const double length = motion.position().norm();
-  const double turn = std::abs(motion.heading);
-  Eigen::Vector3d sigma;
-  if (noise == TrajectoryNoise::Scans) {
-    sigma << 0.02 + 0.012 * length, 0.02 + 0.006 * length,
-        0.0015 + 0.006 * turn + 0.0007 * std::sqrt(length);
-  } else {
-    const OdometryNoise usual;
-    sigma << usual.length_per_m * length + usual.least_length_m,
-        usual.side_per_m * length + usual.least_length_m,
-        std::sqrt(usual.heading_variance_per_m * length) + usual.heading_per_rad * turn +
-            usual.least_heading;
-  }
-  return sigma.asDiagonal();
-}
-
-std::optional<Eigen::Matrix3d> rootOf(const Eigen::Matrix3d& information) {
-  const Eigen::LLT<Eigen::Matrix3d> root(information);
-  if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;
-  return Eigen::Matrix3d(root.matrixU());
-}
-
-std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
-  const Eigen::LLT<Eigen::Matrix3d> known(kInformation * matched);
-  if (known.info() != Eigen::Success) return std::nullopt;
-  Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
-  covariance.diagonal() += Eigen::Vector3d(kFloor_m, kFloor_m, kFloorTurn).cwiseAbs2();
-  return rootOf(covariance.inverse());
-}
 
 }  // namespace
 
@@ -87,7 +53,7 @@ MatchedTrajectory::MatchedTrajectory(const Map& map, const SeenFrames& seen)
 
 MotionFactor MatchedTrajectory::motion(const Keyframe& from, const Keyframe& to) const {
   const Pose2 driven = between(trajectory_[from.observation], trajectory_[to.observation]);
-  return {driven, sigmaOf(driven, noise_).inverse()};
+  return {driven, noise_.sigmaOf(driven).cwiseInverse().asDiagonal()};
 }
 
 /// Of the pose of `to`, by the odometry since a keyframe.
@@ -97,13 +63,13 @@ Eigen::Matrix3d MatchedTrajectory::carried(const Keyframe& from, const Keyframe&
   slope.topRightCorner<2, 1>() = perpendicular(to.pose.position() - from.pose.position());
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(from.pose.heading).toRotationMatrix();
-  const Eigen::Matrix3d root = turned * sigmaOf(driven, noise_);
+  const Eigen::Matrix3d root = turned * noise_.sigmaOf(driven).asDiagonal();
   return slope * at_keyframe_ * slope.transpose() + root * root.transpose();
 }
 
-void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, TrajectoryNoise noise) {
+void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise) {
   const bool changed =
-      noise != noise_ ||
+      !(noise == noise_) ||
       (trajectory_.size() > 1 && trajectory[trajectory_.size() - 1] != trajectory_.back());
   const double last = travelled_m_.empty() ? 0.0 : travelled_m_.back();
   travelled_m_.push_back(
@@ -116,7 +82,7 @@ void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, TrajectoryNois
   work(trajectory_.size() - 1);
 }
 
-void MatchedTrajectory::lay(const std::vector<Pose2>& trajectory, TrajectoryNoise noise,
+void MatchedTrajectory::lay(const std::vector<Pose2>& trajectory, const OdometryNoise& noise,
                             const std::stop_token& stop) {
   trajectory_ = trajectory;
   noise_ = noise;
@@ -212,7 +178,7 @@ void MatchedTrajectory::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoi
   const auto match = matchScan(features, walls, keyframe.pose, kGates_m, prior);
   visible_ = 0;
   if (!match || match->matched < kLeastMatched) return;
-  const auto root = rootInformation(match->information);
+  const auto root = rootInformation(*match, {kFloor_m, kFloor_m, kFloorTurn});
   if (!root) return;
   keyframe.on_walls = MotionFactor{match->pose, *root};
   visible_ = walls_.buildingsAt(moved(features, match->pose), kOnWall_m, kLeastOnWalls);

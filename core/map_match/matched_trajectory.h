@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "core/map_match/wall_map.h"
+#include "core/odometry/odometry_noise.h"
 #include "core/outlines/seen_frames.h"
 #include "core/trajectory/pose_graph.h"
 
 namespace handmap {
-
-/// How far what tells the way is off, one σ. A way by matched scans, or recorded odometry.
-enum class TrajectoryNoise { Scans, Recorded };
 
 /// A graph of keyframes, an arrow of odometry from each to the next and one from the map to each at
 /// which walls were seen. README.md tells the residuals.
@@ -23,10 +21,10 @@ class MatchedTrajectory {
 
   /// `trajectory`: poses of all observations so far, in any one frame, as told without the map;
   /// those of before may have changed too. One more than before.
-  void add(const std::vector<Pose2>& trajectory, TrajectoryNoise noise);
+  void add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise);
   /// All observations of a way at once, as if they came one by one, and the end; nothing may have
   /// been added yet. Of no use any more where `stop` was requested.
-  void lay(const std::vector<Pose2>& trajectory, TrajectoryNoise noise,
+  void lay(const std::vector<Pose2>& trajectory, const OdometryNoise& noise,
            const std::stop_token& stop);
   /// After the last observation: each keyframe is laid on the walls anew by what was seen before
   /// and after it, until nothing moves any more or `stop` is requested.
@@ -68,7 +66,7 @@ class MatchedTrajectory {
   WallMap walls_;
   std::vector<Pose2> trajectory_;
   std::vector<double> travelled_m_;
-  TrajectoryNoise noise_ = TrajectoryNoise::Recorded;
+  OdometryNoise noise_ = kWheels;
   std::vector<Keyframe> keyframes_;
   Pose2 pose_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();

@@ -32,9 +32,7 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
   from_here.start = known.alone.poses.front();
   MatchedTrajectory laid(from_here, known.seen);
   laid.lay(known.alone.poses,
-           known.alone.by == TrajectoryHypothesis::By::Scans ? TrajectoryNoise::Scans
-                                                             : TrajectoryNoise::Recorded,
-           stop);
+           known.alone.by == TrajectoryHypothesis::By::Scans ? kMatchedScans : kWheels, stop);
   if (stop.stop_requested()) return std::nullopt;
   TrajectoryHypothesis trajectory{known.alone.by, laid.poses()};
   if (!(known.sharpness(trajectory.poses) >= sharpness_alone - kMargin)) return std::nullopt;

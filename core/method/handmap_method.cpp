@@ -60,8 +60,7 @@ class HandmapMethod : public EstimationMethod {
     findBuildings(time_s, percept, stop, progress);
     if (keep(odometry, percept)) look(percept.scan);
     if (matched_) {
-      matched_->add(trajectory_.poses(),
-                    by_scans_ ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
+      matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels);
     }
     if (concluded_) goOn(time_s);
     if (on_the_way_) conclusions_.begin(driven_m_, [this] { return concluding(); });

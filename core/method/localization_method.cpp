@@ -78,8 +78,7 @@ class LocalizationMethod : public EstimationMethod {
     trajectory_.add(time_s, odometry, points, stop);
     if (!times_.empty()) seen_.add(times_.size(), odometry, scan, points);
     times_.push_back(time_s);
-    matched_.add(trajectory_.poses(),
-                 trajectory_.usable() ? TrajectoryNoise::Scans : TrajectoryNoise::Recorded);
+    matched_.add(trajectory_.poses(), trajectory_.usable() ? kMatchedScans : kWheels);
     recognition_.look(wall_rays_.add(outlines_, matched_.pose(), scan),
                       between(before, odometry).position().norm());
   }

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/estimation/smoothing/odometry_noise.h"
+#include "core/odometry/odometry_noise.h"
 
 namespace handmap {
 
@@ -21,13 +21,12 @@ void WheelUncertainty::add(const Pose2& odometry) {
     return;
   }
   const Pose2 motion = between(*last_, odometry);
-  const OdometryNoise usual;
   // A metre at a time, as it drifts, however often it is asked.
   const double length = motion.position().norm();
-  const Eigen::Vector3d variance(
-      usual.length_per_m * usual.length_per_m * length,
-      usual.side_per_m * usual.side_per_m * length,
-      usual.heading_variance_per_m * length + std::pow(usual.heading_per_rad * motion.heading, 2));
+  const Eigen::Vector3d variance(kWheels.along_per_m * kWheels.along_per_m * length,
+                                 kWheels.aside_per_m * kWheels.aside_per_m * length,
+                                 kWheels.heading_variance_per_m * length +
+                                     std::pow(kWheels.heading_per_rad * motion.heading, 2));
   Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
   slope.topRightCorner<2, 1>() = perpendicular(odometry.position() - last_->position());
   const Eigen::Matrix3d turn = rotation(last_->heading);

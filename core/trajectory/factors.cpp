@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 namespace handmap {
 
 namespace {
@@ -42,6 +44,12 @@ PointFactor::Value PointFactor::at(const Pose2& pose) const {
   Eigen::Matrix<double, 2, 3> slope;
   slope << Eigen::Matrix2d::Identity(), turned(pose, point);
   return {(pose.toOuter(point) - map) / sigma_m, slope / sigma_m};
+}
+
+std::optional<Eigen::Matrix3d> rootOf(const Eigen::Matrix3d& information) {
+  const Eigen::LLT<Eigen::Matrix3d> root(information);
+  if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;
+  return Eigen::Matrix3d(root.matrixU());
 }
 
 double cauchyCost(double square, double k) { return k * std::log1p(square / k); }

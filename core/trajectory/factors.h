@@ -2,6 +2,8 @@
 // variance where the model holds. Poses are (x, y, heading), changed by addition.
 #pragma once
 
+#include <optional>
+
 #include "core/trajectory/scan_features.h"
 
 namespace handmap {
@@ -44,6 +46,9 @@ struct PointFactor {
   };
   Value at(const Pose2& pose) const;
 };
+
+/// The upper root of what is to be one; nullopt where it is no information.
+std::optional<Eigen::Matrix3d> rootOf(const Eigen::Matrix3d& information);
 
 /// Cauchy's kernel on a squared residual: cost k log(1 + s / k), and what s weighs in the normal
 /// equations.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "core/trajectory/scan_match.h"
@@ -29,7 +28,6 @@ constexpr std::array kLoopGates_m{1.0, 0.7, 0.5, 0.4};
 constexpr double kLeastShare = 0.45;  // of straight pieces that find theirs
 constexpr int kLeastNear = 60;
 constexpr double kLeastEigenRatio = 0.04;  // a corridor tells nothing along itself
-constexpr double kInformation = 0.02;      // returns of one wall are wrong together
 constexpr double kLeastLoopSigma_m = 0.1;
 constexpr double kFloorTurn = 0.0045;
 
@@ -37,18 +35,6 @@ constexpr double kFloorTurn = 0.0045;
 bool holds(const Eigen::Matrix3d& information) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information.topLeftCorner<2, 2>());
   return axes.eigenvalues()(0) > kLeastEigenRatio * axes.eigenvalues()(1);
-}
-
-std::optional<Eigen::Matrix3d> rootInformation(const Eigen::Matrix3d& matched) {
-  const Eigen::LLT<Eigen::Matrix3d> known(kInformation * matched);
-  if (known.info() != Eigen::Success) return std::nullopt;
-  Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
-  covariance.diagonal() +=
-      Eigen::Vector3d(kLeastLoopSigma_m, kLeastLoopSigma_m, kFloorTurn).cwiseAbs2();
-  const Eigen::Matrix3d information = covariance.inverse();
-  const Eigen::LLT<Eigen::Matrix3d> root(information);
-  if (root.info() != Eigen::Success || !information.allFinite()) return std::nullopt;
-  return Eigen::Matrix3d(root.matrixU());
 }
 
 }  // namespace
@@ -139,7 +125,7 @@ std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
     return std::nullopt;
   }
   if (match->straight_near < kLeastShare * match->straight) return std::nullopt;
-  const auto root = rootInformation(match->information);
+  const auto root = rootInformation(*match, {kLeastLoopSigma_m, kLeastLoopSigma_m, kFloorTurn});
   if (!root) return std::nullopt;
   return Loop{from, to, {match->pose, *root}};
 }

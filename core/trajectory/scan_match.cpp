@@ -96,4 +96,14 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
   return match;
 }
 
+std::optional<Eigen::Matrix3d> rootInformation(const ScanMatch& match,
+                                               const Eigen::Vector3d& floor_sigma) {
+  constexpr double kTogether = 0.02;  // of what independent returns would tell
+  const Eigen::LLT<Eigen::Matrix3d> known(kTogether * match.information);
+  if (known.info() != Eigen::Success) return std::nullopt;
+  Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
+  covariance.diagonal() += floor_sigma.cwiseAbs2();
+  return rootOf(covariance.inverse());
+}
+
 }  // namespace handmap

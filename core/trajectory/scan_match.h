@@ -30,4 +30,9 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
                                    const Pose2& start, std::span<const double> gates_m,
                                    const std::optional<MotionPrior>& prior = {});
 
+/// Root of the information of a match: its returns are wrong together, and poses and walls are off
+/// by `floor_sigma` (x, y, heading) beside. nullopt where the returns do not fix the pose.
+std::optional<Eigen::Matrix3d> rootInformation(const ScanMatch& match,
+                                               const Eigen::Vector3d& floor_sigma);
+
 }  // namespace handmap

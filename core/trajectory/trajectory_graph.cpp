@@ -1,6 +1,6 @@
 #include "core/trajectory/trajectory_graph.h"
 
-#include <cmath>
+#include "core/odometry/odometry_noise.h"
 
 namespace handmap {
 
@@ -14,10 +14,7 @@ constexpr int kGraphSteps = 12;
 }  // namespace
 
 MotionFactor TrajectoryGraph::edge(const Pose2& motion) const {
-  const double length = motion.position().norm();
-  Eigen::Vector3d variance(0.02 + 0.012 * length, 0.02 + 0.006 * length,
-                           0.0015 + 0.006 * std::abs(motion.heading) + 0.0007 * std::sqrt(length));
-  variance = variance.cwiseAbs2() + unmatched_;
+  const Eigen::Vector3d variance = kMatchedScans.sigmaOf(motion).cwiseAbs2() + unmatched_;
   return {motion, variance.cwiseSqrt().cwiseInverse().asDiagonal()};
 }
 

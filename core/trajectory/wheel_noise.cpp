@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/odometry/odometry_noise.h"
 #include "core/trajectory/scan_noise.h"
 
 namespace handmap {
@@ -32,13 +33,6 @@ void remember(std::deque<double>& values, double value, std::size_t most) {
   if (values.size() > most) values.pop_front();
 }
 
-/// Among wheels on roads: lengths 3 %, sideways 1 %, heading √(2e-5 L) and 2 % of turns.
-Eigen::Vector3d common(const Pose2& motion) {
-  const double length = motion.position().norm();
-  return {0.03 * length + 0.01, 0.01 * length + 0.01,
-          std::sqrt(2e-5 * length) + 0.02 * std::abs(motion.heading) + 0.001};
-}
-
 double learntScale(const std::deque<double>& deviations, double most) {
   return std::clamp(kPulled * kMedianToSigma * median(deviations), kLeast, most);
 }
@@ -60,7 +54,7 @@ WheelNoise WheelNoise::ofGuesses() {
 }
 
 Eigen::Vector3d WheelNoise::sigma(const Pose2& recorded) const {
-  return common(recorded).cwiseProduct(Eigen::Vector3d(move_, aside_, turn_));
+  return kWheels.sigmaOf(recorded).cwiseProduct(Eigen::Vector3d(move_, aside_, turn_));
 }
 
 MotionFactor WheelNoise::factor(const Pose2& recorded) const {
@@ -70,7 +64,7 @@ MotionFactor WheelNoise::factor(const Pose2& recorded) const {
 
 void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
   if (!learns_) return;
-  const Eigen::Vector3d sigma = common(recorded);
+  const Eigen::Vector3d sigma = kWheels.sigmaOf(recorded);
   const Vec2 off = matched.position() - length_ * recorded.position();
   remember(move_deviations_, std::abs(off.x()) / sigma.x(), kDeviations);
   remember(turn_deviations_,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/estimation/smoothing/factor.h"
-#include "core/estimation/smoothing/odometry_noise.h"
 #include "core/estimation/walls/frame.h"
+#include "core/odometry/odometry_noise.h"
 
 namespace handmap {
 

@@ -11,9 +11,11 @@ namespace handmap {
 
 namespace {
 
-constexpr double kLeastSize = 2.0;      // metres; choice: no building is smaller
-constexpr double kMostTurn = 0.05;      // radians an iteration; choice: as far as slopes hold
-constexpr double kLeastBias = 1e-9;     // 1/m, one σ: where the scan says that there is none
+constexpr double kLeastSize = 2.0;   // metres; choice: no building is smaller
+constexpr double kMostTurn = 0.05;   // radians an iteration; choice: as far as slopes hold
+constexpr double kLeastBias = 1e-9;  // 1/m, one σ: where the scan says that there is none
+constexpr double kScale =
+    0.003;  // of the odometry, Cauchy's, for some wheels are worn; choice: of well calibrated ones
 constexpr double kScaleChange = 0.002;  // an iteration, one σ; choice
 
 using Unknowns = NormalEquations::Unknowns;
@@ -132,7 +134,7 @@ void Smoother::addCalibration(std::span<Frame* const> frames, NormalEquations& e
   equations.add(layout_.bias(), layout_.bias(), 1.0 / (sigma * sigma));
   equations.right(layout_.bias()) -= bias_per_m_ / (sigma * sigma);
   // Cauchy's weight.
-  const double weight = 1.0 / (odometry_.scale * odometry_.scale + scale_ * scale_);
+  const double weight = 1.0 / (kScale * kScale + scale_ * scale_);
   // It changes little from one window of frames to the next: what one tells is no more than a part.
   equations.add(layout_.scale(), layout_.scale(), weight + 1.0 / (kScaleChange * kScaleChange));
   equations.right(layout_.scale()) -= scale_ * weight;

@@ -151,7 +151,7 @@ TEST(HandmapEstimator, WhereNothingIsSeenThePoseIsAsUnsureAsTheWheels) {
   const double way_m =
       (odometry.back().position() - odometry[static_cast<std::size_t>(seen)].position()).norm();
   ASSERT_GT(way_m, 30.0);
-  const double by_wheels = OdometryNoise{}.heading_variance_per_m * way_m;
+  const double by_wheels = kWheels.heading_variance_per_m * way_m;
   EXPECT_GT(estimator.poseCovariance()(2, 2), 0.4 * by_wheels);
 }
 

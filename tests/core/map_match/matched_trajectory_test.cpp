@@ -43,7 +43,7 @@ Localized localize(const Map& map, const Drive& drive, const std::stop_token& st
   for (std::size_t i = 0; i < drive.trajectory.size(); ++i) {
     trajectory.push_back(drive.trajectory[i]);
     seen.add(i, drive.trajectory[i], drive.percepts[i].scan, drive.percepts[i].points);
-    matched.add(trajectory, TrajectoryNoise::Recorded);
+    matched.add(trajectory, kWheels);
     localized.live.push_back(matched.pose());
     localized.visible = std::max(localized.visible, matched.visibleBuildings());
   }
@@ -113,7 +113,7 @@ TEST(MatchedTrajectory, LaysAWholeWayAtOnce) {
     seen.add(i, drive.trajectory[i], drive.percepts[i].scan, drive.percepts[i].points);
   }
   MatchedTrajectory matched(world.map, seen);
-  matched.lay(drive.trajectory, TrajectoryNoise::Recorded, {});
+  matched.lay(drive.trajectory, kWheels, {});
   EXPECT_LT(farthest(matched.poses(), localize(world.map, drive).poses), 0.1);
   EXPECT_LT(farthest(matched.poses(), drive.truth), 1.0);
 }

@@ -15,7 +15,7 @@ class OdometryFactorTest : public testing::Test {
   }
   Frame from_;
   Frame to_;
-  OdometryNoise noise_;
+  OdometryNoise noise_ = kWheels;
 };
 
 TEST_F(OdometryFactorTest, SlopesAreThoseOfTheResidual) {

@@ -41,8 +41,8 @@ double smoothDrive(double scale) {
   std::vector<Frame*> seen;
   for (Frame& frame : frames) seen.push_back(&frame);
   std::vector<Vec2> landmarks;
-  OdometryNoise noise;
-  noise.length_per_m = 0.01;
+  OdometryNoise noise = kWheels;
+  noise.along_per_m = 0.01;
   Smoother smoother(noise, sensor);
   const SmoothingGraph graph{seen, 1, found, landmarks};
   // As many as in a run: the scale follows slowly.
@@ -69,7 +69,7 @@ TEST(Smoother, FindsTheScaleOfTheOdometry) { EXPECT_NEAR(smoothDrive(1.03), 1.0 
 
 /// What a graph of one box holds, to be broken.
 struct Small {
-  Small() : sensor(SensorOptions{}, 40.0), smoother(OdometryNoise{}, sensor) {
+  Small() : sensor(SensorOptions{}, 40.0), smoother(kWheels, sensor) {
     RandomStream random(5);
     const std::vector<Box> boxes{boxOf({{0.0, 15.0}, 20.0, 8.0, 0.0})};
     for (double x = -6.0; x <= 6.0; x += 3.0) {
