@@ -113,7 +113,6 @@ void HandmapEstimator::State::workOn(const std::stop_token& stop,
   }
   if (closeLoop(stop) || smoothPeriodically(stop)) labelBuildings(nearM());
   if (stop.stop_requested()) return;
-  if (fitOutlines()) labelBuildings(nearM());
   correction.correctSome(found, hasReached());
   reached(EstimatorPhase::Correction);
 }

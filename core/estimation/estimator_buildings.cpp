@@ -1,6 +1,5 @@
 // Buildings found, followed and labelled.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/estimation/estimator_state.h"
@@ -9,12 +8,8 @@ namespace handmap {
 
 namespace {
 
-constexpr std::size_t kLastPoses = 200;  // that tell which side a building is on; choice
 /// Key frames nearer to each other take turns. Choice: a robot that stops drives farther.
 constexpr double kClose_m = 3.0;
-/// Key frames that have seen a building when its outline is tried. Choice: twice as many each time.
-constexpr std::array kOutlineTries = {3, 6, 12, 24};
-constexpr double kOutlineStep_m = 0.5;  // of the search of a box that was an outline; choice
 
 }  // namespace
 
@@ -107,39 +102,7 @@ void HandmapEstimator::State::updateNoise() {
 }
 
 void HandmapEstimator::State::labelBuildings(double near_m) {
-  std::vector<Pose2> trajectory_here;
-  const std::size_t last = std::min(frames.size(), kLastPoses);
-  for (std::size_t i = frames.size() - last; i < frames.size(); ++i) {
-    trajectory_here.push_back(frames[i].pose);
-  }
-  labels.update(found, trajectory_here, near_m);
-}
-
-/// Gives what was found for a drawn polygon the outline of that. Returns whether anything changed:
-/// the labels are then to be found anew.
-bool HandmapEstimator::State::fitOutlines() {
-  const std::vector<Frame*> last = framesFrom(firstActive());
-  const std::span<const Frame* const> frames_seen(last.begin(), last.end());
-  bool changed = false;
-  for (const std::size_t b : labels.nearby()) {
-    const std::optional<FoundId> id = labels.foundOf(b);
-    FoundBox* box = id ? findBox(found, *id) : nullptr;
-    if (!box || !box->in_sight || box->box.outline == outlines[b]) continue;
-    if (box->box.outline) {  // that of another drawn building
-      box->box.outline = nullptr;
-      finder.refine(*box, kOutlineStep_m, frames_seen, sensor);
-      changed = true;
-      continue;
-    }
-    const auto& tries = kOutlineTries;
-    if (std::find(tries.begin(), tries.end(), box->observations) == tries.end()) continue;
-    const Rectangle drawn = drawing.buildings[b].box();
-    *box = box->nearestTo(drawn.heading + labels.motion().turn());
-    changed |=
-        finder.replace(found, *box, placements(box->box, outlines[b], drawn), frames_seen, sensor);
-  }
-  if (changed) finder.prune(found);
-  return changed;
+  labels.update(found, frames.back().pose.position(), near_m);
 }
 
 }  // namespace handmap

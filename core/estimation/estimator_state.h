@@ -6,7 +6,6 @@
 
 #include "core/estimation/buildings/clutter_estimate.h"
 #include "core/estimation/buildings/noise_estimate.h"
-#include "core/estimation/buildings/outline_placement.h"
 #include "core/estimation/estimator.h"
 #include "core/estimation/labels/labels.h"
 #include "core/estimation/loops/loop_closure.h"
@@ -31,9 +30,7 @@ struct HandmapEstimator::State {
         smoother(with.odometry, sensor),
         odometry_estimate(with.odometry.heading_variance_per_m),
         labels(drawing, with.assignment),
-        correction(drawing, labels) {
-    for (const Building& building : drawing.buildings) outlines.push_back(outlineOf(building));
-  }
+        correction(drawing, labels) {}
 
   /// Who looks sees the pose as it is by then; a step sets it at its end anyway.
   void reached(EstimatorPhase phase) {
@@ -69,7 +66,6 @@ struct HandmapEstimator::State {
   std::vector<FoundBox> allFound() const;
   void setAllFound(const std::vector<FoundBox>& all);
   void labelBuildings(double near_m);
-  bool fitOutlines();
   /// Buildings farther from the robot keep the labels that they have: no active frame sees them.
   double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
   std::size_t firstActive() const;
@@ -98,7 +94,6 @@ struct HandmapEstimator::State {
   ClutterEstimate clutter;
   OdometryEstimate odometry_estimate;
   Labels labels;
-  std::vector<std::shared_ptr<const Outline>> outlines;  ///< by drawn building; nullptr: a box
   MapCorrection correction;
   std::size_t smoothed_at = 0;  ///< frames when all were smoothed together
   int iterations_due = 0;       ///< of smoothing them all

@@ -3,8 +3,7 @@
 namespace handmap {
 
 Box boxOf(const Rectangle& r) {
-  return {
-      r.centre, r.heading, {r.width / 2.0, r.depth / 2.0, r.width / 2.0, r.depth / 2.0}, nullptr};
+  return {r.centre, r.heading, {r.width / 2.0, r.depth / 2.0, r.width / 2.0, r.depth / 2.0}};
 }
 
 std::size_t Box::quartersTo(double heading_rad) const {
@@ -15,17 +14,9 @@ std::size_t Box::quartersTo(double heading_rad) const {
 Box Box::renumbered(std::size_t quarters) const {
   if (quarters == 0) return *this;
   const double turn = static_cast<double>(quarters) * kPi / 2.0;
-  Box result{pivot, normalizedAngle(heading + turn), {}, nullptr};
+  Box result{pivot, normalizedAngle(heading + turn), {}};
   for (std::size_t wall = 0; wall < 4; ++wall) result.reach[wall] = reach[(wall + quarters) % 4];
   return result;
-}
-
-Polygon Box::polygon() const {
-  Polygon corners;
-  corners.reserve(walls());
-  const Vec2 u = unitVector(heading);
-  for (std::size_t i = 0; i < walls(); ++i) corners.push_back(at(share(i), u));
-  return corners;
 }
 
 Vec2 Box::shareAt(const Vec2& point, const Vec2& u) const {

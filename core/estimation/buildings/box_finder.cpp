@@ -23,10 +23,9 @@ constexpr double kAlike = 0.8;           // of the larger of two that are the sa
 constexpr std::size_t kHeading = 4;      // index of the heading among the parameters
 constexpr double kImpossible = -1e9;     // nats
 // Metres that a search looks at first: what was seen before, halves of a box, a
-// candidate, a seed. Choices.
+// seed. Choices.
 constexpr double kSettledStep_m = 0.1;
 constexpr double kPieceStep_m = 0.5;
-constexpr double kCandidateStep_m = 1.0;
 constexpr double kSeedStep_m = 1.5;
 
 void change(Box& box, std::size_t parameter, double by) {
@@ -50,11 +49,11 @@ std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   const Vec2 middle = (wall.a + wall.b) / 2.0;
   const Vec2 outward = -perpendicular(unitVector(wall.heading()));
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 normal = box.sideNormal(k);
+    const Vec2 normal = box.normal(k);
     if (normal.dot(outward) < std::cos(kParallel)) continue;
     if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear) continue;
     Stretch stretch{k, 0.0, 0.0};
-    const Vec2 along = box.sideNormal(stretch.second());
+    const Vec2 along = box.normal(stretch.second());
     stretch.begin = along.dot(wall.a - box.pivot);
     stretch.end = along.dot(wall.b - box.pivot);
     if (stretch.begin > box.reach[stretch.second()]) continue;
@@ -112,8 +111,7 @@ double BoxFinder::objective(const Box& box, BoxScorer& scorer) const {
 Box BoxFinder::seed(const FoundWall& wall) const {
   return {(wall.a + wall.b) / 2.0,
           wall.heading(),
-          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0},
-          nullptr};
+          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0}};
 }
 
 void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
@@ -173,7 +171,7 @@ void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> fram
 /// Whether the wall belongs to the box; where it tells of a longer or shorter one, the box follows.
 bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
                       const SensorModel& sensor) const {
-  const auto stretch = found.box.outline ? std::nullopt : stretchOn(found.box, wall);
+  const auto stretch = stretchOn(found.box, wall);
   if (stretch) {
     const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed &&
                         std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed;
@@ -258,7 +256,7 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
   }
   std::vector<FoundBox> pieces;
   for (const FoundBox& found : boxes) {
-    if (!found.in_sight || found.box.outline || found.predates(frames)) {
+    if (!found.in_sight || found.predates(frames)) {
       pieces.push_back(found);
       continue;
     }
@@ -268,31 +266,6 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
   }
   boxes = std::move(pieces);
   prune(boxes);
-}
-
-bool BoxFinder::replace(std::span<const FoundBox> boxes, FoundBox& found,
-                        std::span<const Box> candidates, std::span<const Frame* const> frames,
-                        const SensorModel& sensor) const {
-  if (candidates.empty()) return false;
-  FoundBox best = found;
-  BoxScorer scorer(best.box, frames, sensor);
-  best.score = kImpossible;
-  for (const Box& candidate : candidates) {
-    const double score = objective(candidate, scorer);
-    if (score <= best.score) continue;
-    best.box = candidate;
-    best.score = score;
-  }
-  refine(best, kCandidateStep_m, frames, sensor);
-  double there = found.score;
-  for (const FoundBox& other : boxes) {
-    if (other.id != found.id && other.in_sight && collide(other.box, best.box)) {
-      there += other.score;
-    }
-  }
-  if (best.score < there + kGain) return false;
-  found = best;
-  return true;
 }
 
 void BoxFinder::prune(std::vector<FoundBox>& boxes) {

@@ -29,22 +29,17 @@ class BoxFinder {
   /// Changes and drops boxes in sight and adds new ones.
   void update(std::vector<FoundBox>& boxes, const std::vector<FoundWall>& walls,
               std::span<const Frame* const> frames, const SensorModel& sensor);
-  /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.
-  void refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
-              const SensorModel& sensor) const;
-  /// Puts the best of some candidates in the place of `found`, which is one of `boxes`, where it
-  /// explains the rays better than that and what else stands there. Returns whether it did; then
-  /// prune() is due.
-  bool replace(std::span<const FoundBox> boxes, FoundBox& found, std::span<const Box> candidates,
-               std::span<const Frame* const> frames, const SensorModel& sensor) const;
-  /// Of boxes that cannot both be the surer stays. The other one comes back when that is given up.
-  void prune(std::vector<FoundBox>& boxes);
   /// Finds the walls that no returns are from (rear walls, behind which there is free space) where
   /// the rays tell them, and says how well they are known.
   void locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
                     const SensorModel& sensor) const;
 
  private:
+  /// Local search of the box that explains the rays best; `step_m` is how far it looks at first.
+  void refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
+              const SensorModel& sensor) const;
+  /// Of boxes that cannot both be the surer stays. The other one comes back when that is given up.
+  void prune(std::vector<FoundBox>& boxes);
   double objective(const Box& box, BoxScorer& scorer) const;
   bool adopt(FoundBox& found, const FoundWall& wall, std::span<const Frame* const> frames,
              const SensorModel& sensor) const;

@@ -20,7 +20,7 @@ BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
 }
 
 void BoxScorer::lookAt(const Box& box) {
-  around_ = box.boxCorners();
+  around_ = box.corners();
   turned_to_ = box.frame();
   looking_.clear();
   for (const Frame* frame : frames_) {
@@ -50,7 +50,7 @@ void BoxScorer::turnTo(const Box& box) {
 }
 
 double BoxScorer::operator()(const Box& box) {
-  const std::array<Vec2, 4> corners = box.boxCorners();
+  const std::array<Vec2, 4> corners = box.corners();
   const bool near =
       std::equal(corners.begin(), corners.end(), around_.begin(),
                  [](const Vec2& a, const Vec2& b) { return (a - b).norm() <= kAround; });

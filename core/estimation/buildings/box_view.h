@@ -13,7 +13,7 @@ namespace handmap {
 struct Entry {
   float distance = -1.0F;  ///< < 0: it misses the box
   float cosine = 0.0F;     ///< of the angle of incidence
-  int wall = 0;            ///< of Box::walls()
+  int wall = 0;            ///< of the box
 };
 
 /// A robot pose in the frame of a box, however far that reaches.
@@ -30,21 +30,14 @@ class BoxSlabs {
   BoxSlabs(const Box& box, const PoseAtBox& robot);
   BoxSlabs(const Box& box, const Pose2& robot) : BoxSlabs(box, PoseAtBox(box, robot)) {}
 
-  bool inside() const { return inside_; }  ///< the robot is in the building
-  bool inBox() const { return nearest_ == 0.0F; }
+  bool inside() const { return nearest_ == 0.0F; }  ///< the robot is in the building
   bool inReach(double range_m) const { return nearest_ < range_m; }
   Entry entry(const FrameRay& ray) const;
 
  private:
-  Entry entryIntoOutline(float dx, float dy) const;
-
   PoseAtBox robot_;
   float low_x_, high_x_, low_y_, high_y_;
   float nearest_;
-  bool inside_;
-  std::size_t corners_ = 0;  ///< of an outline
-  std::array<float, kMostWalls> corner_x_;
-  std::array<float, kMostWalls> corner_y_;
 };
 
 // Asked more often than anything else: here, to be inlined.
@@ -52,7 +45,6 @@ inline Entry BoxSlabs::entry(const FrameRay& ray) const {
   const auto& [x_at, y_at, cos, sin] = robot_;
   const float dx = cos * ray.x - sin * ray.y;
   const float dy = sin * ray.x + cos * ray.y;
-  if (corners_ > 0) return entryIntoOutline(dx, dy);
   Entry entry;
   if (x_at > high_x_ ? dx < 0.0F : x_at < low_x_ && dx > 0.0F) {
     const float distance = ((dx < 0.0F ? high_x_ : low_x_) - x_at) / dx;

@@ -33,8 +33,8 @@ void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
   for (const FoundBox& found : boxes) {
     const BoxView view(found.box, frame.pose);
     if (view.inside() || !view.inReach(sensor.rangeLimit())) continue;
-    std::array<double, kMostWalls> weights{};
-    std::array<double, kMostWalls> errors{};
+    std::array<double, 4> weights{};
+    std::array<double, 4> errors{};
     view.forRays(frame.rays, [&](const FrameRay& ray) {
       if (ray.sight.label == SensorModel::kSilent) return;
       const Entry entry = view.entry(ray);
@@ -52,7 +52,7 @@ void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
       weights[static_cast<std::size_t>(entry.wall)] += across;
       errors[static_cast<std::size_t>(entry.wall)] += across * error * entry.cosine;
     });
-    for (std::size_t k = 0; k < found.box.walls(); ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
       if (weights[k] < kLeastInformation) continue;
       const double mean = errors[k] / weights[k];
       together_.weight += 1.0;

@@ -62,14 +62,13 @@ std::optional<SeenEnd> located(const std::vector<Boundary>& boundaries) {
 std::vector<VisibleEnd> visibleEnds(const Box& box, const Frame& frame, const SensorModel& sensor) {
   std::vector<VisibleEnd> ends;
   const Vec2 robot = frame.pose.position();
-  const std::size_t walls = box.walls();
-  std::array<bool, kMostWalls> visible{};
-  for (std::size_t k = 0; k < walls; ++k) {
+  std::array<bool, 4> visible{};
+  for (std::size_t k = 0; k < visible.size(); ++k) {
     visible[k] = box.normal(k).dot(robot - box.corner(k)) > 0.0;
   }
-  for (std::size_t k = 0; k < walls; ++k) {
-    const std::size_t next = (k + 1) % walls;
-    if (visible[k] == visible[next] || cross(box.normal(k), box.normal(next)) < 0.0) continue;
+  for (std::size_t k = 0; k < visible.size(); ++k) {
+    const std::size_t next = (k + 1) % visible.size();
+    if (visible[k] == visible[next]) continue;
     const Vec2 offset = box.corner(k) - robot;
     const double distance = offset.norm();
     if (distance > sensor.rangeLimit() || distance < 1.0) continue;

@@ -18,7 +18,7 @@ DrawnBox::DrawnBox(const Rectangle& drawn, const Uncertainty& uncertainty,
   covariance_.setZero();
   for (int k = 0; k < 4; ++k) {
     const auto wall = static_cast<std::size_t>(k);
-    const Vec2 normal = frame.sideNormal(wall);
+    const Vec2 normal = frame.normal(wall);
     const double half = turned.reach[wall];
     mean_[k] = normal.dot(centre) + scale * half;
     slope_.row(k) << normal.dot(from_origin) + half * motion.mean[0] / scale,

@@ -48,7 +48,7 @@ void correct(const FoundBox& found, DrawnBox::Walls& walls, DrawnBox::Covariance
 RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& uncertainty,
                                 const DrawingMotion& motion, const FoundBox* found) {
   const Rectangle drawn = building.box();
-  Box frame{motion(drawn.centre), drawn.heading + motion.turn(), {}, nullptr};
+  Box frame{motion(drawn.centre), drawn.heading + motion.turn(), {}};
   if (found) {
     // Keeps the sides in the order of the drawing.
     const double heading = frame.heading;

@@ -24,14 +24,14 @@ std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again)
     SharedParameter wall;
     wall.old_parameter = k;
     wall.again_parameter = j;
-    wall.normal = a.sideNormal(k);
-    wall.point = (b.boxCorner(j) + b.boxCorner((j + 3) % 4)) / 2.0;
+    wall.normal = a.normal(k);
+    wall.point = (b.corner(j) + b.corner((j + 3) % 4)) / 2.0;
     wall.error = a.reach[k] - wall.normal.dot(wall.point - a.pivot);
     wall.old_slope.setZero();
     wall.again_slope.setZero();
     wall.old_slope[static_cast<Eigen::Index>(k)] = 1.0;
     wall.old_slope[kHeading] = -perpendicular(wall.normal).dot(wall.point - a.pivot);
-    wall.again_slope[static_cast<Eigen::Index>(j)] = -wall.normal.dot(b.sideNormal(j));
+    wall.again_slope[static_cast<Eigen::Index>(j)] = -wall.normal.dot(b.normal(j));
     wall.again_slope[kHeading] = -wall.normal.dot(perpendicular(wall.point - b.pivot));
     wall.variance = old.reachSigma(k) * old.reachSigma(k) +
                     again.reachSigma(j) * again.reachSigma(j) + kWallFloor * kWallFloor;
@@ -59,8 +59,8 @@ FoundBox merged(const FoundBox& old, const FoundBox& again) {
   const FoundBox turned = again.nearestTo(old.box.heading);
   for (std::size_t k = 0; k < 4; ++k) {
     if (turned.reachSigma(k) >= old.reachSigma(k)) continue;
-    const Vec2 wall = turned.box.pivot + turned.box.reach[k] * turned.box.sideNormal(k);
-    result.box.reach[k] = old.box.sideNormal(k).dot(wall - old.box.pivot);
+    const Vec2 wall = turned.box.pivot + turned.box.reach[k] * turned.box.normal(k);
+    result.box.reach[k] = old.box.normal(k).dot(wall - old.box.pivot);
     result.setReachSigma(k, turned.reachSigma(k));
   }
   result.score = again.score;

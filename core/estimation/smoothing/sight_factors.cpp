@@ -18,8 +18,8 @@ bool addReturns(const Frame& frame, const Box& box, const SensorModel& sensor,
   const BoxView view(box, frame.pose);
   if (view.inside() || !view.inReach(sensor.rangeLimit())) return false;
   const ReturnFactors factor_of(frame.pose, box, sensor, errors);
-  std::vector<SightEquations> walls(box.walls());
-  std::vector<double> information(box.walls());
+  std::vector<SightEquations> walls(4);
+  std::vector<double> information(4);
   view.forRays(frame.rays, [&](const FrameRay& ray) {
     if (ray.sight.label == SensorModel::kSilent) return;
     const Entry entry = view.entry(ray);
@@ -51,7 +51,7 @@ ReturnFactors::ReturnFactors(const Pose2& pose, const Box& box, const SensorMode
       cos_(std::cos(pose.heading)),
       sin_(std::sin(pose.heading)),
       along_(unitVector(box.heading)) {
-  for (std::size_t k = 0; k < box.walls(); ++k) normals_[k] = box.normal(k);
+  for (std::size_t k = 0; k < 4; ++k) normals_[k] = box.normal(k);
 }
 
 std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(

@@ -39,7 +39,7 @@ class ReturnFactors {
   double cos_;
   double sin_;
   Vec2 along_;  ///< of the box, its heading
-  std::array<Vec2, kMostWalls> normals_;
+  std::array<Vec2, 4> normals_;
 };
 
 /// Bearing of the corner from the pose, less that at which the returns stop. The same states.

@@ -7,11 +7,6 @@
 
 namespace handmap {
 
-inline std::shared_ptr<const Outline> lOutline() {
-  return std::make_shared<const Outline>(
-      Outline{{1.0, 0.0}, {1.0, 0.4}, {0.5, 0.4}, {0.5, 1.0}, {0.0, 1.0}, {0.0, 0.0}});
-}
-
 /// Distance along a ray to the nearest wall; negative where it misses. The plain way.
 inline double plainDistance(const Box& box, const Vec2& origin, const Vec2& direction) {
   const Polygon corners = box.polygon();

@@ -25,7 +25,7 @@ class ClutterTest : public testing::Test {
     if (random_.uniform() < share) sight.range *= static_cast<float>(random_.uniform());
   }
 
-  FoundBox found_{Box{{0.0, 10.0}, 0.0, {20.0, 8.0, 20.0, 0.0}, nullptr}};
+  FoundBox found_{Box{{0.0, 10.0}, 0.0, {20.0, 8.0, 20.0, 0.0}}};
   SensorModel sensor_{SensorOptions{}, 40.0};
   RandomStream random_{1, 0, 0, 0};
 };

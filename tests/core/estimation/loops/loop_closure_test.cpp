@@ -123,8 +123,8 @@ TEST_F(LoopClosureTest, WhatIsMergedKnowsWhatEitherKnew) {
   EXPECT_LT(both.reachSigma(1), 0.2);
   EXPECT_LT(both.reachSigma(3), 0.2);
   EXPECT_NEAR(both.box.reach[3], front.box.reach[3], 1e-9);
-  const Vec2 far_wall = back.box.pivot + back.box.reach[1] * back.box.sideNormal(1);
-  EXPECT_NEAR(both.box.sideNormal(1).dot(far_wall - both.box.pivot), both.box.reach[1], 1e-9);
+  const Vec2 far_wall = back.box.pivot + back.box.reach[1] * back.box.normal(1);
+  EXPECT_NEAR(both.box.normal(1).dot(far_wall - both.box.pivot), both.box.reach[1], 1e-9);
 }
 
 }  // namespace

@@ -63,11 +63,6 @@ TEST_F(SightFactorsTest, SlopesOfAReturnAreThoseOfItsDistance) {
   for (const double bearing : {0.9, 1.2, 1.5}) expectSlopesOf(bearing);
 }
 
-TEST_F(SightFactorsTest, SlopesOfAReturnFromAnOutlineAreThoseOfItsDistance) {
-  box_.outline = lOutline();
-  for (const double bearing : {0.9, 1.2, 1.5}) expectSlopesOf(bearing);
-}
-
 TEST_F(SightFactorsTest, AReturnPullsTheWallTowardsIt) {
   const auto behind = factorOf(rayAt(1.2, 0.1));
   const auto before = factorOf(rayAt(1.2, -0.1));
