@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/paper/blots.h"
 #include "core/paper/strokes.h"
 
 namespace handmap {
@@ -189,10 +190,11 @@ double usualSign(const cv::Mat& ink, double least_px, double most_px) {
   return *tall;
 }
 
-double inkedShare(const Region& region, const cv::Mat& near_ink) {
-  const auto on_ink = std::ranges::count_if(
-      region.outline, [&](const cv::Point& p) { return near_ink.at<std::uint8_t>(p) != 0; });
-  return static_cast<double>(on_ink) /
+/// Of the outline, on the mask.
+double shareOn(const cv::Mat& mask, const Region& region) {
+  const auto on = std::ranges::count_if(
+      region.outline, [&](const cv::Point& p) { return mask.at<std::uint8_t>(p) != 0; });
+  return static_cast<double>(on) /
          static_cast<double>(std::max<std::size_t>(1, region.outline.size()));
 }
 
@@ -204,6 +206,13 @@ std::vector<Region> largest(std::vector<Region> regions) {
 
 bool isPartOf(const Region& part, const Region& whole) {
   return part.filled_area < whole.filled_area && shareWithin(part, whole) > kSame;
+}
+
+/// A blot at a shape is of its hatching.
+bool touches(const Region& blot, const Region& shape, const PageScale& scale) {
+  cv::Mat wide = onPage(blot, shape.box);
+  cv::dilate(wide, wide, disc(2.0 * scale.stroke_px));
+  return cv::countNonZero(wide & shape.filled) > 0;
 }
 
 bool isKnown(const Region& region, const std::vector<Candidate>& candidates) {
@@ -246,7 +255,7 @@ std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale) {
   cv::Mat near_ink;
   cv::dilate(ink.mask, near_ink, disc(scale.stroke_px));
   for (Region& region : largest(enclosedRegions(bridged, scale.stroke_px, scale.least_px))) {
-    const double inked = inkedShare(region, near_ink);
+    const double inked = shareOn(near_ink, region);
     if (inked < kLeastInked || isKnown(region, candidates)) continue;
     // Within a shape that is closed already only if that is much larger: a block.
     const bool part = std::ranges::any_of(candidates, [&](const Candidate& c) {
@@ -254,6 +263,13 @@ std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale) {
     });
     if (!part) candidates.push_back({std::move(region), inked});
   }
+  Blots blots = blotsOf(ink, scale);
+  std::erase_if(blots.filled, [&](const Region& filled) {
+    return std::ranges::any_of(
+        candidates, [&](const Candidate& c) { return touches(filled, c.region, scale); });
+  });
+  for (Region& filled : blots.filled) candidates.push_back({std::move(filled)});
+  for (Candidate& c : candidates) c.covered = shareOn(blots.foreign, c.region);
   std::ranges::stable_sort(candidates, std::greater(),
                            [](const Candidate& c) { return c.region.filled_area; });
   if (candidates.size() > kMost) candidates.resize(kMost);

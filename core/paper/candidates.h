@@ -8,7 +8,8 @@ namespace handmap {
 
 struct Candidate {
   Region region;
-  double inked = 1.0;  ///< share of the outline that lies on ink; the rest are bridged gaps
+  double inked = 1.0;    ///< share of the outline that lies on ink; the rest are bridged gaps
+  double covered = 0.0;  ///< share of the outline that is the edge of what lies on the page
 };
 
 /// Sizes of what a hand draws on a page, pixels.

@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/paper/squares.h"
+
 namespace handmap {
 
 namespace {
@@ -15,6 +17,7 @@ constexpr double kWindow = 0.08;        // of the longer side: of the median tha
 constexpr double kMargin = 0.003;       // of the longer side
 constexpr double kShareOfStrong = 0.4;  // printed squares are fainter than the strokes by more
 constexpr double kStrong = 0.98;        // quantile: printed squares may be most of what is seen
+constexpr double kThickest = 0.015;     // of the longer side: a wider stroke is a blot
 constexpr double kNoises = 6.0;
 constexpr double kLeastInk = 1e-4;  // of the page
 
@@ -85,10 +88,11 @@ double strokeWidth(const cv::Mat& mask) {
   cv::Mat peak;
   cv::dilate(distance, peak, {});
   std::vector<float> widths;
+  const auto thickest = static_cast<float>(kThickest / 2.0 * std::max(mask.cols, mask.rows));
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       const float d = distance.at<float>(y, x);
-      if (d > 0.0f && d >= peak.at<float>(y, x)) widths.push_back(2.0f * d);
+      if (d > 0.0f && d < thickest && d >= peak.at<float>(y, x)) widths.push_back(2.0f * d);
     }
   }
   if (widths.empty()) return 3.0;
@@ -126,13 +130,17 @@ Ink separatedInk(const cv::Mat& page, double least_contrast) {
   const cv::Mat channel = contrasting(page, ink.dark_page);
   const cv::Mat contrast = contrastOf(channel, barePaper(channel), ink.dark_page);
   const std::array<double, 256> counts = histogramOf(contrast);
-  const double noise = 1.5 * quantile(counts, 0, 0.7);  // half of the pixels are at or below 0
+  const double noise = 3.0 * quantile(counts, 0, 0.6);  // half of the pixels are at or below 0
   const int faint = static_cast<int>(std::clamp(kNoises * noise, 255.0 * least_contrast, 200.0));
   const int strong = quantile(counts, static_cast<std::size_t>(faint), kStrong);
   cv::threshold(contrast, ink.mask, std::max<double>(faint, kShareOfStrong * strong), 255,
                 cv::THRESH_BINARY);
   cv::rectangle(ink.mask, {0, 0}, {page.cols - 1, page.rows - 1}, 0, 2 * marginOf(page.size()));
   ink.stroke_px = strokeWidth(ink.mask);
+  if (const cv::Mat strokes = withoutSquares(ink.mask, ink.stroke_px); !strokes.empty()) {
+    ink.mask = strokes;
+    ink.stroke_px = strokeWidth(ink.mask);
+  }
   withoutSpecks(ink.mask, ink.stroke_px);
   ink.any = cv::countNonZero(ink.mask) > kLeastInk * static_cast<double>(page.total());
   return ink;

@@ -16,7 +16,8 @@ constexpr double kIslandShare = 0.6;  // of the outline that faces the other sid
 constexpr double kIsland = 0.3;       // what a block between roads is still worth
 constexpr double kLoop = 1.0;         // of a tall letter
 constexpr double kLetterLike = 0.3;
-constexpr double kBroken = 0.8;  // what an outline with a gap is worth
+constexpr double kHidden = 0.65;  // what an outline behind a hand loses
+constexpr double kBroken = 0.8;   // what an outline with a gap is worth
 
 double ramp(double value, double none, double full) {
   return std::clamp((value - none) / (full - none), 0.0, 1.0);
@@ -60,7 +61,8 @@ class Judgement {
     cv::convexHull(r.outline, hull);
     const double solid = r.filled_area / std::max(1.0, cv::contourArea(hull));
     const double size = ramp(r.thickness, 0.7 * scale_.least_px, 1.3 * scale_.least_px);
-    return (c.inked < 1.0 ? kBroken * c.inked : 1.0) * ramp(solid, 0.4, 0.75) *
+    const double seen = 1.0 - kHidden * ramp(c.covered, 0.01, 0.05);
+    return seen * (c.inked < 1.0 ? kBroken * c.inked : 1.0) * ramp(solid, 0.4, 0.75) *
            (1.0 - 0.7 * ramp(elongation, 0.6 * kElongated, kElongated)) * (0.4 + 0.6 * size);
   }
 

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/phrase.h"
+#include "core/paper/hatching.h"
 #include "core/paper/judgement.h"
 #include "core/recording/image_file.h"
 #include "core/sketching/stroke.h"
@@ -66,7 +67,8 @@ Polygon upwards(const std::vector<cv::Point>& outline, int rows) {
   return points;
 }
 
-TracedShape shapeOf(const Region& region, double confidence, const Ink& ink,
+/// `ink`: without the hatching of what is `drawn`.
+TracedShape shapeOf(const Region& region, double confidence, const cv::Mat& drawn, const Ink& ink,
                     const PageScale& scale) {
   TracedShape shape;
   const Polygon stroke = upwards(region.outline, ink.mask.rows);
@@ -81,7 +83,7 @@ TracedShape shapeOf(const Region& region, double confidence, const Ink& ink,
   cv::Mat own;
   const int width = 2 * static_cast<int>(scale.stroke_px) + 1;
   cv::dilate(region.filled, own, cv::Mat::ones(width, width, CV_8U));
-  shape.ink = ink.mask(region.box) & own;
+  shape.ink = drawn(region.box) & own;
   shape.writing = writingIn(region, ink.mask, scale);
   return shape;
 }
@@ -108,11 +110,13 @@ Trace traced(Page page) {
   trace.page = std::move(page);
   trace.ink = separatedInk(trace.page.image, trace.page.sheet ? kPrintedContrast : kLeastContrast);
   if (!trace.ink.any) return trace;
-  const PageScale scale(trace.ink);
-  const std::vector<Candidate> candidates = candidatesOf(trace.ink, scale);
-  const std::vector<double> confidence = confidences(candidates, trace.ink, scale);
+  Ink ink = trace.ink;
+  ink.mask = withoutHatching(ink);
+  const PageScale scale(ink);
+  const std::vector<Candidate> candidates = candidatesOf(ink, scale);
+  const std::vector<double> confidence = confidences(candidates, ink, scale);
   for (const std::size_t i : chosen(candidates, confidence)) {
-    TracedShape shape = shapeOf(candidates[i].region, confidence[i], trace.ink, scale);
+    TracedShape shape = shapeOf(candidates[i].region, confidence[i], trace.ink.mask, ink, scale);
     if (shape.outline.size() >= 3) trace.shapes.push_back(std::move(shape));
   }
   std::ranges::stable_sort(trace.shapes, {}, [](const TracedShape& s) { return s.box.x; });

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/core/paper/drawn_page.h"
+
 namespace handmap {
 namespace {
 
-const cv::Scalar kPaper(225, 235, 238);
-const cv::Scalar kPen(60, 40, 30);
+using test::kPaper, test::page, test::sure;
 
-cv::Mat page() { return cv::Mat(1130, 1600, CV_8UC3, kPaper); }
+const cv::Scalar kPen(60, 40, 30);
 
 void stroke(cv::Mat& on, const std::vector<cv::Point>& points, const cv::Scalar& colour = kPen) {
   cv::polylines(on, points, false, colour, 4, cv::LINE_AA);
@@ -31,14 +32,6 @@ double overlapWith(const TracedShape& shape, const cv::Rect& box, int rows) {
                          {static_cast<double>(box.br().x), static_cast<double>(rows - box.y)},
                          {static_cast<double>(box.x), static_cast<double>(rows - box.y)}};
   return intersectionOverUnion(shape.outline, there);
-}
-
-std::vector<TracedShape> sure(const Trace& trace) {
-  std::vector<TracedShape> shapes;
-  for (const TracedShape& shape : trace.shapes) {
-    if (shape.confidence >= kSureOfShape) shapes.push_back(shape);
-  }
-  return shapes;
 }
 
 TEST(Trace, FindsNothingOnABarePage) {
