@@ -12,6 +12,7 @@ namespace {
 
 struct SheetArguments {
   std::string map;
+  bool over = false;
   double width_m = 200.0;
   std::string out;
 };
@@ -23,7 +24,8 @@ int sheetCommand(const SheetArguments& arguments) {
     return 0;
   }
   const Map map = readMap(arguments.map);
-  writeFileAtomically(arguments.out, sheetPdf(sheetFor(map), &map));
+  writeFileAtomically(arguments.out,
+                      arguments.over ? overprintPdf(map) : sheetPdf(sheetFor(map), &map));
   return 0;
 }
 
@@ -38,6 +40,9 @@ void addSheetCommand(CLI::App& app, ChosenCommand& chosen) {
       [&chosen, arguments] { chosen = [arguments] { return sheetCommand(*arguments); }; });
   CLI::Option* map = command->add_option("--map", a.map, "A map to print on it, to draw over");
   map->option_text("MAP.handmap");
+  command
+      ->add_flag("--over", a.over, "The map alone, to be printed on the paper that it was drawn on")
+      ->needs(map);
   addNumber(*command, "--width", a.width_m, 1, 4800, "Of the place to be drawn, metres")
       ->excludes(map);
   command->add_option("--out", a.out, "The sheet, of A4 (required)")

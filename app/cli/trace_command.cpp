@@ -44,8 +44,8 @@ Map mapOfSheet(const Trace& trace, const TraceArguments& arguments, PagePlace& p
     return map;
   }
   Map printed = readMap(arguments.on);
-  const Sheet sheet = sheetFor(printed);
-  if (!(sheet.code == code)) {
+  const Sheet sheet = sheetOf(code).value_or(sheetFor(printed));
+  if (sheet.code.square_m != code.square_m) {
     throwBadInput(arguments.photo, "", fmt::format("squares of {} m", code.square_m),
                   fmt::format("{} m, as the sheet of {} has", sheet.code.square_m, arguments.on));
   }

@@ -16,6 +16,7 @@ constexpr double kBeyond_mm = 8.0;        // of the middle of a mark from the co
 constexpr double kLeastSide = 1 / 200.0;  // of a mark, to the longer side of the photo
 constexpr double kMostSide = 1 / 6.0;
 constexpr double kLeastMarkLevels = 25.0;  // grey levels between its black and its white
+constexpr double kBlack = 0.65;            // of what the paper is as bright as, at most
 constexpr int kLeastPhoto_px = 100;        // of a smaller one no cell could be told from the next
 constexpr std::size_t kMostMarks = 24;     // what else looks like one
 
@@ -131,19 +132,37 @@ cv::Mat placed(const std::vector<Mark>& marks) {
   return cv::findHomography(paper, photo);
 }
 
-std::optional<SheetCode> readCode(const cv::Mat& grey, const cv::Mat& to_photo) {
-  std::vector<cv::Point2f> places;
-  for (int i = 0; i < kCodeCells; ++i) places.push_back(onPaper(codePlace(i)));
-  // White beside both ends.
-  places.push_back(onPaper(codePlace(-2)));
-  places.push_back(onPaper(codePlace(kCodeCells + 1)));
+/// Whether the cell is darker than the paper above and below it: a shadow covers all three.
+bool isBlack(const cv::Mat& grey, const cv::Mat& to_photo, const Vec2& cell) {
+  const Vec2 beside(0.0, 1.05 * kCodeCell_mm);
+  std::vector<cv::Point2f> places = {onPaper(cell), onPaper(cell + beside), onPaper(cell - beside)};
   cv::perspectiveTransform(places, places, to_photo);
-  std::vector<double> levels;
-  for (const cv::Point2f& place : places) levels.push_back(greyAt(grey, place));
-  const double white = (levels[kCodeCells] + levels[kCodeCells + 1]) / 2.0;
+  const double paper = (greyAt(grey, places[1]) + greyAt(grey, places[2])) / 2.0;
+  return greyAt(grey, places[0]) < kBlack * paper;
+}
+
+std::optional<SheetCode> readCode(const cv::Mat& grey, const cv::Mat& to_photo) {
   std::array<bool, kCodeCells> cells{};
-  for (std::size_t i = 0; i < kCodeCells; ++i) cells[i] = levels[i] < (levels[0] + white) / 2.0;
-  return codeOf(cells);
+  for (int i = 0; i < kCodeCells; ++i)
+    cells[static_cast<std::size_t>(i)] = isBlack(grey, to_photo, codePlace(i));
+  auto code = codeOf(cells);
+  if (!code || !code->of_map) return code;
+  std::array<bool, kPlaceCells> place{};
+  for (int i = 0; i < kPlaceCells; ++i)
+    place[static_cast<std::size_t>(i)] = isBlack(grey, to_photo, placeCellPlace(i));
+  code->corner = cornerOf(place);
+  return code;
+}
+
+/// The remainder by x⁸ + x² + x + 1 (CRC-8 of ITU I.432.1), of 30 bits.
+unsigned checkOf(unsigned bits) {
+  unsigned rest = 0x55;  // so that white cells are none
+  for (int i = 29; i >= 0; --i) {
+    const bool carry = ((rest >> 7U) ^ (bits >> static_cast<unsigned>(i))) & 1U;
+    rest = (rest << 1U) & 0xFFU;
+    if (carry) rest ^= 0x07U;
+  }
+  return rest;
 }
 
 }  // namespace
@@ -171,7 +190,35 @@ Vec2 codePlace(int cell) {
 std::optional<SheetCode> codeOf(const std::array<bool, kCodeCells>& cells) {
   if (!cells[0] || std::ranges::count(cells, true) % 2 == 0) return std::nullopt;
   const std::size_t at = (cells[1] ? 4U : 0U) + (cells[2] ? 2U : 0U) + (cells[3] ? 1U : 0U);
-  return SheetCode{kSquares_m[at], cells[4]};
+  return SheetCode{kSquares_m[at], cells[4], {}};
+}
+
+std::array<bool, kPlaceCells> placeCells(const SheetCode& code) {
+  std::array<bool, kPlaceCells> cells{};
+  if (!code.corner) return cells;
+  constexpr unsigned kMask = 0x7FFF;
+  const unsigned bits = (static_cast<unsigned>((*code.corner)[0]) & kMask) << 15U |
+                        (static_cast<unsigned>((*code.corner)[1]) & kMask);
+  const std::uint64_t all = static_cast<std::uint64_t>(bits) << 8U | checkOf(bits);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    cells[i] = (all >> (cells.size() - 1 - i) & 1U) != 0;
+  return cells;
+}
+
+Vec2 placeCellPlace(int cell) {
+  constexpr int kHalf = kPlaceCells / 2;
+  return codePlace(cell < kHalf ? cell - kHalf - 1 : cell - kHalf + kCodeCells + 1);
+}
+
+std::optional<std::array<int, 2>> cornerOf(const std::array<bool, kPlaceCells>& cells) {
+  std::uint64_t all = 0;
+  for (const bool cell : cells) all = all << 1U | static_cast<std::uint64_t>(cell);
+  const auto bits = static_cast<unsigned>(all >> 8U);
+  if (checkOf(bits) != (all & 0xFFU)) return std::nullopt;
+  const auto signedOf = [](unsigned value) {
+    return static_cast<int>(value & 0x3FFFU) - static_cast<int>(value & 0x4000U);
+  };
+  return std::array{signedOf(bits >> 15U & 0x7FFFU), signedOf(bits & 0x7FFFU)};
 }
 
 std::optional<SeenSheet> sheetOn(const cv::Mat& photo) {

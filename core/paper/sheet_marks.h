@@ -27,6 +27,14 @@ std::array<bool, kCodeCells> codeCells(const SheetCode& code);
 Vec2 codePlace(int cell);  ///< its middle, mm
 std::optional<SheetCode> codeOf(const std::array<bool, kCodeCells>& cells);
 
+/// Beside it, half of them left and half right: the corner of a sheet with a map, 15 cells for x,
+/// 15 for y, 8 that check them. All white: none.
+inline constexpr int kPlaceCells = 38;
+inline constexpr int kMostCornerSteps = (1 << 14) - 1;
+std::array<bool, kPlaceCells> placeCells(const SheetCode& code);
+Vec2 placeCellPlace(int cell);  ///< its middle, mm
+std::optional<std::array<int, 2>> cornerOf(const std::array<bool, kPlaceCells>& cells);
+
 struct SeenSheet {
   Quad grid;  ///< its corners on the photo
   SheetCode code;

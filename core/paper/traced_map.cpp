@@ -65,7 +65,8 @@ Underlay underlayOf(const Page& page, const PagePlace& place, const std::string&
   underlay.y = place.corner.y() + place.metres_per_pixel * page.image.rows;
   underlay.metres_per_pixel = place.metres_per_pixel;
   underlay.opacity = kOpacity;
-  underlay.unknown[kPaperKey] = "true";
+  underlay.unknown[kPaperKey] =
+      page.sheet ? fmt::format(R"({{"square_m": {}}})", page.sheet->square_m) : "true";
   return underlay;
 }
 

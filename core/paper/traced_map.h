@@ -8,9 +8,6 @@
 
 namespace handmap {
 
-/// Of the underlay that is the page.
-inline constexpr auto kPaperKey = "handmap:paper";
-
 /// Where a page lies on the map, upright.
 struct PagePlace {
   Vec2 corner = Vec2::Zero();  ///< its lower left, metres

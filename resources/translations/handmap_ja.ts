@@ -4657,6 +4657,14 @@
         <source>nothing came of it</source>
         <translation>何も書けませんでした</translation>
     </message>
+    <message>
+        <source>no printed sheet under the map</source>
+        <translation>地図の下に印刷した用紙がありません</translation>
+    </message>
+    <message>
+        <source>a map that was drawn on one</source>
+        <translation>用紙に描いた地図</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -7231,6 +7239,10 @@ Corrected by a run.</source>
     <message>
         <source>The sheet</source>
         <translation>用紙</translation>
+    </message>
+    <message>
+        <source>The drawing alone, over the used sheet</source>
+        <translation>図面だけ（使った用紙に重ねる）</translation>
     </message>
 </context>
 <context>

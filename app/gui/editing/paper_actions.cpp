@@ -157,11 +157,10 @@ void PaperActions::show(const std::shared_ptr<const Reading>& reading, const QSt
 
 std::optional<PagePlace> PaperActions::placeOfReading() {
   const Trace& trace = reading_->trace;
-  if (trace.page.sheet && !trace.page.sheet->of_map)
-    return placeOf(trace.page, emptySheet(*trace.page.sheet));
   if (trace.page.sheet) {
+    if (const auto told = sheetOf(*trace.page.sheet)) return placeOf(trace.page, *told);
     const Sheet sheet = sheetFor(document_.map());
-    if (sheet.code == *trace.page.sheet) return placeOf(trace.page, sheet);
+    if (sheet.code.square_m == trace.page.sheet->square_m) return placeOf(trace.page, sheet);
     shell_.messages.show(MessageBar::Kind::Warning,
                          tr("Another drawing is printed on this sheet, or this one has changed."),
                          tr("Say how wide it is instead."), kPaperTopic);
@@ -228,8 +227,9 @@ void PaperActions::printSheet() {
   const QString title = tr("Print a sheet to draw on");
   int with_map = 0;
   if (!document_.map().buildings.empty()) {
-    with_map = shell_.dialogs.choose(
-        {title, tr("What is to be on the sheet?"), {tr("Nothing"), tr("The drawing")}});
+    QStringList choices = {tr("Nothing"), tr("The drawing")};
+    if (sheetUnder(document_.map())) choices.append(tr("The drawing alone, over the used sheet"));
+    with_map = shell_.dialogs.choose({title, tr("What is to be on the sheet?"), choices});
     if (with_map < 0) return;
   }
   double width_m = kPaperWidth_m;
@@ -243,9 +243,10 @@ void PaperActions::printSheet() {
                    QStringLiteral("pdf"), tr("The sheet")},
                   [&](const QString& path) {
                     const Map& map = document_.map();
-                    writeFileAtomically(localFile(path), with_map == 0
-                                                             ? sheetPdf(emptySheet(width_m))
-                                                             : sheetPdf(sheetFor(map), &map));
+                    writeFileAtomically(localFile(path),
+                                        with_map == 0   ? sheetPdf(emptySheet(width_m))
+                                        : with_map == 1 ? sheetPdf(sheetFor(map), &map)
+                                                        : overprintPdf(map));
                   });
 }
 

@@ -34,6 +34,13 @@ inline cv::Mat printed(const Sheet& sheet, const Map* map = nullptr) {
                 CV_8UC3, cv::Scalar::all(240));
   for (const SheetPart& part : sheetParts(sheet, map))
     drawLine(print, part.line, cv::Scalar::all(240.0 * (1.0 - 0.9 * part.darkness)), part.width_mm);
+  if (!map) return print;
+  for (const SheetName& name : sheetNames(sheet, *map)) {
+    const Vec2 left(-0.25 * name.size_mm * static_cast<double>(name.text.size()), 0.0);
+    cv::putText(print, name.text, onPrint(name.at + left), cv::FONT_HERSHEY_SIMPLEX,
+                kDots * name.size_mm / 30.0, cv::Scalar::all(240.0 * (1.0 - 0.9 * kDarkestPrint)),
+                4, cv::LINE_AA);
+  }
   return print;
 }
 

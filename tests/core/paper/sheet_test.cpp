@@ -60,6 +60,60 @@ TEST(Sheet, TellsItselfByItsCode) {
   }
 }
 
+TEST(Sheet, TellsWhereAMapIsPrinted) {
+  EXPECT_EQ(cornerOf({}), std::nullopt);
+  for (const std::array<int, 2>& corner :
+       {std::array{0, 0}, std::array{-7, 300}, std::array{kMostCornerSteps, -kMostCornerSteps}}) {
+    const auto cells = placeCells({10.0, true, corner});
+    EXPECT_EQ(cornerOf(cells), corner);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      auto wrong = cells;
+      wrong[i] = !wrong[i];
+      EXPECT_EQ(cornerOf(wrong), std::nullopt);
+    }
+  }
+}
+
+TEST(Sheet, OfAMapDoesNotShiftWhenThatIsChanged) {
+  Map map;
+  Building house;
+  house.id = "A";
+  house.name = "Library";
+  house.shape = Rectangle{{1003.7, -420.3}, 60.0, 30.0, 0.2};
+  map.buildings = {house};
+  const Sheet sheet = sheetFor(map);
+  ASSERT_TRUE(sheet.code.corner);
+  for (int i = 0; i < 8; ++i) {
+    test::Shot shot{toRadians(45.0 * i / 7.0),
+                    2.4 * i,
+                    kPi / 2.0 * (i % 4),
+                    0.1 * (i % 6),
+                    0.5 * (i % 4),
+                    static_cast<double>(i % 5),
+                    static_cast<std::uint64_t>(i)};
+    const Trace trace = traced(test::photographed(test::printed(sheet, &map), shot));
+    EXPECT_TRUE(trace.shapes.empty()) << i;
+    ASSERT_TRUE(trace.page.sheet) << i;
+    EXPECT_EQ(*trace.page.sheet, sheet.code) << i;
+    EXPECT_LT((sheetOf(*trace.page.sheet)->corner - sheet.corner).norm(), 1e-9);
+  }
+}
+
+TEST(Sheet, IsTheOneThatTheMapWasDrawnOn) {
+  const Sheet sheet = emptySheet(200.0);
+  const Trace trace = traced(test::photographed(drawnOn(sheet), {}));
+  Map map = mapOf(trace, placeOf(trace.page, sheet));
+  EXPECT_THROW(overprintPdf(map), Error);
+  map.underlays = {underlayOf(trace.page, placeOf(trace.page, sheet), "page.png")};
+  map = parseMap(formatMap(map), "map");
+  const Sheet again = sheetFor(map);
+  EXPECT_LT((again.corner - sheet.corner).norm(), 1e-6);
+  EXPECT_EQ(again.code.square_m, sheet.code.square_m);
+  EXPECT_TRUE(overprintPdf(map).starts_with("%PDF-1.4\n"));
+  map.buildings[0].shape = Rectangle{{400.0, 0.0}, 60.0, 30.0, 0.0};  // beyond it
+  EXPECT_EQ(sheetFor(map).code.square_m, 50.0);
+}
+
 TEST(Sheet, IsAsLargeAsThePlaceNeeds) {
   EXPECT_EQ(emptySheet(24.0).code.square_m, 1.0);
   EXPECT_EQ(emptySheet(200.0).code.square_m, 10.0);
@@ -129,6 +183,7 @@ TEST(Sheet, IsNoBuildingItself) {
   Map map;
   Building house;
   house.id = "A";
+  house.name = "Library";
   house.shape = Rectangle{{0.0, 20.0}, 60.0, 30.0, 0.2};
   map.buildings = {house};
   map.start = Pose2{0.0, -20.0, 0.0};
