@@ -11,9 +11,13 @@ namespace handmap {
 
 namespace {
 
-constexpr double kThick = 3.0;      // strokes wide: what is less may be one
-constexpr double kStick = 6.0;      // length over width: a pen
-constexpr double kBlotSolid = 0.8;  // of its convex hull
+constexpr int kCoverSide_px = 450;    // what covers a page is seen from afar, too
+constexpr double kCoverBroad = 0.01;  // of the longer side: half of a finger on A4
+constexpr int kOtherColour = 14;  // of 128, in Lab; noise and a blue pen's strokes are less broad
+constexpr double kOtherLight = 0.4;  // of the paper's
+constexpr double kThick = 3.0;       // strokes wide: what is less may be one
+constexpr double kStick = 6.0;       // length over width: a pen
+constexpr double kBlotSolid = 0.8;   // of its convex hull
 
 cv::Mat round(double radius) {
   const int r = std::max(1, static_cast<int>(std::lround(radius)));
@@ -27,6 +31,40 @@ bool isSolid(const std::vector<cv::Point>& outline) {
 }
 
 }  // namespace
+
+cv::Mat coverOf(const cv::Mat& page) {
+  const double scale = kCoverSide_px / static_cast<double>(std::max(page.cols, page.rows));
+  cv::Mat small, lab;
+  cv::resize(page, small, {}, scale, scale, cv::INTER_AREA);
+  cv::cvtColor(small, lab, cv::COLOR_BGR2Lab);
+  std::vector<cv::Mat> channels;
+  cv::split(lab, channels);
+  std::array<double, 3> paper{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<std::uint8_t> values(channels[i].begin<std::uint8_t>(),
+                                     channels[i].end<std::uint8_t>());
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    paper[i] = *middle;
+  }
+  cv::Mat a, b;
+  cv::absdiff(channels[1], cv::Scalar(paper[1]), a);
+  cv::absdiff(channels[2], cv::Scalar(paper[2]), b);
+  cv::Mat other = (cv::max(a, b) > kOtherColour) | (channels[0] < kOtherLight * paper[0]);
+  cv::morphologyEx(other, other, cv::MORPH_OPEN, round(kCoverBroad * kCoverSide_px));
+  cv::Mat labels, stats, centres;
+  const int count = cv::connectedComponentsWithStats(other, labels, stats, centres, 8);
+  for (int i = 1; i < count; ++i) {
+    const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                       stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    const bool at_edge =
+        box.x <= 2 || box.y <= 2 || box.br().x >= other.cols - 2 || box.br().y >= other.rows - 2;
+    if (!at_edge) other(box).setTo(0, labels(box) == i);
+  }
+  cv::Mat cover;
+  cv::resize(other, cover, page.size(), 0, 0, cv::INTER_NEAREST);
+  return cover;
+}
 
 Blots blotsOf(const Ink& ink, const PageScale& scale) {
   Blots blots;

@@ -232,7 +232,7 @@ PageScale::PageScale(const Ink& ink) : stroke_px(ink.stroke_px) {
   sign_px = usualSign(ink.mask, 3.0 * stroke_px, letter_px);
 }
 
-std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale) {
+std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale, const cv::Mat& cover) {
   std::vector<Candidate> candidates;
   const double small_px = 2.0 * scale.stroke_px;
   const std::vector<Region> pieces = largest(enclosedRegions(ink.mask, scale.stroke_px, small_px));
@@ -264,6 +264,11 @@ std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale) {
     if (!part) candidates.push_back({std::move(region), inked});
   }
   Blots blots = blotsOf(ink, scale);
+  if (!cover.empty()) {
+    cv::Mat wide;
+    cv::dilate(cover, wide, disc(2.0 * scale.stroke_px));
+    blots.foreign |= wide;
+  }
   std::erase_if(blots.filled, [&](const Region& filled) {
     return std::ranges::any_of(
         candidates, [&](const Candidate& c) { return touches(filled, c.region, scale); });

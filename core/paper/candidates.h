@@ -24,6 +24,8 @@ struct PageScale {
   double road_px;    ///< the widest road, as those who draw both sides of one leave between them
 };
 
-std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale);
+/// `cover`: 255 where something lies over the page; or empty.
+std::vector<Candidate> candidatesOf(const Ink& ink, const PageScale& scale,
+                                    const cv::Mat& cover = {});
 
 }  // namespace handmap

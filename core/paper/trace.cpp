@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/phrase.h"
+#include "core/paper/blots.h"
 #include "core/paper/hatching.h"
 #include "core/paper/judgement.h"
 #include "core/recording/image_file.h"
@@ -113,7 +114,9 @@ Trace traced(Page page) {
   Ink ink = trace.ink;
   ink.mask = withoutHatching(ink);
   const PageScale scale(ink);
-  const std::vector<Candidate> candidates = candidatesOf(ink, scale);
+  const cv::Mat cover = trace.page.sheet ? coverOf(trace.page.image) : cv::Mat();
+  trace.covered = !cover.empty() && cv::countNonZero(cover) > 0;
+  const std::vector<Candidate> candidates = candidatesOf(ink, scale, cover);
   const std::vector<double> confidence = confidences(candidates, ink, scale);
   for (const std::size_t i : chosen(candidates, confidence)) {
     TracedShape shape = shapeOf(candidates[i].region, confidence[i], trace.ink.mask, ink, scale);

@@ -30,6 +30,7 @@ inline constexpr int kPhotoSide_px = 2 * kPageSide_px;
 struct Trace {
   Page page;
   Ink ink;
+  bool covered = false;             ///< of a sheet: a hand lies over it
   std::vector<TracedShape> shapes;  ///< from left to right
 };
 

@@ -1,0 +1,50 @@
+// A printed sheet that a camera looks at while somebody draws on it.
+#pragma once
+
+#include <vector>
+
+#include "core/paper/trace.h"
+
+namespace handmap {
+
+enum class SheetSight {
+  None,     ///< not all four marks are seen
+  Covered,  ///< a hand lies over it
+  Moving,   ///< since the image before
+  Seen      ///< and the trace is of this image
+};
+
+/// Follows the pen: what was found stays as it is while a hand is over it, and does not tremble
+/// from image to image. A shape comes, changes or goes once it does so in images one after the
+/// other.
+class SheetWatch {
+ public:
+  /// Of any size, one channel or three.
+  SheetSight look(const cv::Mat& image);
+
+  /// The newest that was seen whole, with the shapes that are settled.
+  const Trace& trace() const { return trace_; }
+  /// Of each shape of the trace, for good.
+  const std::vector<int>& numbers() const { return numbers_; }
+
+ private:
+  /// A shape, and what the newest images say otherwise.
+  struct Watched {
+    int number = 0;
+    TracedShape shape;
+    int seen = 0;     ///< images that agreed before it is settled
+    int missing = 0;  ///< images in a row without it
+    int other = 0;    ///< images in a row in which it is another
+  };
+
+  bool isStill(const Quad& grid, const cv::Size& image);
+  void settle(std::vector<TracedShape> shapes);
+
+  std::optional<Quad> before_;
+  std::vector<Watched> watched_;
+  int next_ = 1;
+  Trace trace_;
+  std::vector<int> numbers_;
+};
+
+}  // namespace handmap
