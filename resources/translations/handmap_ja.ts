@@ -855,6 +855,14 @@
         <source>Save the moments of the run for Rerun, Foxglove or RViz 2.</source>
         <translation>実行の各時点を Rerun、Foxglove、RViz 2 のために保存します。</translation>
     </message>
+    <message>
+        <source>Open Ca&amp;mera…</source>
+        <translation>カメラを開く(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Watch a printed sheet while somebody draws on it.</source>
+        <translation>印刷した用紙に描く様子をカメラで見て取り込みます。</translation>
+    </message>
 </context>
 <context>
     <name>FigureWords</name>
@@ -7243,6 +7251,46 @@ Corrected by a run.</source>
     <message>
         <source>The drawing alone, over the used sheet</source>
         <translation>図面だけ（使った用紙に重ねる）</translation>
+    </message>
+    <message>
+        <source>Something lies over the sheet: what it hides is not ticked.</source>
+        <translation>用紙の上に何かあります。隠れた部分にはチェックを付けていません。</translation>
+    </message>
+    <message>
+        <source>Open camera</source>
+        <translation>カメラを開く</translation>
+    </message>
+    <message>
+        <source>Device, address or video</source>
+        <translation>デバイス、アドレス、または動画</translation>
+    </message>
+    <message>
+        <source>Looking through “%1”…</source>
+        <translation>「%1」を見ています…</translation>
+    </message>
+    <message>
+        <source>No printed sheet is seen.</source>
+        <translation>印刷した用紙が見えません。</translation>
+    </message>
+    <message>
+        <source>All four marks must be in the picture, and nothing over them.</source>
+        <translation>四つの目印がすべて画面に入り、隠れていないようにしてください。</translation>
+    </message>
+    <message>
+        <source>What is drawn on the sheet is followed.</source>
+        <translation>用紙に描いたものを追っています。</translation>
+    </message>
+    <message>
+        <source>Enter takes what is ticked and closes the camera, Esc takes nothing.</source>
+        <translation>Enter でチェックしたものを取り込んでカメラを閉じます。Esc なら何も取り込みません。</translation>
+    </message>
+    <message>
+        <source>Something lies over the sheet.</source>
+        <translation>用紙の上に何かあります。</translation>
+    </message>
+    <message>
+        <source>Close the camera</source>
+        <translation>カメラを閉じる</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "core/map/map_io.h"
 #include "tests/core/paper/photographed.h"
@@ -110,6 +111,81 @@ TEST_F(PaperWindow, APageWithoutShapesIsToldAndNothingChanges) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return message(*window_).contains("has no closed shapes"); },
                               kPatienceMs));
   EXPECT_FALSE(document_.isModified());
+}
+
+/// A camera over the table: bare, a hand, one house, a hand over it, two houses.
+void filmDrawing(const std::string& file) {
+  constexpr double kRate_hz = 5.0;
+  const cv::Size size(1600, 1200);
+  cv::VideoWriter film(file, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_hz, size);
+  cv::Mat sheet = test::printed(emptySheet(200.0));
+  const auto shown = [&](int images, bool hand) {
+    cv::Mat table = sheet.clone();
+    if (hand) {
+      cv::line(table, test::onPrint({70.0, 100.0}), test::onPrint({300.0, 20.0}), {125, 160, 205},
+               400, cv::LINE_AA);
+    }
+    cv::Mat image;
+    cv::resize(test::photographed(table, {0.3, 1.0, 0.1, 0.2, 0.0, 2.0, 3}), image, size);
+    for (int i = 0; i < images; ++i) film.write(image);
+  };
+  shown(8, false);
+  shown(5, true);
+  test::penned(sheet, Rectangle{{60.0, 110.0}, 50.0, 30.0, 0.0}.corners());
+  shown(15, false);
+  test::penned(sheet, Rectangle{{180.0, 50.0}, 40.0, 40.0, 0.0}.corners());
+  shown(8, true);
+  shown(20, false);
+}
+
+TEST_F(PaperWindow, ACameraFollowsThePen) {
+  document_.save(path("place.handmap"));
+  filmDrawing(path("table.avi").toStdString());
+  dialogs_->texts = {path("table.avi")};
+  action(*window_, "file.open_camera")->trigger();
+  ASSERT_TRUE(isReviewing());
+  EXPECT_TRUE(tool().review().proposals.empty());
+  EXPECT_TRUE(message(*window_).contains("is followed")) << message(*window_).toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tool().takenCount() == 1; }, kPatienceMs));
+  const auto first = tool().review().proposals[0].building.shape;
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Tab);
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Delete);
+  ASSERT_EQ(tool().takenCount(), 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tool().review().proposals.size() == 2; }, kPatienceMs));
+  EXPECT_EQ(tool().takenCount(), 1) << "who said no is not asked again";
+  EXPECT_EQ(tool().review().proposals[0].building.shape, first) << "a hand changed it";
+  EXPECT_TRUE(document_.map().buildings.empty());
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Return);
+  ASSERT_EQ(document_.map().buildings.size(), 1u);
+  EXPECT_NEAR(document_.map().buildings[0].box().centre.x(), 60.0, 1.5);
+  EXPECT_NEAR(document_.map().buildings[0].box().centre.y(), 30.0, 1.5);
+  ASSERT_TRUE(document_.map().start);
+  EXPECT_TRUE(QFile::exists(path("place-paper.png")));
+  EXPECT_EQ(document_.undoStack().count(), 1);
+  QTest::qWait(1000);
+  EXPECT_FALSE(tool().isBusy()) << "the camera is closed";
+}
+
+TEST_F(PaperWindow, ACameraThatIsNotThereIsTold) {
+  dialogs_->texts = {path("none.avi")};
+  action(*window_, "file.open_camera")->trigger();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return message(*window_).contains("cannot be opened"); }, kPatienceMs));
+  EXPECT_FALSE(document_.isModified());
+  EXPECT_FALSE(tool().isBusy());
+}
+
+TEST_F(PaperWindow, WhatWasDrawnOnASheetPrintsOverIt) {
+  document_.save(path("place.handmap"));
+  openPhoto(test::photographed(drawing(), {}));
+  ASSERT_TRUE(isReviewing());
+  tool().finish();
+  dialogs_->choices = {2};
+  dialogs_->paths = {path("over.pdf")};
+  action(*window_, "file.print_sheet")->trigger();
+  QFile file(path("over.pdf"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(file.readAll().toStdString(), overprintPdf(document_.map()));
 }
 
 TEST_F(PaperWindow, ASheetIsPrinted) {

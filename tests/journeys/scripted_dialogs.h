@@ -12,6 +12,7 @@ namespace handmap {
 class ScriptedDialogs : public Dialogs {
  public:
   QStringList paths;
+  QStringList texts;
   QList<int> choices;
   QList<double> figures;
   QStringList asked;  ///< titles of dialogs
@@ -27,6 +28,10 @@ class ScriptedDialogs : public Dialogs {
   QList<double> numbers(const QString& title, const QList<Number>&) override {
     asked << title;
     return std::exchange(figures, {});
+  }
+  QString typedOrKnown(const QString& title, const QString&, const QStringList&) override {
+    asked << title;
+    return texts.isEmpty() ? QString() : texts.takeFirst();
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -82,6 +83,16 @@ class SystemDialogs : public Dialogs {
     QList<double> values;
     for (const QDoubleSpinBox* field : fields) values << field->value();
     return values;
+  }
+
+  QString typedOrKnown(const QString& title, const QString& label,
+                       const QStringList& known) override {
+    QInputDialog dialog(&window_);
+    dialog.setWindowTitle(title);
+    dialog.setLabelText(label);
+    dialog.setComboBoxItems(known);
+    dialog.setComboBoxEditable(true);
+    return dialog.exec() == QDialog::Accepted ? dialog.textValue().trimmed() : QString();
   }
 
  private:

@@ -46,6 +46,10 @@ class Dialogs {
   };
   /// One number a line; empty: cancelled.
   virtual QList<double> numbers(const QString& title, const QList<Number>& lines) = 0;
+
+  /// What is typed, or one of the known; empty: cancelled.
+  virtual QString typedOrKnown(const QString& title, const QString& label,
+                               const QStringList& known) = 0;
 };
 
 /// Over `window`, which must outlive them.

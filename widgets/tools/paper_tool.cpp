@@ -32,9 +32,24 @@ void PaperTool::setReview(PaperReview review) {
   Q_EMIT changed();
 }
 
+void PaperTool::renewReview(PaperReview review) {
+  const int current = current_ ? review_.proposals[*current_].number : 0;
+  current_.reset();
+  for (std::size_t i = 0; i < review.proposals.size(); ++i) {
+    PaperReview::Proposal& proposal = review.proposals[i];
+    if (proposal.number == current && current != 0) current_ = i;
+    const auto before =
+        std::ranges::find(review_.proposals, proposal.number, &PaperReview::Proposal::number);
+    if (before != review_.proposals.end()) proposal.taken = before->taken;
+  }
+  review_ = std::move(review);
+  Q_EMIT changed();
+}
+
 bool PaperTool::cancel() {
   if (!isBusy()) return false;
   setReview({});
+  Q_EMIT abandoned();
   return true;
 }
 
@@ -59,6 +74,7 @@ void PaperTool::toggle(std::size_t index) {
 }
 
 void PaperTool::step(int by) {
+  if (review_.proposals.empty()) return;
   const auto count = static_cast<int>(review_.proposals.size());
   const int from = current_ ? static_cast<int>(*current_) : (by > 0 ? -1 : 0);
   current_ = static_cast<std::size_t>((from + by + count) % count);

@@ -16,6 +16,7 @@ struct PaperReview {
     QImage ink = {};        ///< what it was drawn with: black where there is some
     QPoint ink_at = {};     ///< of its top left corner, pixels of the page
     bool replaces = false;  ///< it is drawn over a building that the drawing has
+    int number = 0;         ///< the same shape in a newer review has the same; 0: there are none
   };
 
   QImage page;
@@ -37,17 +38,20 @@ class PaperTool : public Tool {
   void move(const ToolEvent& event) override;
   bool key(const ToolKey& key) override;
   bool removeChosen() override;
-  bool isBusy() const override { return !review_.proposals.empty(); }
+  bool isBusy() const override { return !review_.page.isNull(); }
   bool canFinish() const override { return takenCount() > 0; }
   void finish() override;
   void paint(ToolPaint& canvas) const override;
 
   void setReview(PaperReview review);
+  /// A newer one of the same page: what was ticked or not stays so.
+  void renewReview(PaperReview review);
   const PaperReview& review() const { return review_; }
   int takenCount() const;
 
  Q_SIGNALS:
   void taken(const std::vector<handmap::Building>& buildings);
+  void abandoned();
 
  private:
   std::optional<std::size_t> at(const Vec2& position) const;

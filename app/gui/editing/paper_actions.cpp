@@ -1,6 +1,6 @@
 #include "app/gui/editing/paper_actions.h"
 
-#include <QBuffer>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QSettings>
@@ -13,6 +13,7 @@
 #include "core/map/references.h"
 #include "core/recording/image_file.h"
 #include "core/simulation/drawn_by_people.h"
+#include "drivers/camera/image_devices.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/background/failure.h"
 #include "widgets/canvas/map_canvas.h"
@@ -25,26 +26,13 @@ namespace handmap {
 namespace {
 
 constexpr auto kPaperFolderKey = "paper/folder";
+constexpr auto kCameraKey = "paper/camera";
 constexpr auto kPaperTopic = "paper";
 constexpr double kPaperWidth_m = 200.0;
 constexpr double kLargestSheet_m = 4800.0;
 
 std::filesystem::path localFile(const QString& path) {
   return QFile::encodeName(path).toStdString();
-}
-
-QImage imageOf(const cv::Mat& page) {
-  return QImage(page.data, page.cols, page.rows, static_cast<qsizetype>(page.step),
-                QImage::Format_BGR888)
-      .copy();
-}
-
-std::string pngOf(const QImage& image) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  image.save(&buffer, "PNG");
-  return bytes.toStdString();
 }
 
 /// Opaque where there is ink.
@@ -69,7 +57,13 @@ PaperActions::PaperActions(const Shell& shell, MapDocument& document, MapCanvas&
       self_(std::make_shared<Lifeline<PaperActions>>(*this)) {
   shell_.actions.on("file.from_paper", this, [this] { ask(); });
   shell_.actions.on("file.print_sheet", this, [this] { printSheet(); });
+  shell_.actions.on("file.open_camera", this, [this] { openCamera(); });
   connect(&tool_, &PaperTool::taken, this, &PaperActions::take);
+  connect(&tool_, &PaperTool::abandoned, &camera_, &SheetCamera::stop);
+  connect(&camera_, &SheetCamera::seen, this, &PaperActions::follow);
+  connect(&camera_, &SheetCamera::sightChanged, this, &PaperActions::tellSight);
+  connect(&camera_, &SheetCamera::troubled, this,
+          [this](const QString& words) { tellOfCamera(MessageBar::Kind::Warning, words); });
 }
 
 PaperActions::~PaperActions() { self_->cut(); }
@@ -86,18 +80,19 @@ void PaperActions::ask() {
 }
 
 void PaperActions::read(const QString& path) {
+  camera_.stop();
   shell_.messages.show(MessageBar::Kind::Info,
                        tr("Reading the drawing on “%1”…").arg(QFileInfo(path).fileName()), {},
                        kPaperTopic);
   startInBackground([self = self_, request = ++request_, path] {
-    std::variant<std::shared_ptr<const Reading>, Failure> answer;
+    std::variant<std::shared_ptr<const PaperReading>, Failure> answer;
     try {
       const cv::Mat photo = readPhoto(localFile(path), kPhotoSide_px);
-      auto reading = std::make_shared<Reading>();
+      auto reading = std::make_shared<PaperReading>();
       reading->trace = traced(photo);
       if (reading->trace.shapes.empty()) reading->trouble = troubleWith(photo);
       reading->page = pngOf(imageOf(reading->trace.page.image));
-      answer = std::shared_ptr<const Reading>(reading);
+      answer = std::shared_ptr<const PaperReading>(reading);
     } catch (const Error& error) {
       answer = failureOf(error);
     } catch (const std::exception& error) {
@@ -115,7 +110,7 @@ void PaperActions::tell(const Failure& failure) {
   shell_.messages.show(MessageBar::Kind::Error, failure.message, failure.hint, kPaperTopic);
 }
 
-void PaperActions::show(const std::shared_ptr<const Reading>& reading, const QString& path) {
+void PaperActions::show(const std::shared_ptr<const PaperReading>& reading, const QString& path) {
   const Trace& trace = reading->trace;
   if (trace.shapes.empty()) {
     shell_.messages.show(MessageBar::Kind::Warning,
@@ -131,28 +126,97 @@ void PaperActions::show(const std::shared_ptr<const Reading>& reading, const QSt
   const auto place = placeOfReading();
   if (!place) return shell_.messages.withdraw(kPaperTopic);
   place_ = *place;
+  begin(*reading);
+  shell_.messages.show(
+      MessageBar::Kind::Info,
+      tr("%n closed shape(s) are found.", nullptr, static_cast<int>(trace.shapes.size())),
+      trace.covered ? tr("Something lies over the sheet: what it hides is not ticked.")
+                    : tr("Click those that are no buildings, then press Enter."),
+      kPaperTopic);
+}
+
+PaperReview PaperActions::reviewOf(const PaperReading& reading) const {
+  const Trace& trace = reading.trace;
   PaperReview review;
   review.page = imageOf(trace.page.image);
   review.place = underlayOf(trace.page, place_, {});
-  for (const TracedShape& shape : trace.shapes) {
+  for (std::size_t i = 0; i < trace.shapes.size(); ++i) {
+    const TracedShape& shape = trace.shapes[i];
     PaperReview::Proposal proposal;
     proposal.building = buildingOf(shape, trace.ink, place_);
     proposal.taken = shape.confidence >= kSureOfShape;
     proposal.ink = inkImage(shape.ink);
     proposal.ink_at = QPoint(shape.box.x, shape.box.y);
     proposal.replaces = buildingUnder(document_.map(), proposal.building) != nullptr;
+    if (!reading.numbers.empty()) proposal.number = reading.numbers[i];
     review.proposals.push_back(std::move(proposal));
   }
+  return review;
+}
+
+/// All of the page in the window, to be looked through.
+void PaperActions::begin(const PaperReading& reading) {
   const double scale = place_.metres_per_pixel;
-  canvas_.zoomToRect({place_.corner.x(), place_.corner.y(), scale * trace.page.image.cols,
-                      scale * trace.page.image.rows});
+  const cv::Mat& page = reading.trace.page.image;
+  canvas_.zoomToRect({place_.corner.x(), place_.corner.y(), scale * page.cols, scale * page.rows});
   canvas_.setTool(ToolId::Paper);
-  tool_.setReview(std::move(review));
+  tool_.setReview(reviewOf(reading));
   canvas_.setFocus();
-  shell_.messages.show(
-      MessageBar::Kind::Info,
-      tr("%n closed shape(s) are found.", nullptr, static_cast<int>(trace.shapes.size())),
-      tr("Click those that are no buildings, then press Enter."), kPaperTopic);
+}
+
+void PaperActions::openCamera() {
+  QStringList known;
+  const QString last = shell_.settings.value(kCameraKey).toString();
+  if (!last.isEmpty()) known << last;
+  for (const std::string& name : connectedCameras(CameraKind::Video))
+    if (!known.contains(QString::fromStdString(name))) known << QString::fromStdString(name);
+  const QString source =
+      shell_.dialogs.typedOrKnown(tr("Open camera"), tr("Device, address or video"), known);
+  if (source.isEmpty()) return;
+  shell_.settings.setValue(kCameraKey, source);
+  ++request_;
+  tool_.cancel();
+  reading_.reset();
+  const QString folder = shell_.settings.value(kPaperFolderKey, QDir::homePath()).toString();
+  photo_ = QDir(folder).filePath(QStringLiteral("camera.png"));
+  camera_.watch(source);
+  tellOfCamera(MessageBar::Kind::Info, tr("Looking through “%1”…").arg(source));
+}
+
+/// With the way to close it, while nothing is there yet to be left by Escape.
+void PaperActions::tellOfCamera(MessageBar::Kind kind, const QString& words, const QString& hint) {
+  shell_.messages.show(kind, words, hint, kPaperTopic);
+  if (tool_.isBusy()) return;
+  shell_.messages.addAction(tr("Close the camera"), [this] {
+    camera_.stop();
+    shell_.messages.withdraw(kPaperTopic);
+  });
+}
+
+void PaperActions::follow(const std::shared_ptr<const PaperReading>& reading) {
+  const bool first = reading_ == nullptr;
+  reading_ = reading;
+  if (first) {
+    const auto place = placeOfReading();
+    if (!place) return camera_.stop();
+    place_ = *place;
+    begin(*reading);
+  } else {
+    tool_.renewReview(reviewOf(*reading));
+  }
+}
+
+void PaperActions::tellSight(SheetSight sight) {
+  constexpr auto kInfo = MessageBar::Kind::Info;
+  if (sight == SheetSight::None) {
+    tellOfCamera(kInfo, tr("No printed sheet is seen."),
+                 tr("All four marks must be in the picture, and nothing over them."));
+  } else if (sight == SheetSight::Seen) {
+    tellOfCamera(kInfo, tr("What is drawn on the sheet is followed."),
+                 tr("Enter takes what is ticked and closes the camera, Esc takes nothing."));
+  } else if (sight == SheetSight::Covered && !reading_) {
+    tellOfCamera(kInfo, tr("Something lies over the sheet."));
+  }
 }
 
 std::optional<PagePlace> PaperActions::placeOfReading() {
@@ -183,6 +247,7 @@ QString PaperActions::pictureFile() const {
 }
 
 void PaperActions::take(const std::vector<Building>& buildings) {
+  camera_.stop();
   const QString picture = pictureFile();
   try {
     writeFileAtomically(localFile(picture), reading_->page);

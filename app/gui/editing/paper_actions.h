@@ -6,9 +6,11 @@
 #include <QString>
 #include <memory>
 
+#include "app/gui/editing/sheet_camera.h"
 #include "app/gui/shell/shell.h"
 #include "core/paper/traced_map.h"
 #include "widgets/background/background.h"
+#include "widgets/messages/message_bar.h"
 
 namespace handmap {
 
@@ -17,6 +19,7 @@ class MapCanvas;
 class MapDocument;
 class PaperTool;
 class ReferenceTrust;
+struct PaperReview;
 struct Failure;
 
 class PaperActions : public QObject {
@@ -32,15 +35,14 @@ class PaperActions : public QObject {
   void read(const QString& path);
 
  private:
-  /// A photo that was read, and its page as a file of PNG.
-  struct Reading {
-    Trace trace;
-    std::string page;
-    std::string trouble;
-  };
-
   void ask();
-  void show(const std::shared_ptr<const Reading>& reading, const QString& path);
+  void show(const std::shared_ptr<const PaperReading>& reading, const QString& path);
+  void openCamera();
+  void follow(const std::shared_ptr<const PaperReading>& reading);
+  void tellSight(SheetSight sight);
+  void tellOfCamera(MessageBar::Kind kind, const QString& words, const QString& hint = {});
+  PaperReview reviewOf(const PaperReading& reading) const;
+  void begin(const PaperReading& reading);
   void tell(const Failure& failure);
   /// Where the page lies; nullopt: nobody says.
   std::optional<PagePlace> placeOfReading();
@@ -54,7 +56,8 @@ class PaperActions : public QObject {
   PaperTool& tool_;
   FileActions& files_;
   ReferenceTrust& trust_;
-  std::shared_ptr<const Reading> reading_;
+  SheetCamera camera_;
+  std::shared_ptr<const PaperReading> reading_;
   QString photo_;
   PagePlace place_;
   int request_ = 0;                               ///< an answer to an earlier one is dropped
