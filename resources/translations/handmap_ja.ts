@@ -856,8 +856,8 @@
         <translation>実行の各時点を Rerun、Foxglove、RViz 2 のために保存します。</translation>
     </message>
     <message>
-        <source>Open Ca&amp;mera…</source>
-        <translation>カメラを開く(&amp;M)…</translation>
+        <source>Open Camera…</source>
+        <translation>カメラを開く…</translation>
     </message>
     <message>
         <source>Watch a printed sheet while somebody draws on it.</source>

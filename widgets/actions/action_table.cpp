@@ -24,7 +24,7 @@ constexpr std::array kActions = {
     ActionSpec{"file.from_paper", QT_TRANSLATE_NOOP("Actions", "&From Paper…"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Make buildings of a photo of a drawing on paper."),
                Menu::File},
-    ActionSpec{"file.open_camera", QT_TRANSLATE_NOOP("Actions", "Open Ca&mera…"), "", "",
+    ActionSpec{"file.open_camera", QT_TRANSLATE_NOOP("Actions", "Open Camera…"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Watch a printed sheet while somebody draws on it."),
                Menu::File},
     ActionSpec{"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", "Ctrl+S",
