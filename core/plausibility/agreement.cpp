@@ -11,11 +11,12 @@ namespace handmap {
 
 namespace {
 
-constexpr std::size_t kPairs = 12;
-constexpr double kLeastTurn = 0.17;  // radians: less tells no mirror
+constexpr std::size_t kPairs = 24;   // of each kind; a sparse scan tells nothing
+constexpr double kLeastTurn = 0.06;  // radians: less tells no mirror
 constexpr double kMostTurn = 0.9;    // more sees other things
 constexpr double kLeastMove_m = 0.7;
-constexpr double kMostMove_m = 4.0;
+constexpr double kMostMove_m = 6.0;  // a street turns a robot by so much in it
+constexpr std::size_t kMostRows = 400;
 constexpr double kLeastRange_m = 0.5;
 constexpr double kMostRange_m = 30.0;
 constexpr double kAboveGround_m = 0.6;  // the ground lies on itself wherever it is put
@@ -39,12 +40,17 @@ struct Axes {
   double spread = 1.0;  ///< of the directions of rays, as those of 270° that were taken for 180°
 };
 
-/// As they are; mirrored; x right and y forward; turned around; odometry in other units; other
-/// directions.
-constexpr std::array<Axes, 12> kReadings{{{1, 0, 0, 1, 1.0},
+constexpr float kDiagonal = 0.70710678F;
+
+/// As they are; mirrored; x right and y forward; turned around, aside, by half a right angle either
+/// way; odometry in other units; other directions.
+constexpr std::array<Axes, 15> kReadings{{{1, 0, 0, 1, 1.0},
                                           {1, 0, 0, -1, 1.0},
                                           {0, 1, -1, 0, 1.0},
                                           {-1, 0, 0, -1, 1.0},
+                                          {0, -1, 1, 0, 1.0},
+                                          {kDiagonal, -kDiagonal, kDiagonal, kDiagonal, 1.0},
+                                          {kDiagonal, kDiagonal, -kDiagonal, kDiagonal, 1.0},
                                           {1, 0, 0, 1, 0.001},
                                           {1, 0, 0, 1, 0.01},
                                           {1, 0, 0, 1, 1.0, 3.0 / 2.0},
@@ -53,7 +59,8 @@ constexpr std::array<Axes, 12> kReadings{{{1, 0, 0, 1, 1.0},
                                           {1, 0, 0, 1, 1.0, 3.0 / 4.0},
                                           {1, 0, 0, 1, 1.0, 2.0},
                                           {1, 0, 0, 1, 1.0, 1.0 / 2.0}}};
-constexpr std::size_t kFirstSpread = 6;
+constexpr std::size_t kFirstScale = 7;
+constexpr std::size_t kFirstSpread = 9;
 
 Vec2 readAs(const Axes& axes, const Vec2& p) {
   if (axes.spread != 1.0) return p.norm() * unitVector(axes.spread * std::atan2(p.y(), p.x()));
@@ -90,7 +97,8 @@ std::vector<Pair> pairsOf(const Recording& recording, const std::stop_token& sto
   for (std::size_t i = 0; i < rows.size(); i += step) {
     throwIfStopped(stop);
     const auto from = recording.odometry.at(recording.rows[rows[i]].time_s);
-    for (std::size_t j = i + 1; from && j < std::min(rows.size(), i + 100); ++j) {
+    bool has_moved = false;
+    for (std::size_t j = i + 1; from && j < std::min(rows.size(), i + kMostRows); ++j) {
       const auto to = recording.odometry.at(recording.rows[rows[j]].time_s);
       if (!to) break;
       const Pose2 motion = between(*from, *to);
@@ -101,9 +109,8 @@ std::vector<Pair> pairsOf(const Recording& recording, const std::stop_token& sto
         turning.push_back({rows[i], rows[j], motion});
         break;
       }
-      if (motion.position().norm() > kLeastMove_m) {
+      if (motion.position().norm() > kLeastMove_m && !std::exchange(has_moved, true)) {
         moving.push_back({rows[i], rows[j], motion});
-        if (motion.position().norm() > 2.0 * kLeastMove_m) break;
       }
     }
   }
@@ -179,7 +186,7 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
       phrase("scans that lie {:.2f} m off each other along the odometry, but {:.2f} m",
              look.off_m[0], look.off_m[best]);
   doubt.code = best == 1             ? "opposite_turns"
-               : best <= 3           ? "points_axes"
+               : best < kFirstScale  ? "points_axes"
                : best < kFirstSpread ? "odometry_units"
                                      : "ray_directions";
   if (best == 1) {
@@ -189,13 +196,16 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
         "the sensor is mounted upside down or counts its angles clockwise (y of the "
         "points has the wrong sign), or the odometry turns the wrong way");
     doubt.remedy = Remedy{phrase("Read the points with y the other way")};
-  } else if (best <= 3) {
+  } else if (best < kFirstScale) {
+    const double turn_deg = toDegrees(std::atan2(axes.yx, axes.xx));
     doubt.message =
         phrase("{}: found {} with other axes, expected x forward and y left", points, found);
-    doubt.hint = best == 2 ? phrase("the points look like x right, y forward")
-                           : phrase("the points look turned around: x backwards");
-    doubt.remedy = Remedy{best == 2 ? phrase("Read the points as x right, y forward")
-                                    : phrase("Turn the points around")};
+    doubt.hint = best == 2   ? phrase("the points look like x right, y forward")
+                 : best == 3 ? phrase("the points look turned around: x backwards")
+                             : phrase("the sensor looks turned on the robot by {:.0f}°", turn_deg);
+    doubt.remedy = Remedy{best == 2   ? phrase("Read the points as x right, y forward")
+                          : best == 3 ? phrase("Turn the points around")
+                                      : phrase("Turn the points by {:.0f}°", turn_deg)};
   } else if (best >= kFirstSpread) {
     doubt.message = phrase(
         "{}: found {} with the rays over {:.3g} times the angle, expected each ray where it "
@@ -217,7 +227,8 @@ Doubt doubtAbout(const Recording& recording, std::size_t best, const Look& look)
 std::optional<double> scaleByScans(const Recording& recording, const std::stop_token& stop) {
   const Look look = lookAt(recording, stop);
   if (look.pairs < kLeastPairs) return std::nullopt;
-  return look.off_m[5] < look.off_m[4] ? kReadings[5].odometry_scale : kReadings[4].odometry_scale;
+  const bool centimetres = look.off_m[kFirstScale + 1] < look.off_m[kFirstScale];
+  return kReadings[kFirstScale + (centimetres ? 1 : 0)].odometry_scale;
 }
 
 void checkAgreement(const Recording& recording, const std::stop_token& stop, Doubts& doubts) {

@@ -15,8 +15,10 @@ constexpr double kCentimetres_mps = 200.0;  // 2 m/s, where no scans tell
 constexpr double kStep_s = 0.4;             // shorter motions are noise
 constexpr double kMoving_mps = 0.02;
 constexpr double kLeastWay_m = 3.0;  // of a drive that tells which way it looks
-constexpr double kAgrees = 0.9;      // mean cosine of motion and heading; wheels give 0.99
+constexpr double kAgrees = 0.985;    // mean cosine of motion and heading; wheels give 0.99
+constexpr double kAside = 0.9;       // what is no noise
 constexpr double kAgreesElsewhere = 0.95;
+constexpr double kTimesNearer = 3.0;  // times nearer to 1, where the way is hardly bent
 constexpr double kGap_s = 1.0;
 constexpr double kGapIntervals = 10.0;
 constexpr double kGapMove_m = 1.0;
@@ -83,7 +85,8 @@ double agreement(const std::vector<Motion>& motions, const Reading& reading) {
 void checkHeadings(const Recording& recording, const std::vector<Motion>& motions, Doubts& doubts) {
   double way_m = 0.0;
   for (const Motion& m : motions) way_m += m.way.norm();
-  if (way_m < kLeastWay_m || agreement(motions, {1.0, 0.0}) >= kAgrees) return;
+  const double agrees = agreement(motions, {1.0, 0.0});
+  if (way_m < kLeastWay_m || agrees >= kAgrees) return;
   struct Other {
     Reading reading;
     std::string cause;
@@ -105,7 +108,9 @@ void checkHeadings(const Recording& recording, const std::vector<Motion>& motion
                                 phrase("the robot drives backwards, or x looks back"),
                                 phrase("Turn the headings around")}};
   for (const Other& other : others) {
-    if (agreement(motions, other.reading) < kAgreesElsewhere) continue;
+    const double agrees_so = agreement(motions, other.reading);
+    const bool is_better = agrees < kAside || kTimesNearer * (1.0 - agrees_so) < 1.0 - agrees;
+    if (agrees_so < kAgreesElsewhere || !is_better) continue;
     Doubt doubt;
     doubt.code = "odometry_heading";
     const auto aside = std::ranges::find_if(motions, [](const Motion& m) {
@@ -125,7 +130,7 @@ void checkHeadings(const Recording& recording, const std::vector<Motion>& motion
   const auto same = [&](const Motion& m) {
     return std::abs(m.heading - motions[0].heading) < 1e-3;
   };
-  if (!std::ranges::all_of(motions, same)) return;
+  if (agrees >= kAside || !std::ranges::all_of(motions, same)) return;
   doubts.push_back({"odometry_heading",
                     phrase("{}: found one heading all along a way that turns, expected that of the "
                            "robot",
@@ -158,7 +163,7 @@ void checkGaps(const Recording& recording, Doubts& doubts) {
   if (count == 0) return;
   doubts.push_back(
       {"odometry_gaps",
-       phrase("{}: found {} gaps with frames in them, the longest of {:.1f} s from "
+       phrase("{}: found gaps with frames in them: {}, the longest of {:.1f} s from "
               "{} s on, expected a pose each {:.2g} s",
               placeOfPose(recording, poses[longest].time_s), count, intervals_s[longest - 1],
               formatNumber(poses[longest - 1].time_s), usual_s),

@@ -3486,10 +3486,6 @@
         <translation>{} を待っています</translation>
     </message>
     <message>
-        <source>nothing has come of {} for {} s</source>
-        <translation>{1} s の間 {0} が届いていません</translation>
-    </message>
-    <message>
         <source>a list</source>
         <translation>リスト</translation>
     </message>
@@ -4102,10 +4098,6 @@
         <translation>おそらく qx qy qz qw が与えられていない（0 0 0 1）か、w が先頭です</translation>
     </message>
     <message>
-        <source>{}: found {} gaps with frames in them, the longest of {:.1f} s from {} s on, expected a pose each {:.2g} s</source>
-        <translation>{}: フレームのある間に途切れが {} か所あります。最長は {:.1f} 秒（{} 秒から）。{:.2g} 秒ごとの姿勢のはずです</translation>
-    </message>
-    <message>
         <source>there the robot is taken to go straight at one speed; --odometry scan or visual tells more</source>
         <translation>そこではロボットが一定の速さで直進するとみなします。--odometry scan または visual がより詳しく教えます</translation>
     </message>
@@ -4672,6 +4664,26 @@
     <message>
         <source>a map that was drawn on one</source>
         <translation>用紙に描いた地図</translation>
+    </message>
+    <message>
+        <source>nothing comes of {} any more</source>
+        <translation>{} が届かなくなりました</translation>
+    </message>
+    <message>
+        <source>{}: found gaps with frames in them: {}, the longest of {:.1f} s from {} s on, expected a pose each {:.2g} s</source>
+        <translation>{}: フレームのある間に途切れが {} か所あります。最長は {:.1f} 秒（{} 秒から）。{:.2g} 秒ごとの姿勢のはずです</translation>
+    </message>
+    <message>
+        <source>{}: poses taken as millimetres</source>
+        <translation>{}: 姿勢の長さをミリメートルとみなしました</translation>
+    </message>
+    <message>
+        <source>the sensor looks turned on the robot by {:.0f}°</source>
+        <translation>センサーがロボット上で {:.0f}° 回って取り付けられているようです</translation>
+    </message>
+    <message>
+        <source>Turn the points by {:.0f}°</source>
+        <translation>点を {:.0f}° 回す</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6178,14 @@ Observations: %4</source>
             <numerusform>姿勢 %n 個</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Another File…</source>
+        <translation>別のファイル(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Such as the poses that belong to the scans.</source>
+        <translation>スキャンに対応する姿勢など。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::IssuesPanel</name>
@@ -6605,6 +6625,10 @@ Observations: %4</source>
     <message>
         <source>It is known again where the robot is.</source>
         <translation>ロボットの居場所がまた分かりました。</translation>
+    </message>
+    <message>
+        <source>Nothing has been observed for %1 s, and nothing tells where the robot drives.</source>
+        <translation>%1 秒間何も観測されておらず、ロボットの動きも分かりません。</translation>
     </message>
 </context>
 <context>
@@ -8422,6 +8446,14 @@ Corrected by a run.</source>
         <source>Enter where the bridge to ROS is: ws://host:9090 or foxglove://host:8765.</source>
         <translation>ROS へのブリッジの場所を入力してください: ws://host:9090 または foxglove://host:8765</translation>
     </message>
+    <message>
+        <source>ws://host:9090 or foxglove://host:8765</source>
+        <translation>ws://host:9090 または foxglove://host:8765</translation>
+    </message>
+    <message>
+        <source>/dev/ttyUSB0, or an address</source>
+        <translation>/dev/ttyUSB0、またはアドレス</translation>
+    </message>
 </context>
 <context>
     <name>handmap::RigPreviewView</name>
@@ -8987,16 +9019,16 @@ Corrected by a run.</source>
         <translation>ロボットの出発点を押し、見る方向へドラッグして離します。それから「実行」を押します。「停止」で走行が終わります。</translation>
     </message>
     <message>
-        <source>Logs and bags (*.log *.clf *.csv *.txt *.npy *.npz *.bag *.mcap *.db3);;All files (*)</source>
-        <translation>ログとバッグ (*.log *.clf *.csv *.txt *.npy *.npz *.bag *.mcap *.db3);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>A recording is being made of “%1”…</source>
         <translation>「%1」から記録を作っています…</translation>
     </message>
     <message>
         <source>Of what was imported:</source>
         <translation>取り込みについて：</translation>
+    </message>
+    <message>
+        <source>Logs and bags (*.log *.clf *.csv *.tum *.txt *.npy *.npz *.bag *.mcap *.db3);;All files (*)</source>
+        <translation>ログとバッグ (*.log *.clf *.csv *.tum *.txt *.npy *.npz *.bag *.mcap *.db3);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,10 @@ namespace {
 
 /// What may be changed of a drive through a yard of posts, around a bend.
 struct Drive {
+  std::function<Pose2(int)> way = [](int i) {
+    const double turn = 0.04 * i;
+    return Pose2{12.0 * std::sin(turn), 12.0 * (1.0 - std::cos(turn)), turn};
+  };
   std::function<RangePoint(const RangePoint&)> point = [](const RangePoint& p) { return p; };
   std::function<StampedPose(const StampedPose&)> pose = [](const StampedPose& p) { return p; };
   std::function<double(double)> time = [](double time_s) { return time_s; };
@@ -33,8 +37,7 @@ class Plausibility : public testing::Test {
     std::string table = "frame,time_s,points\n";
     std::vector<StampedPose> poses;
     for (int i = 0; i < 60; ++i) {
-      const double turn = 0.04 * i;
-      const Pose2 pose{12.0 * std::sin(turn), 12.0 * (1.0 - std::cos(turn)), turn};
+      const Pose2 pose = drive.way(i);
       if (drive.has_pose(i)) poses.push_back(drive.pose({drive.time(0.5 * i), pose}));
       std::vector<RangePoint> points;
       for (const Vec2& post : posts) {
@@ -118,10 +121,27 @@ TEST_F(Plausibility, Axes) {
               "frames.csv: line 2");
   expectDoubt(recorded(withPoints(0, -1, 1, 0)), "points_axes", false, "x right, y forward");
   expectDoubt(recorded(withPoints(-1, 0, 0, -1)), "points_axes", false, "x backwards");
+  const float half = std::sqrt(0.5F);
+  expectDoubt(recorded(withPoints(half, -half, half, half)), "points_axes", false, "by -45°");
+  expectDoubt(recorded(withPoints(0, 1, -1, 0)), "points_axes", false, "by 90°");
   expectDoubt(recorded(withPoses(1, 1, -kPi / 2)), "odometry_heading", false, "counted from y",
               "odometry.tum: line 2");
   expectDoubt(recorded(withPoses(1, -1, 0)), "odometry_heading", false, "clockwise");
   expectDoubt(recorded(withPoses(1, 0, 0)), "odometry_heading", false, "w comes first");
+}
+
+/// Along a street, never more than 11° to either side.
+TEST_F(Plausibility, AWayThatHardlyBends) {
+  const auto weaving = [](Drive drive) {
+    drive.way = [](int i) {
+      const double x = 0.8 * i;
+      return Pose2{x, 3.0 * std::sin(x / 15.0), std::atan(0.2 * std::cos(x / 15.0))};
+    };
+    return drive;
+  };
+  EXPECT_TRUE(doubtsOf(recorded(weaving({}))).empty());
+  expectDoubt(recorded(weaving(withPoints(1, 0, 0, -1))), "opposite_turns", false, "upside down");
+  expectDoubt(recorded(weaving(withPoses(1, -1, 0))), "odometry_heading", false, "clockwise");
 }
 
 TEST_F(Plausibility, AnotherFieldOfView) {
@@ -149,7 +169,7 @@ TEST_F(Plausibility, WhatIsMissing) {
   Drive drive;
   drive.has_pose = [](int i) { return i < 20 || i > 35; };
   expectDoubt(recorded(drive), "odometry_gaps", false, "straight at one speed",
-              "odometry.tum: line 21");
+              "odometry.tum: line 21: found gaps with frames in them");
   drive = {};
   drive.has_points = [](int i) { return i % 2 == 0; };
   for (int i = 1; i < 60; i += 2) {
