@@ -21,6 +21,7 @@ constexpr double kMostRate_s = 20.0;  // from scan to scan, of what counts secon
 
 constexpr double kSlowest_mps = 0.02;  // of robots that move
 constexpr double kFastest_mps = 45.0;
+constexpr double kImpossible_mps = 100.0;
 
 double medianIn(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -80,10 +81,11 @@ double secondsOf(const RawLog& raw, const LogOptions& options, Log& log) {
   return factor;
 }
 
-/// Ranges of scanners come in millimetres where the poses of the same row are in metres.
+/// Ranges of scanners come in millimetres where the poses beside them are in metres, and the other
+/// way around.
 double metresOfPoses(const RawLog& raw, const LogOptions& options, double metres, double seconds,
                      Log& log) {
-  if (options.metres || raw.metres || metres == 1.0) return metres;
+  if (options.metres || raw.metres) return metres;
   std::vector<double> speeds;  // units of length a second
   for (std::size_t i = 1; i < raw.poses.size(); ++i) {
     const RawPose& from = raw.poses[i - 1];
@@ -94,7 +96,11 @@ double metresOfPoses(const RawLog& raw, const LogOptions& options, double metres
   }
   if (speeds.empty()) return metres;
   const double speed = medianIn(std::move(speeds));
-  if (speed * metres >= kSlowest_mps || speed > kFastest_mps) return metres;
+  if (speed * metres > kImpossible_mps) {
+    log.notes.push_back(phrase("{}: poses taken as millimetres", raw.file));
+    return 0.001;
+  }
+  if (metres == 1.0 || speed * metres >= kSlowest_mps || speed > kFastest_mps) return metres;
   log.notes.push_back(phrase("{}: poses taken as metres", raw.file));
   return 1.0;
 }

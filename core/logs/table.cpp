@@ -58,8 +58,10 @@ struct RoleNames {
 const std::vector<RoleNames>& roleNames() {
   static const std::vector<RoleNames> kNames{
       {"time",
-       {"time", "time_s", "t", "timestamp", "stamp", "%time", "seconds", "secs", "time_ms",
-        "time_us", "time_ns", "timestamp_ms", "timestamp_us", "timestamp_ns"}},
+       {"time",         "time_s",       "t",           "t_s",      "timestamp", "timestamp_s",
+        "stamp",        "%time",        "seconds",     "secs",     "time_ms",   "time_us",
+        "time_ns",      "t_ms",         "stamp_s",     "stamp_ms", "stamp_us",  "stamp_ns",
+        "timestamp_ms", "timestamp_us", "timestamp_ns"}},
       {"scan", {"scan", "scan_id", "frame", "seq"}},
       {"x",
        {"x", "x_m", "px", "pos_x", "pose_x", "odom_x", "x_mm", "x_cm", "pose.pose.position.x"}},
@@ -88,10 +90,15 @@ bool isRangeName(const std::string& name) {
   return word == "range" || word == "ranges" || word == "r" || word == "d" || word == "dist";
 }
 
+/// In lower case, and "X [mm]" or "x(mm)" as x_mm.
 std::string plainName(const std::string& name) {
   std::string plain = lowercase(name);
   if (plain.starts_with("field.")) plain.erase(0, 6);
-  return plain;
+  const std::size_t bracket = plain.find_first_of("[(");
+  if (bracket == std::string::npos || bracket == 0 || isRangeName(plain)) return plain;
+  const std::size_t end = plain.find_first_of("])", bracket);
+  const std::string unit = plain.substr(bracket + 1, end - bracket - 1);
+  return std::string(trimmed(plain.substr(0, bracket))) + '_' + unit;
 }
 
 }  // namespace

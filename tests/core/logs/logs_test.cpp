@@ -145,6 +145,23 @@ TEST_F(Logs, RangesInMillimetresBesidePosesInMetresOrMillimetres) {
   }
 }
 
+TEST_F(Logs, PosesInMillimetresOfAFileOfTheirOwn) {
+  std::string text = "time,x,y,yaw\n";
+  for (int i = 0; i < 9; ++i) text += fmt::format("{},{},0,0\n", 0.25 * i, 400.0 * i);
+  const Log log = read("a.csv", text);
+  EXPECT_NEAR(log.poses.at(8).pose.x, 3.2, 1e-9);
+  ASSERT_EQ(log.notes.size(), 1U);
+  EXPECT_NE(log.notes[0].find("poses taken as millimetres"), std::string::npos) << log.notes[0];
+}
+
+TEST_F(Logs, UnitsInTheNamesOfColumns) {
+  const Log log = read("a.csv", "Time [ms],X [mm],Y(mm),Heading (deg)\n500,1000,2000,90\n");
+  ASSERT_EQ(log.poses.size(), 1U);
+  EXPECT_NEAR(log.poses[0].time_s, 0.5, 1e-9);
+  EXPECT_NEAR(log.poses[0].pose.y, 2.0, 1e-9);
+  EXPECT_NEAR(log.poses[0].pose.heading, kPi / 2, 1e-9);
+}
+
 TEST_F(Logs, ATableOfPointsAndOneOfPoses) {
   std::string text = "t;px;py\n";
   for (int row = 0; row < 40; ++row) {
