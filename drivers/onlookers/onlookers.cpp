@@ -1,6 +1,7 @@
 #include "drivers/onlookers/onlookers.h"
 
 #include <QTimer>
+#include <algorithm>
 #include <mutex>
 #include <optional>
 
@@ -18,11 +19,18 @@ namespace handmap {
 namespace {
 
 constexpr int kMap_ms = 1000;
-constexpr int kFrames_ms = 50;        // navigation takes what is younger than 100 ms
+constexpr double kSame_m = 0.125;  // half a cell: a map is told anew where a wall has moved farther
+constexpr int kFrames_ms = 50;     // navigation takes what is younger than 100 ms
 constexpr int kDiagnostic_ms = 1000;  // as others tell theirs
 constexpr int kMostSaid = 100;        // characters of what a stranger says
 constexpr int kRest_ms = 200;         // for the last messages to leave
 constexpr std::uint64_t kSeed = 15;   // of the waits before it tries again
+
+bool isSame(const Polygon& one, const Polygon& other, double within_m) {
+  return std::equal(
+      one.begin(), one.end(), other.begin(), other.end(),
+      [within_m](const Vec2& a, const Vec2& b) { return (a - b).norm() <= within_m; });
+}
 
 }  // namespace
 
@@ -33,7 +41,7 @@ class Onlookers::Telling : public QObject {
     if (!rig_.publish.ros.empty()) monitor_->add(DeviceRole::ToRos);
     if (rig_.publish.foxglove > 0) monitor_->add(DeviceRole::ToFoxglove);
     map_due_.setSingleShot(true);
-    connect(&map_due_, &QTimer::timeout, this, &Telling::tellMap);
+    connect(&map_due_, &QTimer::timeout, this, [this] { tellMap(kSame_m); });
     port_due_.setSingleShot(true);
     connect(&port_due_, &QTimer::timeout, this, &Telling::listen);
     frames_due_.setTimerType(Qt::PreciseTimer);
@@ -50,7 +58,7 @@ class Onlookers::Telling : public QObject {
 
   /// What was found last is told before all is closed.
   void end() {
-    if (map_due_.isActive()) tellMap();
+    if (told_) tellMap(0.0);
     for (QTimer* timer : {&map_due_, &port_due_, &frames_due_, &diagnostic_due_}) timer->stop();
     QTimer::singleShot(kRest_ms, this, [this] {
       ros_.reset();
@@ -215,15 +223,18 @@ class Onlookers::Telling : public QObject {
     }
   }
 
-  /// Of the snapshot that was told last: the first at once, and then once a second, where it has
-  /// changed.
-  void tellMap() {
-    guarded(DeviceRole::ToRos, [this] {
+  /// Of the snapshot that was told last: the first at once, and then once a second, where a wall
+  /// has moved by more than `same_m`.
+  void tellMap(double same_m) {
+    guarded(DeviceRole::ToRos, [this, same_m] {
       // The map shares its snapshot's life.
       const std::shared_ptr<const Map> map(told_, &*told_->map);
       std::vector<Polygon> outlines;
       for (const Building& building : map->buildings) outlines.push_back(building.footprint());
-      if (has_map_ && outlines == outlines_) return;
+      const bool is_same =
+          std::equal(outlines.begin(), outlines.end(), outlines_.begin(), outlines_.end(),
+                     [same_m](const Polygon& a, const Polygon& b) { return isSame(a, b, same_m); });
+      if (has_map_ && is_same) return;
       has_map_ = true;
       outlines_ = std::move(outlines);
       const double time_s = monitor_->robotTime(told_->report.time_s);

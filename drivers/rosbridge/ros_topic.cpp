@@ -81,7 +81,7 @@ void RosTopic::watch() {
   const double silent_s = clock_() - last_s_;
   const std::string topic = topic_.toStdString();
   if (heard_ && silent_s > kSilence_s) {
-    tell(DeviceState::Degraded, qPhrase("nothing has come of {} for {} s", topic, kSilence_s));
+    tell(DeviceState::Degraded, qPhrase("nothing comes of {} any more", topic));
   } else if (told_.state() == DeviceState::Connecting && silent_s > kUnheard_s) {
     tell(DeviceState::Connecting,
          qPhrase("nothing has come of {} yet: is that its name, and is it sent?", topic));
