@@ -249,6 +249,8 @@ TEST_F(LiveWindow, ARobotThatWaitsForItsStartOffersToPlaceIt) {
   rig.scanner = ScannerRig{};
   window->sources().useLive(liveRobot(rig, {}));
   ASSERT_TRUE(message(*window).contains("Draw where it starts"));
+  EXPECT_TRUE(action(*window, "draw.start")->isChecked()) << "no house is moved instead";
+  action(*window, "draw.select")->trigger();
   QPushButton* place = button(*window, "Place the start");
   ASSERT_NE(place, nullptr);
   place->click();
@@ -260,6 +262,21 @@ TEST_F(LiveWindow, ARobotThatWaitsForItsStartOffersToPlaceIt) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return button(*window, "Place the start") == nullptr; }));
   window->sources().useLive(liveRobot(rig, {}));
   EXPECT_FALSE(message(*window).contains("Draw where it starts")) << "it has one";
+}
+
+TEST_F(LiveWindow, WhatRunsAtOnceIsNotAskedFor) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  Rig rig;
+  rig.name = "Cart";
+  rig.scanner = ScannerRig{};
+  rig.odometry.kind = OdometryRigKind::Scan;
+  QObject::connect(&window->sources(), &SourceActions::robotChanged, &window->runs(),
+                   &TransportActions::runOrResume, Qt::SingleShotConnection);  // as --run
+  window->sources().useLive(liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+  EXPECT_FALSE(message(*window).contains("Press Run")) << message(*window).toStdString();
+  action(*window, "run.stop")->trigger();
+  ASSERT_TRUE(waitFor(*window, RunState::Idle));
 }
 
 TEST_F(LiveWindow, ADeadScannerIsSaidAndSoIsARecordingThatEnds) {
@@ -283,6 +300,19 @@ TEST_F(LiveWindow, ADeadScannerIsSaidAndSoIsARecordingThatEnds) {
       [&] { return message(*window).contains("The recording has ended, the drive goes on"); },
       kPatienceMs));
   EXPECT_TRUE(window->run().isActive());
+}
+
+TEST_F(LiveWindow, DeadWheelsAreSaid) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  drive.faults = parseFaults("odometry:unplug@2+60");
+  window->sources().setRobot(liveRobot(virtualRig(drive), virtualDevices(drive)));
+  window->runs().runOrResume();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("nothing tells where the robot drives"); },
+      kPatienceMs));
+  EXPECT_TRUE(message(*window).contains("unplugged")) << message(*window).toStdString();
 }
 
 TEST_F(LiveWindow, WhoIsLostWithADeadScannerIsFoundWhenItReturns) {

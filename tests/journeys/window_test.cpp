@@ -9,6 +9,8 @@
 #include "app/gui/files/exports.h"
 #include "app/gui/files/file_actions.h"
 #include "core/map/map_io.h"
+#include "core/recording/recording.h"
+#include "core/simulation/simulated_source.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/panels/layers_panel.h"
 #include "widgets/teach/teach_panel.h"
@@ -133,6 +135,27 @@ TEST_F(WindowTest, AFolderThatIsNoRecordingIsAMessage) {
   window->sources().openRecording(path("nowhere"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return message(*window).contains("nowhere"); }, kPatienceMs));
   EXPECT_FALSE(action(*window, "run.run")->isEnabled());
+}
+
+TEST_F(WindowTest, ADoubtAboutUnitsIsNotHiddenByWhatIsSaidLater) {
+  auto source = simulate(twoRowWorld(3), {}, 3);
+  RecordingWriter writer(path("far").toStdString(), source->info());
+  while (auto observation = source->next()) {
+    for (RangePoint& p : *observation->views[0].points) p = {1000 * p.x, 1000 * p.y, p.z, p.w};
+    writer.add(*observation);
+  }
+  const auto window = open();
+  const auto doubt = [&]() -> Message* {
+    for (Message* message : window->messages().messages())
+      if (message->text().contains("millimetres")) return message;
+    return nullptr;
+  };
+  window->sources().openRecording(path("far"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return doubt() != nullptr; }, kPatienceMs));
+  window->messages().show(MessageBar::Kind::Warning, "something else");
+  EXPECT_TRUE(doubt()->isVisible());
+  window->sources().openTwoRows();
+  EXPECT_EQ(doubt(), nullptr) << "of a recording that is no more";
 }
 
 TEST_F(WindowTest, ADrawingWithoutAStartIsToldAtTheRun) {

@@ -1,7 +1,6 @@
 #include "widgets/importing/import_dialog.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -17,6 +16,7 @@ class ImportDialogTest : public QObject {
  private Q_SLOTS:
   void tellsWhatItHoldsAndReadsAgainWithOtherUnits();
   void asksForWhatCannotBeSeen();
+  void takesThePosesOfAnotherFile();
 
  private:
   QString written(const QString& name, const std::string& text) const {
@@ -52,14 +52,35 @@ void ImportDialogTest::asksForWhatCannotBeSeen() {
   text += "\n0";
   for (int i = 0; i < 17; ++i) text += "," + std::to_string(5 + i);
   ImportDialog dialog({written("b.csv", text + "\n")});
-  QTRY_VERIFY2(wordsOf(dialog).startsWith("--angles"), qPrintable(wordsOf(dialog)));
-  auto* import = dialog.findChild<QDialogButtonBox*>()->buttons().constLast();
+  dialog.open();
+  QTRY_VERIFY2(wordsOf(dialog).startsWith("FIRST:STEP"), qPrintable(wordsOf(dialog)));
+  auto* import = dialog.findChild<QPushButton*>("import_import");
   QVERIFY(!dialog.log());
   auto* angles = dialog.findChild<QLineEdit*>("import_angles");
+  QCOMPARE(dialog.focusWidget(), angles);
   angles->setText("0:5");
   Q_EMIT angles->editingFinished();
   QTRY_VERIFY(dialog.log());
   QVERIFY(import->isEnabled());
+  Q_EMIT angles->editingFinished();  // the focus goes to the button
+  QVERIFY(import->isEnabled());
+}
+
+void ImportDialogTest::takesThePosesOfAnotherFile() {
+  ImportDialog dialog({written("poses.csv", "t,x,y,yaw\n0,1,2,0\n1,2,2,0\n")});
+  bool is_wanted = false;
+  connect(&dialog, &ImportDialog::anotherFileWanted, &dialog, [&] { is_wanted = true; });
+  QTRY_VERIFY2(wordsOf(dialog).contains("poses", Qt::CaseInsensitive), qPrintable(wordsOf(dialog)));
+  dialog.findChild<QPushButton*>("import_another")->click();
+  QVERIFY(is_wanted);
+  dialog.add({});
+  QVERIFY(!dialog.log());
+  std::string scans = "t,px,py\n";
+  for (int row = 0; row < 20; ++row) scans += std::to_string(row / 10) + ",3,2\n";
+  dialog.add(written("scans.csv", scans));
+  QTRY_VERIFY(dialog.log());
+  QCOMPARE(dialog.log()->scans.size(), std::size_t{2});
+  QCOMPARE(dialog.log()->poses.size(), std::size_t{2});
 }
 
 }  // namespace handmap

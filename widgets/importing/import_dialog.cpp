@@ -18,13 +18,15 @@ namespace handmap {
 
 namespace {
 
-using Answer = std::variant<std::shared_ptr<const Log>, Failure>;
+using Answer = std::variant<std::shared_ptr<const Log>, Question, Failure>;
 
 Answer readInBackground(const QStringList& files, const LogOptions& options) {
   try {
     std::vector<std::filesystem::path> paths;
     for (const QString& file : files) paths.emplace_back(file.toStdString());
     return std::make_shared<const Log>(readLogs(paths, options));
+  } catch (const Question& question) {
+    return question;
   } catch (const Error& error) {
     return failureOf(error);
   } catch (const std::exception& error) {
@@ -60,6 +62,11 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
   columns->addLayout(form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   import_ = buttons->addButton(tr("Import…"), QDialogButtonBox::AcceptRole);
+  auto* another = buttons->addButton(tr("&Another File…"), QDialogButtonBox::ActionRole);
+  another->setToolTip(tr("Such as the poses that belong to the scans."));
+  another->setObjectName("import_another");
+  import_->setObjectName("import_import");
+  connect(another, &QPushButton::clicked, this, &ImportDialog::anotherFileWanted);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   words_->setWordWrap(true);
@@ -78,7 +85,11 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
   read();
 }
 
-ImportDialog::~ImportDialog() { self_->cut(); }
+ImportDialog::~ImportDialog() {
+  self_->cut();
+  for (const QLineEdit* field : {angles_, rate_, columns_})
+    field->disconnect(this);  // they lose the focus
+}
 
 void ImportDialog::addFields() {
   const QString as_they_look = tr("As they look");
@@ -103,8 +114,27 @@ void ImportDialog::addFields() {
     connect(units, &QComboBox::currentIndexChanged, this, &ImportDialog::read);
   }
   for (QLineEdit* field : {angles_, rate_, columns_}) {
-    connect(field, &QLineEdit::editingFinished, this, &ImportDialog::read);
+    connect(field, &QLineEdit::editingFinished, this, [this] {
+      if (typed() != typed_) read();  // else a click on “Import…” finds it reading
+    });
   }
+}
+
+void ImportDialog::add(const QString& file) {
+  raise();
+  activateWindow();
+  if (file.isEmpty()) return;
+  files_ << file;
+  read();
+}
+
+/// Where a question is answered.
+QLineEdit& ImportDialog::fieldOf(const std::string& option) const {
+  return *(option == "angles" ? angles_ : option == "rate" ? rate_ : columns_);
+}
+
+QStringList ImportDialog::typed() const {
+  return {angles_->text(), rate_->text(), columns_->text()};
 }
 
 /// Throws Usage.
@@ -125,6 +155,7 @@ LogOptions ImportDialog::options() const {
 
 void ImportDialog::read() {
   log_.reset();
+  typed_ = typed();
   import_->setEnabled(false);
   LogOptions told;
   try {
@@ -138,6 +169,10 @@ void ImportDialog::read() {
       if (request != dialog.request_) return;
       if (const auto* failure = std::get_if<Failure>(&answer)) {
         dialog.ask(failure->message, failure->hint);
+      } else if (const auto* question = std::get_if<Question>(&answer)) {
+        dialog.ask(QString::fromStdString(question->what()),
+                   QString::fromStdString(question->text()));
+        dialog.fieldOf(question->option()).setFocus();
       } else {
         dialog.show(std::get<std::shared_ptr<const Log>>(answer));
       }

@@ -26,15 +26,24 @@ class ImportDialog : public QDialog {
 
   /// As it is read now; nullptr before that, and where it cannot be.
   const std::shared_ptr<const Log>& log() const { return log_; }
+  /// Reads it together with those that there are.
+  void add(const QString& file);
+
+ Q_SIGNALS:
+  /// Such as the poses that belong to the scans.
+  void anotherFileWanted();
 
  private:
   void addFields();
+  QLineEdit& fieldOf(const std::string& option) const;
+  QStringList typed() const;
   LogOptions options() const;
   void read();
   void show(const std::shared_ptr<const Log>& log);
   void ask(const QString& message, const QString& hint);
 
   QStringList files_;
+  QStringList typed_;  ///< that it is read with
   std::shared_ptr<const Log> log_;
   int request_ = 0;  ///< an answer to another one is dropped
   RigPreviewView* preview_;

@@ -37,6 +37,12 @@ QString portHint() {
       "Foxglove bridge (foxglove://host:8765)");
 }
 
+void sayWhere(QComboBox& box, bool over_ros) {
+  box.lineEdit()->setPlaceholderText(over_ros
+                                         ? RigForm::tr("ws://host:9090 or foxglove://host:8765")
+                                         : RigForm::tr("/dev/ttyUSB0, or an address"));
+}
+
 void offer(QComboBox& box, const QStringList& choices) {
   const QString now = box.currentText();
   box.clear();
@@ -314,6 +320,8 @@ void RigForm::showRows() {
   form_->setRowVisible(odometry_topic_, ros);
   form_->setRowVisible(beyond_, foxglove_->value() > 0);
   const bool scans_over_ros = sees() == Sees::Ros || sees() == Sees::RosCloud;
+  sayWhere(*scanner_port_, scans_over_ros);
+  sayWhere(*odometry_port_, ros);
   form_->setRowVisible(
       ros_version_, ros || over_ros || scans_over_ros || !publish_ros_->text().trimmed().isEmpty());
 }

@@ -27,13 +27,21 @@ constexpr auto kProcessKey = "live/process";
 /// Another window may be recording yet.
 bool isAlive(qint64 process) { return process > 0 && kill(static_cast<pid_t>(process), 0) == 0; }
 
-/// What is wrong with what the robot sees with; empty where the devices know nothing.
+/// What is wrong with what the robot sees with, or drives on; empty where the devices know nothing.
 QString whySilent(const RigStatus& status) {
-  for (const DeviceStatus& device : status.devices) {
-    const bool sees = device.role == DeviceRole::Scanner || device.role == DeviceRole::Camera;
-    if (sees && !device.detail.empty()) return QString::fromStdString(device.detail);
+  for (const DeviceRole role : {DeviceRole::Scanner, DeviceRole::Camera, DeviceRole::Odometry}) {
+    for (const DeviceStatus& device : status.devices) {
+      if (device.role == role && !device.detail.empty())
+        return QString::fromStdString(device.detail);
+    }
   }
   return QString::fromStdString(status.last_refusal);
+}
+
+bool knowsMotion(const RigStatus& status) {
+  return std::any_of(status.devices.begin(), status.devices.end(), [](const DeviceStatus& device) {
+    return device.role == DeviceRole::Odometry && device.state == DeviceState::Ready;
+  });
 }
 
 }  // namespace
@@ -94,11 +102,12 @@ void LiveWatch::tellSilence(const RigStatus& status) {
   const int told_s = std::exchange(silent_s_, silent_s);
   if (silent_s == told_s) return;
   if (silent_s == 0) return shell_.messages.withdraw(kSilentTopic);
-  shell_.messages.show(MessageBar::Kind::Warning,
-                       tr("Nothing has been observed for %1 s: the robot is shown by its odometry "
-                          "alone.")
-                           .arg(silent_s),
-                       whySilent(status), kSilentTopic);
+  const QString words =
+      knowsMotion(status)
+          ? tr("Nothing has been observed for %1 s: the robot is shown by its odometry alone.")
+          : tr("Nothing has been observed for %1 s, and nothing tells where the robot drives.");
+  shell_.messages.show(MessageBar::Kind::Warning, words.arg(silent_s), whySilent(status),
+                       kSilentTopic);
 }
 
 void LiveWatch::tellLost(LostAndFound::News news) {

@@ -40,7 +40,9 @@ SourceActions::SourceActions(const Shell& shell, MapDocument& document, FileActi
       setup_(setup),
       opener_(this) {
   shell_.actions.on("run.open_recording", this, [this] { askForRecording(); });
-  shell_.actions.on("file.import_log", this, [this] { askForLog(); });
+  shell_.actions.on("file.import_log", this, [this] {
+    if (const QString file = chosenLog(); !file.isEmpty()) importLog(file);
+  });
   shell_.actions.on("run.load_poses", this, [this] { askForPoses(); });
   addSimulatorMenu();
   shell_.actions.on("run.simulate", this, [this] { simulateDrawing(); });
@@ -94,6 +96,7 @@ void SourceActions::tell(const Failure& failure) {
 void SourceActions::setRobot(Robot robot) {
   run_.discard();
   opener_.forget();
+  withdrawDoubts();
   robot_ = std::move(robot);
   given_poses_.clear();
   const QString& folder = robot_->folder;
@@ -150,15 +153,13 @@ void SourceActions::askForRecording() {
   openRecording(folder);
 }
 
-void SourceActions::askForLog() {
-  const QString file =
-      shell_.dialogs.fileToOpen({tr("Import a log"),
-                                 shell_.settings.value(kRecordingFolderKey).toString(),
-                                 tr("Logs and bags (*.log *.clf *.csv *.txt *.npy *.npz *.bag "
-                                    "*.mcap *.db3);;All files (*)"),
-                                 {},
-                                 {}});
-  if (!file.isEmpty()) importLog(file);
+QString SourceActions::chosenLog() {
+  return shell_.dialogs.fileToOpen({tr("Import a log"),
+                                    shell_.settings.value(kRecordingFolderKey).toString(),
+                                    tr("Logs and bags (*.log *.clf *.csv *.tum *.txt *.npy *.npz "
+                                       "*.bag *.mcap *.db3);;All files (*)"),
+                                    {},
+                                    {}});
 }
 
 void SourceActions::importBag(const QString& file) {
@@ -187,6 +188,8 @@ void SourceActions::importLog(const QString& file) {
   if (isBag(file.toStdString())) return importBag(file);
   auto* dialog = new ImportDialog({file}, &shell_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ImportDialog::anotherFileWanted, dialog,
+          [this, dialog] { dialog->add(chosenLog()); });
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     const auto log = dialog->log();
     const QString folder = folderForImport(file);
@@ -237,16 +240,16 @@ void SourceActions::withdrawDoubts() {
   }
 }
 
-/// Each with a button that reads the recording as it is likely meant.
+/// With a button that reads the recording as it is likely meant, which no later message hides.
 void SourceActions::tellDoubts(const std::shared_ptr<const Recording>& recording,
                                const std::vector<Act>& acts, const Doubts& doubts) {
-  withdrawDoubts();
   for (const Doubt& doubt : doubts) {
     Message& message = shell_.messages.show(
         doubt.certain ? MessageBar::Kind::Error : MessageBar::Kind::Warning,
         QString::fromStdString(doubt.message), QString::fromStdString(doubt.hint),
         kDoubtTopic + QString::fromStdString(doubt.code));
     if (!doubt.remedy) continue;
+    message.setQuestion();
     message.addAction(QString::fromStdString(doubt.remedy->name),
                       [this, recording, acts, remedy = *doubt.remedy] {
                         withdrawDoubts();
@@ -344,19 +347,21 @@ RunSetup SourceActions::nextSetup() {
 }
 
 void SourceActions::useLive(Robot robot) {
-  const QString name = robot.name;
-  setRobot(std::move(robot));
-  const QString text = tr("“%1” is the robot now.").arg(name);
-  if (document_.map().start) {
+  const QString text = tr("“%1” is the robot now.").arg(robot.name);
+  const bool has_start = document_.map().start.has_value();
+  // Said first: a run that begins at once takes it away.
+  if (has_start) {
     shell_.messages.show(MessageBar::Kind::Info, text, tr("Press Run; Stop ends the drive."));
-    return;
+  } else {
+    shell_.messages
+        .show(MessageBar::Kind::Info, text,
+              tr("Draw where it starts: press, drag to where it looks, release. Then press Run; "
+                 "Stop ends the drive."),
+              kStartTopic)
+        .addAction(tr("Place the start"), [this] { shell_.actions["draw.start"].trigger(); });
   }
-  shell_.messages
-      .show(MessageBar::Kind::Info, text,
-            tr("Draw where it starts: press, drag to where it looks, release. Then press Run; Stop "
-               "ends the drive."),
-            kStartTopic)
-      .addAction(tr("Place the start"), [this] { shell_.actions["draw.start"].trigger(); });
+  setRobot(std::move(robot));
+  if (!has_start) shell_.actions["draw.start"].trigger();  // what is pressed next is no house
 }
 
 const SourceActions::Missing* SourceActions::missing(bool may_start_on_route) const {

@@ -82,7 +82,7 @@ class SourceActions : public QObject {
                   const Doubts& doubts);
   bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
-  void askForLog();
+  QString chosenLog();
   void importBag(const QString& file);
   QString folderForImport(const QString& file);
   void askForPoses();
