@@ -44,6 +44,7 @@ class RunSession {
   const std::vector<SkippedFrame>& skipped() const;
   /// Of what was worked in so far: to be told at the end.
   std::vector<RunWarning> warnings() const;
+  /// Of all that was worked in: 200 bytes each, 29 MB an hour of 40 a second.
   const std::vector<FrameReport>& frames() const;
 
   /// The best map with estimates and the "refinement" object: enough to make it again.
