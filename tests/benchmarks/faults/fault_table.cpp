@@ -37,7 +37,8 @@ std::vector<std::string> complaints(const RigStatus& status) {
   std::vector<std::string> all;
   for (const DeviceStatus& device : status.devices) {
     if (device.state != DeviceState::Degraded && device.state != DeviceState::Lost) continue;
-    const std::string detail = device.detail.substr(0, device.detail.find(" for "));
+    const std::size_t end = std::min(device.detail.find(" for "), device.detail.find(": found "));
+    const std::string detail = device.detail.substr(0, end);
     all.push_back(fmt::format("{} {}: {}", nameOf(device.role), nameOf(device.state), detail));
   }
   for (const auto& [reason, count] : status.refused) all.push_back(reason);
