@@ -13,32 +13,48 @@ namespace {
 constexpr double kLeastSigma_m = 0.02;
 constexpr double kMostOwn_m = 100.0;
 
+/// Shift and turn of the drawing about the middle of its buildings, then of the way about its
+/// start.
+using State = Eigen::Matrix<double, 6, 1>;
+using Information = Eigen::Matrix<double, 6, 6>;
+
 /// One coordinate of the centre of one building.
 struct Residual {
-  Eigen::RowVector3d slope;  ///< by shift x, shift y and turn
+  State slope;
   double moved = 0.0;
   double sigma = 0.0;
 };
 
 struct Fit {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  State mean = State::Zero();
+  Information covariance = Information::Zero();
   double chi2 = 0.0;
 };
 
-Fit fitted(const std::vector<Residual>& residuals, double own) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+/// What the drawing says: where the robot starts, and how it is turned.
+Information statedBy(const Map& drawing) {
+  static constexpr double kLeast = 1e-4;  // metres and radians
+  const StartUncertainty start = drawing.start_uncertainty.value_or(StartUncertainty{});
+  const auto of = [](double sigma) { return std::pow(std::max(sigma, kLeast), -2); };
+  State information = State::Zero();
+  if (drawing.whole.turn) information[2] = of(*drawing.whole.turn);
+  information.tail<3>() << of(start.position), of(start.position), of(start.heading);
+  return information.asDiagonal();
+}
+
+Fit fitted(const std::vector<Residual>& residuals, const Information& stated, double own) {
+  Information normal = stated;
+  State right = State::Zero();
   const auto weight = [own](const Residual& r) { return 1.0 / (r.sigma * r.sigma + own * own); };
   for (const Residual& r : residuals) {
-    normal += weight(r) * r.slope.transpose() * r.slope;
-    right += weight(r) * r.slope.transpose() * r.moved;
+    normal += weight(r) * r.slope * r.slope.transpose();
+    right += weight(r) * r.slope * r.moved;
   }
   Fit fit;
   fit.covariance = normal.inverse();
   fit.mean = fit.covariance * right;
   for (const Residual& r : residuals) {
-    const double left = r.moved - r.slope * fit.mean;
+    const double left = r.moved - r.slope.dot(fit.mean);
     fit.chi2 += weight(r) * left * left;
   }
   return fit;
@@ -90,11 +106,14 @@ std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined)
   if (pairs.size() < 3) return std::nullopt;
   Vec2 middle = Vec2::Zero();
   for (const Moved& pair : pairs) middle += pair.from / static_cast<double>(pairs.size());
+  const Vec2 start = drawing.start ? drawing.start->position() : middle;
+  const Information stated = statedBy(drawing);
   std::vector<Residual> residuals;
   for (const Moved& pair : pairs) {
     const Vec2 arm = pair.from - middle;
-    residuals.push_back({{1.0, 0.0, -arm.y()}, pair.moved.x(), pair.sigma.x()});
-    residuals.push_back({{0.0, 1.0, arm.x()}, pair.moved.y(), pair.sigma.y()});
+    const Vec2 far = pair.from - start;
+    residuals.push_back({{1.0, 0.0, -arm.y(), 1.0, 0.0, -far.y()}, pair.moved.x(), pair.sigma.x()});
+    residuals.push_back({{0.0, 1.0, arm.x(), 0.0, 1.0, far.x()}, pair.moved.y(), pair.sigma.y()});
   }
   // As large that what is left is as large as it should be.
   const auto freedom = static_cast<double>(residuals.size() - 3);
@@ -102,9 +121,9 @@ std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined)
   double high = kMostOwn_m;
   for (int i = 0; i < 60; ++i) {
     const double own = 0.5 * (low + high);
-    (fitted(residuals, own).chi2 > freedom ? low : high) = own;
+    (fitted(residuals, stated, own).chi2 > freedom ? low : high) = own;
   }
-  const Fit fit = fitted(residuals, low);
+  const Fit fit = fitted(residuals, stated, low);
   CommonShift common;
   common.shift = fit.mean.head<2>();
   common.shift_sigma = fit.covariance.diagonal().head<2>().cwiseSqrt();

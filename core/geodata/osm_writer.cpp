@@ -36,8 +36,18 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-std::map<std::string, std::string> tagsForOsm(const Building& building, const PublicTags& kept) {
-  std::map<std::string, std::string> tags = kept.tags;
+using Tags = std::map<std::string, std::string>;
+
+std::string formatTags(const Tags& tags) {
+  std::string text;
+  for (const auto& [key, value] : tags) {
+    text += fmt::format("    <tag k=\"{}\" v=\"{}\"/>\n", escaped(key), escaped(value));
+  }
+  return text;
+}
+
+Tags tagsForOsm(const Building& building, const PublicTags& kept) {
+  Tags tags = kept.tags;
   tags.emplace("building", "yes");
   if (!building.name.empty()) tags.emplace("name", building.name);
   if (kept.osm_type.empty()) tags.emplace("handmap:id", building.id);
@@ -47,6 +57,12 @@ std::map<std::string, std::string> tagsForOsm(const Building& building, const Pu
     tags["handmap:sigma_width"] = fmt::format("{:.2f}", estimate->sigma_width);
   }
   return tags;
+}
+
+/// What came from there has a number above 0, and is to be changed.
+std::string element(const char* name, std::int64_t number, const std::string& content) {
+  return fmt::format("  <{} id=\"{}\" visible=\"true\"{}>\n{}  </{}>\n", name, number,
+                     number > 0 ? " action=\"modify\"" : "", content, name);
 }
 
 }  // namespace
@@ -59,15 +75,18 @@ std::string formatOsm(const Map& map) {
   }
   const TangentPlane plane(*map.georeference);
   std::string nodes;
-  std::map<std::int64_t, std::string> ways;  // readers want both in the order of their numbers
-  std::int64_t next = 0;                     // what is new has numbers below 0
+  // Readers want both in the order of their numbers.
+  std::map<std::int64_t, std::string> ways;
+  std::map<std::int64_t, std::string> relations;
+  std::int64_t next = 0;  // what is new has numbers below 0
   for (const Building& building : map.buildings) {
     next -= 1 + static_cast<std::int64_t>(building.footprint().size());
   }
   for (const Building& building : map.buildings) {
     const PublicTags kept = tagsOf(building);
-    const auto known = kept.osm_type == "way" ? parseInteger(kept.osm_id) : std::nullopt;
-    const bool is_known = known && *known > 0 && !ways.contains(*known);
+    const std::int64_t known = std::max<std::int64_t>(0, parseInteger(kept.osm_id).value_or(0));
+    const bool is_relation = known > 0 && kept.osm_type == "relation" && !relations.contains(known);
+    const bool is_way = known > 0 && kept.osm_type == "way" && !ways.contains(known);
     std::string references;
     const std::int64_t first = next;
     for (const Vec2& corner : building.footprint()) {
@@ -77,18 +96,25 @@ std::string formatOsm(const Map& map) {
       references += fmt::format("    <nd ref=\"{}\"/>\n", next++);
     }
     references += fmt::format("    <nd ref=\"{}\"/>\n", first);
-    const std::int64_t number = is_known ? *known : next;
+    const std::int64_t number = is_way ? known : next;
     ++next;
-    std::string& way = ways[number];
-    way = fmt::format("  <way id=\"{}\" visible=\"true\"{}>\n{}", number,
-                      is_known ? " action=\"modify\"" : "", references);
-    for (const auto& [key, value] : tagsForOsm(building, kept)) {
-      way += fmt::format("    <tag k=\"{}\" v=\"{}\"/>\n", escaped(key), escaped(value));
+    Tags tags = tagsForOsm(building, kept);
+    if (is_relation) {
+      // An old one has the tags of the building at its outline.
+      const bool is_old = !kept.tags.contains("building");
+      relations[known] =
+          element("relation", known,
+                  fmt::format("    <member type=\"way\" ref=\"{}\" role=\"outer\"/>\n", number) +
+                      formatTags(is_old ? kept.tags : tags));
+      std::erase_if(tags,
+                    [&](const auto& tag) { return !is_old || kept.tags.contains(tag.first); });
     }
-    way += "  </way>\n";
+    ways[number] = element("way", number, references + formatTags(tags));
   }
   std::string all = nodes;
-  for (const auto& [number, way] : ways) all += way;
+  for (const auto* elements : {&ways, &relations}) {
+    for (const auto& [number, text] : *elements) all += text;
+  }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<osm version=\"0.6\" generator=\"handmap\">\n{}</osm>\n",

@@ -42,6 +42,10 @@ Uncertainty Map::uncertaintyOf(const Building& building) const {
   return {std::max(stated.position, kFinest.position), std::max(stated.size, kFinest.size)};
 }
 
+double Map::shiftSigma() const {
+  return whole.shift.value_or(kUsualShiftShare * uncertainty.position);
+}
+
 const Building* Map::find(const std::string& id) const {
   const auto found = std::find_if(buildings.begin(), buildings.end(),
                                   [&](const Building& building) { return building.id == id; });

@@ -26,12 +26,16 @@ struct Uncertainty {
 /// What drawings from memory are off as a whole, one σ.
 inline constexpr double kUsualScaleSigma = 0.05;
 inline constexpr double kUsualTurnSigma = toRadians(1.0);
+/// The same of the shift, as a share of the uncertainty of a building; choice.
+inline constexpr double kUsualShiftShare = 0.3;
 
-/// How wrong the scale (a share) and the turn (radians) of the whole drawing may be, one σ: 0 where
-/// it was made over an aerial picture or from a public map; absent: as people draw.
+/// How wrong the whole drawing may be, one σ: scale (a share), turn (radians) and shift (metres, x
+/// and y each). 0 where it was made over an aerial picture or from a public map, whose shift is
+/// that of the picture; absent: as people draw.
 struct WholeUncertainty {
   std::optional<double> scale;
   std::optional<double> turn;
+  std::optional<double> shift = {};
   bool operator==(const WholeUncertainty&) const = default;
 };
 
@@ -148,6 +152,8 @@ struct Map {
   /// What a run goes by. Whatever is stated, it is no less than that of a fixed building: a σ of 0
   /// would leave nothing to weigh it against.
   Uncertainty uncertaintyOf(const Building& building) const;
+  /// How far all of it may be off together, one σ, metres.
+  double shiftSigma() const;
   bool operator==(const Map&) const = default;
 };
 

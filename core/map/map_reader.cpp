@@ -62,6 +62,7 @@ WholeUncertainty readWholeUncertainty(const JsonValue& json) {
   if (const auto sigma = json.find("turn_deg")) {
     result.turn = toRadians(sigma->number(0.0, kMaxTurnSigmaDeg));
   }
+  if (const auto sigma = json.find("shift_m")) result.shift = sigma->number(0.0, kMaxSigma);
   return result;
 }
 
@@ -215,7 +216,8 @@ Map parseMap(std::string_view text, const std::string& source) {
   if (const auto part = json.find("uncertainty")) {
     map.uncertainty = readUncertainty(*part, {});
     map.whole = readWholeUncertainty(*part);
-    keepOthers(*part, "uncertainty", {"position_m", "size_m", "scale", "turn_deg"}, map.unknown);
+    keepOthers(*part, "uncertainty", {"position_m", "size_m", "scale", "turn_deg", "shift_m"},
+               map.unknown);
   }
   Ids ids;
   std::size_t vertices = 0;

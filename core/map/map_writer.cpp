@@ -109,6 +109,7 @@ Members uncertaintyMembers(const Map& map) {
   Members members = uncertaintyMembers(map.uncertainty);
   if (map.whole.scale) members.add("scale", number(*map.whole.scale));
   if (map.whole.turn) members.add("turn_deg", degrees(*map.whole.turn));
+  if (map.whole.shift) members.add("shift_m", metres(*map.whole.shift));
   return members;
 }
 

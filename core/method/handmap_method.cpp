@@ -188,9 +188,9 @@ class HandmapMethod : public EstimationMethod {
   /// way on.
   void matchToWalls(const Pose2& odometry) {
     constexpr double kNearlyTrue_m = 1.0;
-    const auto& [scale, turn] = drawing_.whole;
-    if (!scale || *scale > 0.0 || !turn || *turn > 0.0) return;
-    if (drawing_.uncertainty.position > kNearlyTrue_m) return;
+    const WholeUncertainty& whole = drawing_.whole;
+    if (!whole.scale || *whole.scale > 0.0 || !whole.turn || *whole.turn > 0.0) return;
+    if (std::max(drawing_.uncertainty.position, drawing_.shiftSigma()) > kNearlyTrue_m) return;
     Map from_here = drawing_;
     from_here.start = start_ * odometry;
     matched_.emplace(from_here, seen_);

@@ -27,11 +27,17 @@ constexpr double kLeastSigma_m = 0.3;
 /// Fewer buildings that are right may be so by chance.
 constexpr double kLeastTogether = 3.0;
 
+/// How the map lies: shift and turn of the whole about the start, and how far the buildings that
+/// are not drawn right are off together.
+using Lie = Eigen::Matrix<double, 5, 1>;
+using Covariance = Eigen::Matrix<double, 5, 5>;
+
 /// How far a side that was seen lies from where it is drawn, outwards.
 struct SideError {
-  Eigen::RowVector3d slope;  ///< of the error by shift and turn of the whole drawing
-  double error = 0.0;        ///< metres
-  double sigma = 0.0;        ///< of the fitted side
+  using Slope = Eigen::Matrix<double, 1, 5>;
+  Slope slope;         ///< by a Lie; the last two for a building that is drawn wrong
+  double error = 0.0;  ///< metres
+  double sigma = 0.0;  ///< of the fitted side
 };
 
 /// A building with its sides that were seen.
@@ -66,7 +72,7 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
     if (!side.seen || side.sigma <= 0.0) continue;
     const Vec2 middle = box.centre + 0.5 * (k % 2 == 0 ? box.width : box.depth) * normal;
     const double turn = normal.dot(perpendicular(middle - origin));
-    building.sides.push_back({{normal.x(), normal.y(), turn},
+    building.sides.push_back({{normal.x(), normal.y(), turn, normal.x(), normal.y()},
                               farthest(after, normal) - farthest(before, normal),
                               std::max(side.sigma, kLeastSigma_m)});
   }
@@ -82,10 +88,25 @@ double logSum(double a, double b) {
   return most + std::log(std::exp(a - most) + std::exp(b - most));
 }
 
+/// Density of the sides of a building that was fitted well, or to something else.
+class Fits {
+ public:
+  void add(double error, double sigma) {
+    well_ += logNormal(error, sigma);
+    ill_ += logNormal(error, std::hypot(sigma, kMisfit_m));
+  }
+  double log() const { return logSum(well_, ill_); }
+
+ private:
+  double well_ = std::log(1.0 - kMisfitted);
+  double ill_ = std::log(kMisfitted);
+};
+
 class Mixture {
  public:
-  Mixture(std::vector<Compared> buildings, const Eigen::Matrix3d& start_information)
-      : buildings_(std::move(buildings)), start_information_(start_information) {}
+  Mixture(std::vector<Compared> buildings, const Lie& sigma)
+      : buildings_(std::move(buildings)),
+        prior_(sigma.array().square().inverse().matrix().asDiagonal()) {}
 
   /// `start_is_known`: as well as nothing but buildings that are right can tell better.
   void solve(bool start_is_known) {
@@ -100,8 +121,8 @@ class Mixture {
     if (askew.log_density_ > log_density_) *this = std::move(askew);
     if (together() >= kLeastTogether) return;
     if (start_is_known) {
-      motion_.setZero();
-      covariance_ = start_information_.inverse();
+      lie_.head<3>().setZero();
+      covariance_ = prior_.inverse();
     } else {  // all tell how the whole lies, each as well as it is drawn
       for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
       for (int round = 0; round < kMostRounds; ++round) maximize();
@@ -109,8 +130,8 @@ class Mixture {
     expect();
   }
 
-  const Eigen::Vector3d& motion() const { return motion_; }
-  const Eigen::Matrix3d& covariance() const { return covariance_; }
+  const Lie& lie() const { return lie_; }
+  const Covariance& covariance() const { return covariance_; }
   /// 0 where nothing was seen.
   double shareSeen() const {
     const auto seen = std::count_if(buildings_.begin(), buildings_.end(),
@@ -137,25 +158,26 @@ class Mixture {
     return sum;
   }
 
-  double errorOf(const SideError& side) const { return side.error - side.slope.dot(motion_); }
+  double wrongErrorOf(const SideError& side) const { return side.error - side.slope.dot(lie_); }
+  double errorOf(const SideError& side) const {
+    return side.error - side.slope.head<3>().dot(lie_.head<3>());
+  }
 
   void expect() {
-    log_density_ = -0.5 * motion_.dot(start_information_ * motion_);
+    log_density_ = -0.5 * lie_.dot(prior_ * lie_);
     for (Compared& building : buildings_) {
       if (building.sides.empty()) {
         building.right = building.fixed ? 1.0 : share_;
         continue;
       }
-      double fits = std::log(1.0 - kMisfitted);
-      double misfits = std::log(kMisfitted);
-      double wrong = std::log(1.0 - share_);
+      Fits as_right;
+      Fits as_wrong;
       for (const SideError& side : building.sides) {
-        const double error = errorOf(side);
-        fits += logNormal(error, side.sigma);
-        misfits += logNormal(error, std::hypot(side.sigma, kMisfit_m));
-        wrong += logNormal(error, std::hypot(side.sigma, worse_ * building.drawn_sigma));
+        as_right.add(errorOf(side), side.sigma);
+        as_wrong.add(wrongErrorOf(side), std::hypot(side.sigma, worse_ * building.drawn_sigma));
       }
-      const double right = std::log(share_) + logSum(fits, misfits);
+      const double right = std::log(share_) + as_right.log();
+      const double wrong = std::log(1.0 - share_) + as_wrong.log();
       log_density_ += logSum(right, wrong);
       building.right = building.fixed ? 1.0 : 1.0 / (1.0 + std::exp(wrong - right));
     }
@@ -166,37 +188,41 @@ class Mixture {
     double count = 0.0;
     double squares = kStatedSides;
     double sides = kStatedSides;
-    Eigen::Matrix3d information = start_information_;
-    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+    Covariance information = prior_;
+    Lie pull = Lie::Zero();
     for (const Compared& building : buildings_) {
       if (building.sides.empty()) continue;
       right += building.right;
       count += 1.0;
       for (const SideError& side : building.sides) {
-        const double error = errorOf(side);
+        const double wrong_error = wrongErrorOf(side);
         const double drawn = std::hypot(side.sigma, worse_ * building.drawn_sigma);
-        squares += (1.0 - building.right) * std::pow(error / building.drawn_sigma, 2);
+        squares += (1.0 - building.right) * std::pow(wrong_error / building.drawn_sigma, 2);
         sides += 1.0 - building.right;
         // Robust where a building that is right was fitted to something else.
-        const double off = std::pow(error / side.sigma, 2);
-        const double weight = building.right / (side.sigma * side.sigma * (1.0 + off / 9.0)) +
-                              (1.0 - building.right) / (drawn * drawn);
-        information += weight * side.slope.transpose() * side.slope;
-        pull += weight * side.slope.transpose() * side.error;
+        const double off = std::pow(errorOf(side) / side.sigma, 2);
+        const auto add = [&](const SideError::Slope& slope, double weight) {
+          information += weight * slope.transpose() * slope;
+          pull += weight * side.error * slope.transpose();
+        };
+        SideError::Slope of_right = side.slope;
+        of_right.tail<2>().setZero();
+        add(of_right, building.right / (side.sigma * side.sigma * (1.0 + off / 9.0)));
+        add(side.slope, (1.0 - building.right) / (drawn * drawn));
       }
     }
     share_ = (right + 1.0) / (count + 2.0);  // a uniform prior
     worse_ = std::sqrt(squares / sides);
-    motion_ = information.ldlt().solve(pull);
+    lie_ = information.ldlt().solve(pull);
     covariance_ = information.inverse();
   }
 
   std::vector<Compared> buildings_;
-  Eigen::Matrix3d start_information_;
+  Covariance prior_;    ///< information
   double share_ = 0.5;  ///< of buildings that are drawn right
   double worse_ = 1.0;  ///< the others are off by so many times what the drawing says
-  Eigen::Vector3d motion_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of it
+  Lie lie_ = Lie::Zero();
+  Covariance covariance_ = Covariance::Zero();  ///< of it
   double log_density_ = 0.0;
 };
 
@@ -209,15 +235,15 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
     const Building& drawn = drawing.buildings[b];
     buildings.push_back(compared(drawn, fitted.buildings[b], drawing.uncertaintyOf(drawn), origin));
   }
-  const Eigen::Vector3d sigma(start_m, start_m, start_turn);
-  Mixture mixture(std::move(buildings), sigma.array().square().inverse().matrix().asDiagonal());
+  const double together = std::max(drawing.shiftSigma(), kLeastSigma_m);
+  Mixture mixture(std::move(buildings), Lie{start_m, start_m, start_turn, together, together});
   mixture.solve(!drawing.start_uncertainty);
   Agreement agreement;
-  const Eigen::Vector3d& motion = mixture.motion();
+  const Lie& motion = mixture.lie();
   const Pose2 about{origin.x(), origin.y(), 0.0};
   agreement.motion =
       Pose2{origin.x() + motion[0], origin.y() + motion[1], motion[2]} * inverse(about);
-  agreement.covariance = mixture.covariance();
+  agreement.covariance = mixture.covariance().topLeftCorner<3, 3>();
   agreement.share = mixture.shareSeen();
   for (const Compared& building : mixture.buildings()) agreement.right.push_back(building.right);
   return agreement;

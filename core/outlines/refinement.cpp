@@ -110,11 +110,12 @@ Building withOutline(const Building& drawn, const Polygon& outline) {
   return building;
 }
 
-/// How far the scale and the turn that the drawing states may have put a building off, one σ.
+/// How far what the drawing states of the whole may have put a building off, one σ.
 double wholeShift(const Map& drawing, const OutlineTask& task) {
   const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
   const double distance = (centroid(task.drawn) - origin).norm();
-  return distance * std::hypot(task.whole.scale.value_or(0.0), task.whole.turn.value_or(0.0));
+  return std::hypot(distance * task.whole.scale.value_or(0.0),
+                    distance * task.whole.turn.value_or(0.0), task.whole.shift.value_or(0.0));
 }
 
 /// A building that was found is looked for where it was found, another one where it was drawn.
@@ -126,7 +127,8 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   // A drawing may be surer of where it is than what is found tells; where outlines cannot be fitted
   // nothing else tells.
   const bool to_be_found =
-      found && (uncertainty.position > kLabelled_m || !placed.showsStructure());
+      found && (std::max(uncertainty.position, drawing.whole.shift.value_or(0.0)) > kLabelled_m ||
+                !placed.showsStructure());
   OutlineTask task;
   task.drawn = drawn.footprint();
   if (to_be_found) {
@@ -201,6 +203,7 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
   RefinedMap refined{std::move(fitted), agreement.motion, agreement.share};
   const Pose2 back = inverse(agreement.motion);
   const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
+  const bool told_by_start = by_start || drawing.start_uncertainty;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
     const Building& drawn = drawing.buildings[b];
     Building& building = refined.map.buildings[b];
@@ -209,7 +212,7 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     // A way that was told without the drawing says nothing of what nobody saw along it.
     const bool as_drawn = agreement.isRight(b) || (by_start && !seen);
     building.shape = as_drawn ? drawn.shape : moved(building.shape, back);
-    if (!by_start || !seen) continue;
+    if (!told_by_start || !seen) continue;
     turnLessSure(building, agreement.sigmaAt(centroid(building.footprint()) - origin));
   }
   return refined;

@@ -193,10 +193,13 @@ class PanelsTest : public QObject {
     QCOMPARE(document_->map().whole, exact);
     type(number("scale_sigma"), "2");
     type(number("turn_sigma"), "0.5");
-    const WholeUncertainty stated{0.02, toRadians(0.5)};
+    QCOMPARE(number("shift_sigma").value(), 0.9);  // as people draw
+    type(number("shift_sigma"), "6");
+    const WholeUncertainty stated{0.02, toRadians(0.5), 6.0};
     QCOMPARE(document_->map().whole, stated);
     QTest::mouseClick(&field<QCheckBox>("whole_known"), Qt::LeftButton, {}, QPoint(8, 8));
-    QCOMPARE(document_->map().whole, WholeUncertainty{});
+    const WholeUncertainty shifted{{}, {}, 6.0};
+    QCOMPARE(document_->map().whole, shifted);
     document_->undoStack().undo();
     QCOMPARE(document_->map().whole, stated);
   }

@@ -119,7 +119,9 @@ void MapPage::addWholeUncertainty() {
   whole_known_->setToolTip(tr("Drawn over an aerial picture or from a public map"));
   addField("whole_known", {}, whole_known_);
   connect(whole_known_, &QCheckBox::clicked, this, [this](bool on) {
-    document().setWholeUncertainty(on ? WholeUncertainty{0.0, 0.0} : WholeUncertainty{});
+    WholeUncertainty changed{{}, {}, document().map().whole.shift};
+    if (on) changed.scale = changed.turn = 0.0;
+    document().setWholeUncertainty(changed);
   });
   const auto add = [this](const char* name, const QString& label, double most, const QString& unit,
                           std::optional<double> WholeUncertainty::*member, double scale) {
@@ -135,6 +137,10 @@ void MapPage::addWholeUncertainty() {
   turn_sigma_ = add("turn_sigma", tr("Turn ±"), kMaxTurnSigmaDeg, tr("°"), &WholeUncertainty::turn,
                     toRadians(1.0));
   turn_sigma_->setToolTip(tr("How far all of it may be turned; 0: true"));
+  shift_sigma_ =
+      add("shift_sigma", tr("Together ±"), kMaxSigma, tr(" m"), &WholeUncertainty::shift, 1.0);
+  shift_sigma_->setToolTip(
+      tr("How far all buildings may lie off together: a displaced aerial picture"));
 }
 
 void MapPage::addGeoreference() {
@@ -168,10 +174,11 @@ void MapPage::refresh() {
   sure_->showValue(map.uncertainty);
   position_sigma_->showValue(map.uncertainty.position);
   size_sigma_->showValue(map.uncertainty.size);
-  const bool known = map.whole != WholeUncertainty{};
+  const bool known = map.whole.scale || map.whole.turn;
   whole_known_->setChecked(known);
   scale_sigma_->showValue(kPercent * map.whole.scale.value_or(kUsualScaleSigma));
   turn_sigma_->showValue(toDegrees(map.whole.turn.value_or(kUsualTurnSigma)));
+  shift_sigma_->showValue(map.shiftSigma());
   for (NumberField* field : {scale_sigma_, turn_sigma_}) field->setEnabled(known);
   const Georeference georeference = map.georeference.value_or(Georeference{});
   georeferenced_->setChecked(map.georeference.has_value());

@@ -60,6 +60,7 @@ class MapPage : public PropertyPage {
   QCheckBox* whole_known_;
   NumberField* scale_sigma_;  ///< per cent
   NumberField* turn_sigma_;
+  NumberField* shift_sigma_;
   QCheckBox* georeferenced_;
   NumberField* latitude_;
   NumberField* longitude_;

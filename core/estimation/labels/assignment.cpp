@@ -186,8 +186,7 @@ AssignmentOptions withStart(const StartUncertainty& start, AssignmentOptions opt
 }
 
 std::vector<Hypothesis> rootHypotheses(const Map& drawing, const AssignmentOptions& options) {
-  const double shift =
-      std::hypot(options.shift_share * drawing.uncertainty.position, options.start_m);
+  const double shift = std::hypot(drawing.shiftSigma(), options.start_m);
   const double scale = options.free_scale ? kFreeScale : options.scale_sigma;
   const double turn = options.free_turn ? kFan : std::hypot(options.turn_sigma, options.start_turn);
   const Eigen::Vector4d sigma(scale, turn, shift, shift);

@@ -21,8 +21,6 @@ struct AssignmentOptions : PairingOptions {
   /// Of the robot's start on the drawing, one σ: as much as the drawing may lie elsewhere.
   double start_m = 0.0;
   double start_turn = 0.0;  ///< radians
-  double shift_share =
-      0.3;  ///< of the whole drawing, as a share of the uncertainty of a building; choice
 };
 
 /// With what the drawing itself says of its scale and turn. A turn that may be large is left free.

@@ -57,6 +57,32 @@ TEST(CommonShift, IsFoundAsWellAsItSays) {
   EXPECT_NEAR(own, 0.8, 0.1);
 }
 
+TEST(CommonShift, IsAsSureAsTheStartOfTheRobot) {
+  int within = 0;
+  constexpr int kTrials = 400;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(trial));
+    std::normal_distribution<double> normal;
+    auto [drawing, refined] = made(static_cast<std::uint64_t>(trial), {0.0, 0.0}, 0.0, 0.8);
+    drawing.start = Pose2{-100.0, 0.0, 0.0};
+    drawing.start_uncertainty = StartUncertainty{0.3, toRadians(0.5)};
+    drawing.whole = {0.0, 0.0};
+    const Pose2 way{0.3 * normal(random), 0.3 * normal(random), toRadians(0.5) * normal(random)};
+    const Pose2 off = *drawing.start * way * inverse(*drawing.start);
+    for (Building& building : refined.buildings) {
+      auto& box = std::get<Rectangle>(building.shape);
+      box.centre = off.toOuter(box.centre);
+    }
+    const auto common = commonShiftOf(drawing, refined);
+    ASSERT_TRUE(common);
+    within += std::abs(common->shift.x()) < common->shift_sigma.x() ? 1 : 0;
+    within += std::abs(common->shift.y()) < common->shift_sigma.y() ? 1 : 0;
+    EXPECT_LT(common->turn_sigma, toRadians(0.1));  // the drawing says that it is turned rightly
+  }
+  EXPECT_GT(within, 2 * kTrials * 60 / 100);
+  EXPECT_LT(within, 2 * kTrials * 75 / 100);
+}
+
 TEST(CommonShift, TellsShiftAndTurnApart) {
   const auto [drawing, refined] = made(7, {5.0, -3.0}, 0.02, 0.5);
   const auto common = commonShiftOf(drawing, refined);

@@ -86,6 +86,22 @@ TEST_F(GeoWriter, KeepsIdsAndTagsOfAPublicMap) {
   EXPECT_NE(osm.find("k=\"handmap:sigma_x\" v=\"0.20\""), std::string::npos);
 }
 
+TEST_F(GeoWriter, ARelationStaysOne) {
+  Map map = corrected();
+  keepTags({"relation", "77", {{"building", "yes"}, {"type", "multipolygon"}, {"name", "Court"}}},
+           map.buildings[0]);
+  writeGeoMap(map, out("osm"));
+  const GeoMap back = readGeoMap(out("osm"));
+  ASSERT_EQ(back.map.buildings.size(), 2U);
+  const Building* court = back.map.find("77");
+  ASSERT_TRUE(court);
+  const PublicTags tags = tagsOf(*court);
+  EXPECT_EQ(tags.osm_type, "relation");
+  EXPECT_EQ(tags.tags.at("name"), "Court");
+  const std::string osm = formatOsm(map);
+  EXPECT_NE(osm.find("<relation id=\"77\" visible=\"true\" action=\"modify\">"), std::string::npos);
+}
+
 TEST_F(GeoWriter, PlansAreInMetresOfTheMap) {
   Map map = corrected();
   map.georeference.reset();

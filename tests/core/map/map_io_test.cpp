@@ -61,12 +61,14 @@ TEST(MapIo, TellsHowTrueTheDrawingIsAsAWhole) {
   const Map scaled = parseMap(begin + R"("uncertainty": {"scale": 0}})", "m");
   EXPECT_EQ(scaled.whole.scale, 0.0);
   EXPECT_FALSE(scaled.whole.turn);
-  const Map map =
-      parseMap(begin + R"("uncertainty": {"turn_deg": 0.3, "scale": 0.02, "source": "air"}})", "m");
-  EXPECT_EQ(map.whole, (WholeUncertainty{0.02, toRadians(0.3)}));
+  const Map map = parseMap(
+      begin + R"("uncertainty": {"turn_deg": 0.3, "shift_m": 6, "scale": 0.02, "source": "air"}})",
+      "m");
+  EXPECT_EQ(map.whole, (WholeUncertainty{0.02, toRadians(0.3), 6.0}));
   EXPECT_EQ(map.uncertainty, Uncertainty{});
   const std::string text = formatMap(map);
-  EXPECT_NE(text.find(R"("scale": 0.02, "turn_deg": 0.3)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("scale": 0.02, "turn_deg": 0.3, "shift_m": 6)"), std::string::npos)
+      << text;
   EXPECT_EQ(parseMap(text, "m"), map);
 }
 

@@ -22,6 +22,7 @@ Case randomCase(RandomStream& random, int count, double sigma) {
   Case result;
   result.drawing.start = Pose2{};
   result.drawing.uncertainty = {sigma, sigma};
+  result.drawing.whole.shift = 0.0;
   for (int i = 0; i < count; ++i) {
     const Rectangle truth{
         {40.0 * i + random.uniform(0.0, 10.0), random.uniform() < 0.5 ? 20.0 : -20.0},
@@ -58,7 +59,6 @@ AssignmentOptions plainOptions() {
   options.hypotheses = 100000;
   options.scale_sigma = 1e-9;
   options.turn_sigma = 1e-9;
-  options.shift_share = 1e-9;
   return options;
 }
 
