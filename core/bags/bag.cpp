@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/bags/bag_kinds.h"
+#include "core/bags/ros_definitions.h"
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 
@@ -55,7 +56,7 @@ FieldReader Bag::fieldsOf(const BagMessage& message) const {
 }
 
 std::size_t Bag::topicOf(const std::string& name, std::string type, MessageEncoding encoding) {
-  if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
+  type = rosTypeName(std::move(type));
   for (std::size_t i = 0; i < topics_.size(); ++i) {
     if (topics_[i].name == name && topics_[i].type == type) return i;
   }

@@ -119,9 +119,13 @@ void collect(std::string_view type, std::vector<std::string_view>& types) {
 
 }  // namespace
 
+std::string rosTypeName(std::string type) {
+  if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
+  return type;
+}
+
 std::string rosDefinition(const std::string& type) {
-  std::string plain = type;
-  if (const std::size_t at = plain.find("/msg/"); at != std::string::npos) plain.erase(at, 4);
+  const std::string plain = rosTypeName(type);
   std::string text(fieldsOf(plain));
   std::vector<std::string_view> types;
   collect(plain, types);

@@ -9,4 +9,7 @@ namespace handmap {
 /// line of "=". builtin_interfaces/Time is spelled out too: not every reader knows it.
 std::string rosDefinition(const std::string& type);
 
+/// As ROS 1 writes it: without "/msg".
+std::string rosTypeName(std::string type);
+
 }  // namespace handmap

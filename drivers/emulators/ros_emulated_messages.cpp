@@ -83,4 +83,15 @@ QCborMap compressedImage(double stamp_s, const QByteArray& file, RosVersion vers
       {{"header", header(stamp_s, version)}, {"format", QStringLiteral("png")}, {"data", file}});
 }
 
+QCborMap image(double stamp_s, const cv::Mat& grey, RosVersion version) {
+  const QByteArray data(reinterpret_cast<const char*>(grey.data), grey.rows * grey.cols);
+  return object({{"header", header(stamp_s, version)},
+                 {"height", grey.rows},
+                 {"width", grey.cols},
+                 {"encoding", QStringLiteral("mono8")},
+                 {"is_bigendian", 0},
+                 {"step", grey.cols},
+                 {"data", data}});
+}
+
 }  // namespace handmap::emulated

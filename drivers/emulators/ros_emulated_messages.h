@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "core/geometry/pose2.h"
 #include "core/recording/observation.h"
 #include "drivers/rosbridge/ros_client.h"
@@ -17,5 +19,7 @@ QCborMap odometry(double stamp_s, const Pose2& pose, RosVersion version);
 QCborMap laserScan(double stamp_s, const std::vector<float>& ranges, RosVersion version);
 QCborMap pointCloud(double stamp_s, std::span<const RangePoint> points, RosVersion version);
 QCborMap compressedImage(double stamp_s, const QByteArray& file, RosVersion version);
+/// Grey, a byte a pixel.
+QCborMap image(double stamp_s, const cv::Mat& grey, RosVersion version);
 
 }  // namespace handmap::emulated

@@ -38,11 +38,6 @@ constexpr std::array kPrimitives = {
 constexpr unsigned kFirstReal = 80;
 constexpr double kMostWhole = 9e18;  // of what 64 bits with a sign hold
 
-std::string plainType(std::string type) {
-  if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
-  return type;
-}
-
 std::string_view uncommented(std::string_view line) { return line.substr(0, line.find('#')); }
 
 }  // namespace
@@ -61,7 +56,7 @@ class RosSchema::Parser {
       const auto words = splitWords(uncommented(line->text));
       if (words.empty() || words[0].starts_with("====")) continue;
       if (words[0] == "MSG:" && words.size() > 1) {
-        at = plainType(std::string(words[1]));
+        at = rosTypeName(std::string(words[1]));
         texts_[at];
         if (texts_.size() > kMostTypes)
           refuse(phrase("too many types"), phrase("at most {}", kMostTypes));
@@ -148,7 +143,7 @@ class RosSchema::Parser {
 
   /// Of the same package where none is named; ROS 1 knows "Header" alone.
   std::string resolved(const std::string& name, const std::string& within) {
-    std::string plain = plainType(name);
+    std::string plain = rosTypeName(name);
     const std::string near = within.substr(0, within.find('/') + 1) + plain;
     for (const std::string& type : {plain, near, "std_msgs/" + plain}) {
       if (texts_.contains(type)) return type;
@@ -326,7 +321,7 @@ class RosSchema::Writing {
 };
 
 RosSchema::RosSchema(std::string type, std::string_view definition, MessageEncoding encoding)
-    : type_(plainType(std::move(type))), encoding_(encoding) {
+    : type_(rosTypeName(std::move(type))), encoding_(encoding) {
   Parser(*this, definition);
 }
 

@@ -43,17 +43,6 @@ QCborMap jpeg(double stamp_s, const cv::Mat& image) {
       RosVersion::Ros2);
 }
 
-QCborMap plain(double stamp_s, const cv::Mat& image) {
-  QCborMap message = emulated::compressedImage(stamp_s, {}, RosVersion::Ros2);
-  message[QLatin1String("height")] = image.rows;
-  message[QLatin1String("width")] = image.cols;
-  message[QLatin1String("step")] = image.cols;
-  message[QLatin1String("encoding")] = QLatin1String("mono8");
-  message[QLatin1String("data")] =
-      QByteArray(reinterpret_cast<const char*>(image.data), image.rows * image.cols);
-  return message;
-}
-
 /// Sends until it is ended; says where it listens, then how much it has sent at each pair.
 template <typename Bridge>
 int serve(Bridge& bridge, bool is_plain) {
@@ -61,7 +50,7 @@ int serve(Bridge& bridge, bool is_plain) {
   std::fflush(stdout);
   const cv::Mat image = street();
   const RigClock clock = startedRigClock();
-  QCborMap message = is_plain ? plain(0.0, image) : jpeg(0.0, image);
+  QCborMap message = is_plain ? emulated::image(0.0, image, RosVersion::Ros2) : jpeg(0.0, image);
   QTimer timer;
   timer.setTimerType(Qt::PreciseTimer);
   int sent = 0;

@@ -156,17 +156,6 @@ QByteArray png(const cv::Mat& image) {
   return {reinterpret_cast<const char*>(file.data()), static_cast<qsizetype>(file.size())};
 }
 
-QCborMap plainImage(double stamp_s, const cv::Mat& grey) {
-  QCborMap message = emulated::compressedImage(stamp_s, {}, RosVersion::Ros2);
-  message[QLatin1String("height")] = grey.rows;
-  message[QLatin1String("width")] = grey.cols;
-  message[QLatin1String("step")] = grey.cols;
-  message[QLatin1String("encoding")] = QLatin1String("mono8");
-  message[QLatin1String("data")] =
-      QByteArray(reinterpret_cast<const char*>(grey.data), grey.rows * grey.cols);
-  return message;
-}
-
 TEST(FoxgloveBridgeOf, ScansCloudsAndPairsComeOverOneConnection) {
   FoxgloveBridgeEmulator bridge;
   bridge.offer("/scan", "sensor_msgs/msg/LaserScan");
@@ -204,7 +193,8 @@ TEST(FoxgloveBridgeOf, ScansCloudsAndPairsComeOverOneConnection) {
     bridge.publish(
         "/left", emulated::compressedImage(stamp_s, png(cv::Mat(8, 8, CV_8UC1, cv::Scalar(2 * i))),
                                            RosVersion::Ros2));
-    bridge.publish("/right", plainImage(stamp_s, cv::Mat(8, 8, CV_8UC1, cv::Scalar(2 * i + 1))));
+    bridge.publish("/right", emulated::image(stamp_s, cv::Mat(8, 8, CV_8UC1, cv::Scalar(2 * i + 1)),
+                                             RosVersion::Ros2));
   }
   ASSERT_TRUE(waitUntil([&] { return pairs == 10; })) << pairs;
   EXPECT_EQ(rays, 100U);
