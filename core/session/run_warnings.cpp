@@ -197,7 +197,8 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
     warnings.push_back(
         {"motion_guessed",
          phrase("Nothing told the motion at {} of {} observations, first at {} s: what was seen "
-                "there has too little in common with what was seen before.",
+                "there has too little in common with what was seen before, or only goes along the "
+                "way.",
                 counts.guessed, counts.observations, formatNumber(counts.guessed_s)),
          phrase(
              "From there on the way may be off: give odometry, or drive more slowly where little "

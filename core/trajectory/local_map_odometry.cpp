@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 namespace handmap {
 
 namespace {
@@ -15,11 +17,19 @@ constexpr std::array kOdometryGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
 constexpr int kLeastMatched = 20;
 constexpr double kExplained = 0.7;  // of the straight returns: no other turn is looked for
 constexpr std::array kOtherTurns{0.12, -0.12, 0.25, -0.25, 0.4, -0.4, 0.6, -0.6};  // radians
+constexpr double kHeld =
+    1e-3;  // of the stronger direction: a campus 0.04 and more, a street of two walls 2e-4
 constexpr double kTurnSigmas = 3.0;
 constexpr double kMoveSquare = 18.0;  // in σ²
 
 double explained(const std::optional<ScanMatch>& match) {
   return match ? match->straight_near / std::max(1.0, static_cast<double>(match->straight)) : 0.0;
+}
+
+/// Whether it is told how far the robot went: two long walls leave that to the guess.
+bool isHeld(const Eigen::Matrix3d& information) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information.topLeftCorner<2, 2>());
+  return axes.eigenvalues()(0) > kHeld * axes.eigenvalues()(1);
 }
 
 }  // namespace
@@ -56,7 +66,7 @@ bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& 
   travelled_m_ += (pose_.position() - before.position()).norm();
   recorded_ = recorded;
   keep(scan);
-  return matched.has_value();
+  return matched.has_value() && is_held_;
 }
 
 std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>& scan,
@@ -64,6 +74,7 @@ std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>&
   const auto match = bestMatch(scan, prior);
   if (!match || match->matched < kLeastMatched) return std::nullopt;
   noise_.learn(motion, between(prior.from, match->pose));
+  is_held_ = !guessed_ || isHeld(match->information);
   if (guessed_) return match->pose;
   const Eigen::Vector3d off = prior.motion.at(prior.from, match->pose).residual;
   if (std::abs(off.z()) > kTurnSigmas) return std::nullopt;

@@ -17,7 +17,8 @@ class LocalMapOdometry {
 
   /// The recorded odometry and what was seen there. Where the match is not to be believed, the
   /// odometry goes on.
-  /// Returns whether the match moved the pose.
+  /// Returns whether the match moved the pose; of guessed motions, whether it held it in every
+  /// direction.
   bool add(const Pose2& recorded, const std::vector<ScanPoint>& scan);
 
   /// Of the newest scan; the first is the first recorded one.
@@ -39,6 +40,7 @@ class LocalMapOdometry {
   std::deque<KeptScan> kept_;
   WheelNoise noise_;
   bool guessed_ = false;
+  bool is_held_ = true;  ///< the newest match, in every direction
   Pose2 pose_;
   Pose2 recorded_;
   std::optional<Pose2> kept_at_;

@@ -4326,10 +4326,6 @@
         <translation>{}: time_s: フレームの間が {:.4g} 秒です。秒のはずです</translation>
     </message>
     <message>
-        <source>Nothing told the motion at {} of {} observations, first at {} s: what was seen there has too little in common with what was seen before.</source>
-        <translation>{} 個の観測（{} 個のうち）では動きを伝えるものがありませんでした。最初は {} 秒です。そこで見えたものは、それまでに見えたものと共通点が少なすぎます。</translation>
-    </message>
-    <message>
         <source>From there on the way may be off: give odometry, or drive more slowly where little is in sight.</source>
         <translation>そこから先の経路はずれているかもしれません。オドメトリを与えるか、見えるものが少ない所ではもっとゆっくり走ってください。</translation>
     </message>
@@ -4684,6 +4680,10 @@
     <message>
         <source>Turn the points by {:.0f}°</source>
         <translation>点を {:.0f}° 回す</translation>
+    </message>
+    <message>
+        <source>Nothing told the motion at {} of {} observations, first at {} s: what was seen there has too little in common with what was seen before, or only goes along the way.</source>
+        <translation>{} 個の観測（{} 個のうち）では動きを伝えるものがありませんでした。最初は {} 秒です。そこで見えたものは、それまでに見えたものと共通点が少なすぎるか、道に沿って続くものだけです。</translation>
     </message>
 </context>
 <context>
