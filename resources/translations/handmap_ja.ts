@@ -863,6 +863,14 @@
         <source>Watch a printed sheet while somebody draws on it.</source>
         <translation>印刷した用紙に描く様子をカメラで見て取り込みます。</translation>
     </message>
+    <message>
+        <source>Export Run as Fi&amp;lm…</source>
+        <translation>実行を動画で書き出す(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Save the moments of the run as a video of the map.</source>
+        <translation>実行の各時点を地図の動画として保存します。</translation>
+    </message>
 </context>
 <context>
     <name>FigureWords</name>
@@ -7014,6 +7022,14 @@ Corrected by a run.</source>
         <translation>
 実行により補正済み。</translation>
     </message>
+    <message>
+        <source>Together ±</source>
+        <translation>全体 ±</translation>
+    </message>
+    <message>
+        <source>How far all buildings may lie off together: a displaced aerial picture</source>
+        <translation>すべての建物がそろってずれていそうな距離。航空写真のずれなど</translation>
+    </message>
 </context>
 <context>
     <name>handmap::MeasureTool</name>
@@ -8552,6 +8568,18 @@ Corrected by a run.</source>
     <message>
         <source>The run</source>
         <translation>実行</translation>
+    </message>
+    <message>
+        <source>Export the run as a film</source>
+        <translation>実行を動画で書き出す</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4 *.webm *.mkv *.avi)</source>
+        <translation>動画 (*.mp4 *.webm *.mkv *.avi)</translation>
+    </message>
+    <message>
+        <source>The film of the run</source>
+        <translation>実行の動画</translation>
     </message>
 </context>
 <context>

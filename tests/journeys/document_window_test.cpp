@@ -152,13 +152,13 @@ TEST_F(DocumentWindow, AMapOfRobotsTakesNoPictureFromTheDrawing) {
   document_.undoStack().setClean();
 }
 
-TEST_F(DocumentWindow, ARunIsExportedAsAPageAndAsMcap) {
+TEST_F(DocumentWindow, ARunIsExportedAsAPageAsMcapAndAsAFilm) {
   EXPECT_FALSE(window_->findChild<QAction*>("file.export_report")->isEnabled());
   runSimulator(*window_);
   ASSERT_TRUE(QTest::qWaitFor([this] { return window_->run().result() != nullptr; }, kPatienceMs));
   EXPECT_FALSE(window_->findChild<QAction*>("file.export_report")->isEnabled()) << "not at its end";
   ASSERT_TRUE(waitFor(*window_, RunState::Idle));
-  dialogs_->paths = {path("run.html"), path("run.mcap")};
+  dialogs_->paths = {path("run.html"), path("run.mcap"), path("run.avi")};
   const auto told = [this](const QString& what) {
     return QTest::qWaitFor([&] { return texts().filter(what).size() == 1; }, kPatienceMs);
   };
@@ -173,7 +173,12 @@ TEST_F(DocumentWindow, ARunIsExportedAsAPageAndAsMcap) {
   const auto poses = std::ranges::find(bag->topics(), std::string("/pose"), &BagTopic::name);
   ASSERT_NE(poses, bag->topics().end());
   EXPECT_EQ(poses->messages, window_->run().result()->last->trajectory.all().size());
-  EXPECT_FALSE(QFile::exists(path("run.mcap.part")));
+  trigger("file.export_film");
+  ASSERT_TRUE(told("The film of the run is in “run.avi”")) << texts().join('\n').toStdString();
+  const QByteArray film = contentOf("run.avi");
+  EXPECT_TRUE(film.startsWith("RIFF"));
+  EXPECT_EQ(static_cast<std::size_t>(film.count("00dc")), 2 * poses->messages);  // and in the index
+  EXPECT_TRUE(QDir(path("")).entryList({"*.part*"}).isEmpty());
   document_.undoStack().setClean();
 }
 

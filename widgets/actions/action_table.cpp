@@ -61,6 +61,9 @@ constexpr std::array kActions = {
         "file.export_mcap", QT_TRANSLATE_NOOP("Actions", "Export R&un as MCAP…"), "", "",
         QT_TRANSLATE_NOOP("Actions", "Save the moments of the run for Rerun, Foxglove or RViz 2."),
         Menu::File},
+    ActionSpec{"file.export_film", QT_TRANSLATE_NOOP("Actions", "Export Run as Fi&lm…"), "", "",
+               QT_TRANSLATE_NOOP("Actions", "Save the moments of the run as a video of the map."),
+               Menu::File},
     ActionSpec{"file.compare", QT_TRANSLATE_NOOP("Actions", "Compare &Drawings…"), "", "",
                QT_TRANSLATE_NOOP(
                    "Actions", "Tell by figures and arrows how far the drawing is off a true map."),

@@ -10,6 +10,7 @@
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "core/report/report.h"
+#include "core/run_log/run_film.h"
 #include "core/run_log/run_log.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
@@ -18,22 +19,26 @@ namespace handmap {
 
 namespace {
 
-/// The moments that the history has kept. What cannot be written whole leaves an older file as it
-/// was. False: stopped.
-bool writeHistory(const RunHistory& history, const Map& drawing, const SourceInfo& source,
-                  const RunResult& result, const std::filesystem::path& path,
-                  const std::stop_token& stop) {
+/// The moments that the history has kept, by `open` (a path: a RunLog or RunFilm) and `finish`.
+/// What cannot be written whole leaves an older file as it was. False: stopped.
+template <typename Open, typename Finish>
+bool writeMoments(const RunHistory& history, const std::filesystem::path& path,
+                  const std::stop_token& stop, const Open& open, const Finish& finish) {
   std::filesystem::path part = path;
-  part += ".part";
+  part.replace_extension(".part");
+  part += path.extension();  // which tells how a film is written
   try {
-    RunLog log(part, drawing, source);
-    for (int index = history.first(); index <= history.newest(); ++index) {
-      log.add(*history.at(index));
-      if (!stop.stop_requested()) continue;
+    {
+      auto moments = open(part);
+      for (int i = history.first(); i <= history.newest() && !stop.stop_requested(); ++i) {
+        moments.add(*history.at(i));
+      }
+      if (!stop.stop_requested()) finish(moments);
+    }
+    if (stop.stop_requested()) {
       std::filesystem::remove(part);
       return false;
     }
-    log.finish(result.map(), result.last->trajectory.all(), result.warnings);
     std::filesystem::rename(part, path);
     return true;
   } catch (...) {
@@ -58,6 +63,7 @@ RunExports::RunExports(const Shell& shell, MapDocument& document, FileActions& f
   actions.on("file.export_trajectory", this, [this] { exportTrajectory(); });
   actions.on("file.export_report", this, [this] { exportReport(); });
   actions.on("file.export_mcap", this, [this] { exportMcap(); });
+  actions.on("file.export_film", this, [this] { exportFilm(); });
   files_.setCorrected([this] { return refinedMap(); });
   connect(&run_, &RunController::begun, this, &RunExports::updateActions);
   connect(&run_, &RunController::stateChanged, this, &RunExports::updateActions);
@@ -68,8 +74,9 @@ RunExports::RunExports(const Shell& shell, MapDocument& document, FileActions& f
 
 void RunExports::updateActions() {
   const auto result = run_.result();
-  shell_.actions.setEnabled({"file.export_map", "file.export_trajectory", "file.export_mcap"},
-                            result != nullptr, tr("no run has corrected anything yet"));
+  shell_.actions.setEnabled(
+      {"file.export_map", "file.export_trajectory", "file.export_mcap", "file.export_film"},
+      result != nullptr, tr("no run has corrected anything yet"));
   shell_.actions.setEnabled({"file.export_report"}, result && !result->report.empty(),
                             tr("no run has come to its end yet"));
 }
@@ -149,7 +156,26 @@ void RunExports::exportMcap() {
        tr("MCAP (*.mcap)"), QStringLiteral("mcap"), tr("The run")},
       [result, history, tape, drawing = run_.drawing()](const QString& path,
                                                         const std::stop_token& stop) {
-        return writeHistory(*history, drawing, tape->info(), *result, path.toStdString(), stop);
+        return writeMoments(
+            *history, path.toStdString(), stop,
+            [&](const std::filesystem::path& part) { return RunLog(part, drawing, tape->info()); },
+            [&](RunLog& log) {
+              log.finish(result->map(), result->last->trajectory.all(), result->warnings);
+            });
+      });
+}
+
+void RunExports::exportFilm() {
+  const auto history = run_.history();
+  if (!run_.result() || !history) return;
+  files_.exportInBackground(
+      {tr("Export the run as a film"), nameOf(tr("-run")) + QStringLiteral(".mp4"),
+       tr("Films (*.mp4 *.webm *.mkv *.avi)"), QStringLiteral("mp4"), tr("The film of the run")},
+      [history, drawing = run_.drawing()](const QString& path, const std::stop_token& stop) {
+        return writeMoments(
+            *history, path.toStdString(), stop,
+            [&](const std::filesystem::path& part) { return RunFilm(part, drawing); },
+            [](RunFilm& film) { film.finish(); });
       });
 }
 

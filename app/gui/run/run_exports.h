@@ -29,6 +29,7 @@ class RunExports : public QObject {
   void exportTrajectory();
   void exportReport();
   void exportMcap();
+  void exportFilm();
   void updateActions();
 
   const Shell& shell_;
