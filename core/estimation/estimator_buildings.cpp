@@ -8,6 +8,7 @@ namespace handmap {
 
 namespace {
 
+constexpr std::size_t kLastPoses = 200;  // that tell which side a building is on; choice
 /// Key frames nearer to each other take turns. Choice: a robot that stops drives farther.
 constexpr double kClose_m = 3.0;
 
@@ -102,7 +103,12 @@ void HandmapEstimator::State::updateNoise() {
 }
 
 void HandmapEstimator::State::labelBuildings(double near_m) {
-  labels.update(found, frames.back().pose.position(), near_m);
+  std::vector<Pose2> trajectory_here;
+  const std::size_t last = std::min(frames.size(), kLastPoses);
+  for (std::size_t i = frames.size() - last; i < frames.size(); ++i) {
+    trajectory_here.push_back(frames[i].pose);
+  }
+  labels.update(found, trajectory_here, near_m);
 }
 
 }  // namespace handmap

@@ -36,9 +36,11 @@ double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
 
 class Assigner {
  public:
-  Assigner(const Map& drawing, std::span<const FoundBox> found, const AssignmentOptions& options)
+  Assigner(const Map& drawing, std::span<const FoundBox> found, std::span<const Pose2> trajectory,
+           const AssignmentOptions& options)
       : drawing_(drawing),
         found_(found),
+        trajectory_(trajectory),
         options_(options),
         log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
@@ -49,6 +51,7 @@ class Assigner {
     for (const FoundBox& box : found) {
       found_at_.push_back(box.box.rectangle().centre);
       half_size_.push_back(halfSize(box.box.rectangle()));
+      sides_.push_back(sideOf(found_at_.back()));
     }
   }
 
@@ -91,13 +94,14 @@ class Assigner {
   /// of them.
   std::vector<Branch> grown(const std::vector<Branch>& beam, std::size_t building) const {
     std::vector<Branch> next;
+    const int side = sideOf(beam.front().motion(drawn_[building].centre));
     for (const Branch& branch : beam) {
       next.push_back(branch);
       const Vec2 expected = branch.motion(drawn_[building].centre);
       const double reach = reachOf(building, branch.motion);
       for (std::size_t f = 0; f < found_.size(); ++f) {
         if ((found_at_[f] - expected).norm() > reach + half_size_[f]) continue;
-        if (!isTaken(branch, f)) extend(branch, building, f, next);
+        if (!isTaken(branch, f)) extend(branch, building, f, side, next);
       }
     }
     std::stable_sort(next.begin(), next.end(),
@@ -139,7 +143,29 @@ class Assigner {
     return kMost * (own + motion.sigmaAt(drawn.centre)) + motion.scale() * halfSize(drawn);
   }
 
-  void extend(const Branch& branch, std::size_t building, std::size_t f,
+  /// Of the robot's way: 1 left, −1 right, 0 where there is none.
+  int sideOf(const Vec2& point) const {
+    const auto nearer = [&](const Pose2& a, const Pose2& b) {
+      return (a.position() - point).squaredNorm() < (b.position() - point).squaredNorm();
+    };
+    const auto nearest = std::min_element(trajectory_.begin(), trajectory_.end(), nearer);
+    if (nearest == trajectory_.end()) return 0;
+    return nearest->toOwn(point).y() > 0.0 ? 1 : -1;
+  }
+
+  double disorder(const Branch& branch, std::size_t building, std::size_t found) const {
+    double price = 0.0;
+    for (std::size_t other = 0; other < branch.found_of.size(); ++other) {
+      const int its_found = branch.found_of[other];
+      if (its_found == kNone) continue;
+      const Vec2 drawn_way = drawn_[other].centre - drawn_[building].centre;
+      const Vec2 found_way = found_at_[static_cast<std::size_t>(its_found)] - found_at_[found];
+      if (drawn_way.dot(found_way) < 0.0) price += options_.disorder;
+    }
+    return price;
+  }
+
+  void extend(const Branch& branch, std::size_t building, std::size_t f, int side,
               std::vector<Branch>& next) const {
     const Uncertainty uncertainty = drawing_.uncertaintyOf(drawing_.buildings[building]);
     const std::optional<Pairing> pair =
@@ -148,20 +174,24 @@ class Assigner {
     // The same walls of a building that no one drew: anywhere, of any size.
     const double undrawn =
         log_undrawn_ * (pair->walls - pair->widths) / 2.0 - pair->widths * std::log(kSizeRange);
+    const double side_price = sides_[f] == side ? 0.0 : options_.wrong_side;
 
     Branch extended = branch;
     extended.found_of[building] = static_cast<int>(f);
-    extended.log_weight += pair->log_likelihood - undrawn + log_present_[building];
+    extended.log_weight += pair->log_likelihood - undrawn + log_present_[building] -
+                           disorder(branch, building, f) - side_price;
     extended.motion = pair->motion;
     next.push_back(std::move(extended));
   }
 
   const Map& drawing_;
   std::span<const FoundBox> found_;
+  std::span<const Pose2> trajectory_;
   const AssignmentOptions& options_;
   std::vector<Rectangle> drawn_;
   std::vector<Vec2> found_at_;
   std::vector<double> half_size_;  ///< of the found ones
+  std::vector<int> sides_;         ///< of the found buildings
   double log_undrawn_;
   std::vector<double> log_present_;  ///< of the drawn ones
 };
@@ -218,9 +248,10 @@ void settle(std::vector<Hypothesis>& roots, const Building& drawn, const Uncerta
 }
 
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
+                               std::span<const Pose2> trajectory,
                                const std::vector<Hypothesis>& roots,
                                const AssignmentOptions& options) {
-  return Assigner(drawing, found, options)(roots);
+  return Assigner(drawing, found, trajectory, options)(roots);
 }
 
 }  // namespace handmap

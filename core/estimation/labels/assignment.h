@@ -14,6 +14,8 @@ struct AssignmentOptions : PairingOptions {
       0.05;  ///< found buildings that no one drew, as a share of the drawn ones; choice
   double phantom = 0.02;  ///< drawn ones that are not there or were not found, share; choice
   double uncertain_phantom = 0.5;  ///< the same of those that their drawer says may not exist
+  double disorder = 2.0;    ///< price of two that change places in the drawing, nats; METHOD.md 4
+  double wrong_side = 3.0;  ///< and of one on the other side of the trajectory; choice
   double scale_sigma = kUsualScaleSigma;  ///< of the whole drawing
   double turn_sigma = kUsualTurnSigma;
   bool free_scale = false;  ///< the drawing may be 0.7 to 1.4 times as large
@@ -47,7 +49,9 @@ void settle(std::vector<Hypothesis>& roots, const Building& drawn, const Uncerta
             const FoundBox& found, const AssignmentOptions& options);
 
 /// The best hypotheses that grow from the roots, the best first. Not empty. `found` have ids.
+/// `trajectory`: where the robot has been, map frame.
 std::vector<Hypothesis> assign(const Map& drawing, std::span<const FoundBox> found,
+                               std::span<const Pose2> trajectory,
                                const std::vector<Hypothesis>& roots,
                                const AssignmentOptions& options);
 

@@ -34,13 +34,15 @@ Labels::Labels(const Map& drawing, const AssignmentOptions& options)
   for (const Building& building : drawing.buildings) centres_.push_back(building.box().centre);
   nearby_drawing_.start = drawing.start;
   nearby_drawing_.uncertainty = drawing.uncertainty;
-  hypotheses_ = assign(nearby_drawing_, {}, roots_, options_);
+  hypotheses_ = assign(nearby_drawing_, {}, {}, roots_, options_);
 }
 
-void Labels::update(std::vector<FoundBox>& found, const Vec2& here, double near_m) {
+void Labels::update(std::vector<FoundBox>& found, std::span<const Pose2> trajectory,
+                    double near_m) {
+  const Vec2 here = trajectory.back().position();
   bringNearOnesBack(found, here, near_m);
   findNearby(here, near_m);
-  hypotheses_ = assign(nearby_drawing_, found, roots_, options_);
+  hypotheses_ = assign(nearby_drawing_, found, trajectory, roots_, options_);
   settleFarOnes(found, here, near_m);
 }
 
@@ -171,7 +173,7 @@ std::vector<std::optional<std::size_t>> Labels::recognise(std::span<const FoundB
   Hypothesis root{{}, motion(), 0.0, 1.0};
   root.motion.covariance(2, 2) += shift_m * shift_m;
   root.motion.covariance(3, 3) += shift_m * shift_m;
-  const std::vector<Hypothesis> hypotheses = assign(around, boxes, {root}, options_);
+  const std::vector<Hypothesis> hypotheses = assign(around, boxes, {}, {root}, options_);
   std::vector<std::optional<std::size_t>> labels(boxes.size());
   for (std::size_t b = 0; b < which.size(); ++b) {
     const FoundBox* best = findBox(boxes, hypotheses.front().found_of[b]);

@@ -19,7 +19,7 @@ class Labels {
   /// Takes the buildings that are out of sight and farther from the robot than `near_m` out of
   /// `found`, brings back those that no longer are, and labels what is in it. `trajectory`: the
   /// robot's last poses.
-  void update(std::vector<FoundBox>& found, const Vec2& here, double near_m);
+  void update(std::vector<FoundBox>& found, std::span<const Pose2> trajectory, double near_m);
 
   /// The buildings far away: the last `most` that have become so.
   std::vector<FoundBox> settled(std::size_t most) const;

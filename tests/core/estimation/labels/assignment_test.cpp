@@ -42,10 +42,11 @@ Case randomCase(RandomStream& random, int count, double sigma) {
 }
 
 /// Named by their places.
-std::vector<Hypothesis> assignAlone(const Case& c, const AssignmentOptions& options) {
+std::vector<Hypothesis> assignAlone(const Case& c, std::span<const Pose2> way,
+                                    const AssignmentOptions& options) {
   std::vector<FoundBox> found = c.found;
   for (std::size_t i = 0; i < found.size(); ++i) found[i].id = static_cast<FoundId>(i);
-  return assign(c.drawing, found, rootHypotheses(c.drawing, options), options);
+  return assign(c.drawing, found, way, rootHypotheses(c.drawing, options), options);
 }
 
 std::vector<int> placesOf(const Hypothesis& hypothesis) {
@@ -59,6 +60,7 @@ AssignmentOptions plainOptions() {
   options.hypotheses = 100000;
   options.scale_sigma = 1e-9;
   options.turn_sigma = 1e-9;
+  options.disorder = 1.5;
   return options;
 }
 
@@ -92,6 +94,12 @@ double plainWeight(const Case& c, const AssignmentOptions& o, const std::vector<
               normal(found.centre.y() - drawn.centre.y(), s + floor / 2.0) +
               normal((found.depth - drawn.depth) / 2.0, s / 4.0 + floor / 2.0) -
               2.0 * std::log(2.0) - undrawn + std::log((1.0 - o.phantom) / o.phantom);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (found_of[j] < 0) continue;
+      const Vec2 other = c.found[static_cast<std::size_t>(found_of[j])].box.rectangle().centre;
+      const Vec2 drawn_way = c.drawing.buildings[j].box().centre - drawn.centre;
+      if (drawn_way.dot(other - found.centre) < 0.0) weight -= o.disorder;
+    }
   }
   return weight;
 }
@@ -114,7 +122,7 @@ TEST(Assign, IsTheBestOfAllAssignments) {
   const AssignmentOptions options = plainOptions();
   for (int round = 0; round < 30; ++round) {
     const Case c = randomCase(random, 4, 12.0);
-    const auto hypotheses = assignAlone(c, options);
+    const auto hypotheses = assignAlone(c, {}, options);
     std::vector<int> found_of(4, -1);
     const double best = plainBest(c, options, found_of, 0);
     EXPECT_NEAR(hypotheses.front().log_weight, best, 1e-3);
@@ -131,20 +139,39 @@ TEST(Assign, LearnsTheScaleOfTheWholeDrawing) {
     box.width *= 1.1;
     found = foundAt(box);
   }
-  const auto hypotheses = assignAlone(c, AssignmentOptions{});
+  const auto hypotheses = assignAlone(c, {}, AssignmentOptions{});
   for (int i = 0; i < 6; ++i)
     EXPECT_EQ(placesOf(hypotheses.front())[static_cast<std::size_t>(i)], i);
   EXPECT_NEAR(hypotheses.front().motion.scale(), 1.1, 0.02);
+}
+
+TEST(Assign, KeepsTheSideOfTheWay) {
+  // Drawn 60 m too far along the street each, the left one ahead, the right one behind.
+  Case c;
+  c.drawing.uncertainty = {33.0, 33.0};
+  for (const double side : {1.0, -1.0}) {
+    Building building;
+    building.id = side > 0.0 ? "left" : "right";
+    building.shape = Rectangle{{100.0 + 30.0 * side, 20.0 * side}, 50.0, 15.0, 0.0};
+    c.drawing.buildings.push_back(building);
+    c.found.push_back(foundAt({{100.0 - 30.0 * side, 20.0 * side}, 50.0, 15.0, 0.0}));
+  }
+  const std::vector<Pose2> way = {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {200.0, 0.0, 0.0}};
+  const auto labels = [&](std::span<const Pose2> driven) {
+    return placesOf(assignAlone(c, driven, AssignmentOptions{}).front());
+  };
+  EXPECT_EQ(labels(way), (std::vector<int>{0, 1}));
+  EXPECT_EQ(labels({}), (std::vector<int>{1, 0}));
 }
 
 TEST(Assign, LeavesOutWhatIsNotThere) {
   RandomStream random(23);
   Case c = randomCase(random, 4, 1.0);
   c.found.erase(c.found.begin() + 1);
-  const auto best = assignAlone(c, AssignmentOptions{}).front();
+  const auto best = assignAlone(c, {}, AssignmentOptions{}).front();
   EXPECT_EQ(placesOf(best), (std::vector<int>{0, -1, 1, 2}));
   c.found.clear();
-  EXPECT_EQ(assignAlone(c, AssignmentOptions{}).size(), 1u);
+  EXPECT_EQ(assignAlone(c, {}, AssignmentOptions{}).size(), 1u);
 }
 
 TEST(Assign, NamesAreKeptInWhateverOrderTheFoundOnesAre) {
@@ -153,9 +180,9 @@ TEST(Assign, NamesAreKeptInWhateverOrderTheFoundOnesAre) {
   std::vector<FoundBox> found = c.found;
   for (std::size_t i = 0; i < found.size(); ++i) found[i].id = static_cast<FoundId>(10 + 3 * i);
   const auto roots = rootHypotheses(c.drawing, {});
-  const auto before = assign(c.drawing, found, roots, {}).front().found_of;
+  const auto before = assign(c.drawing, found, {}, roots, {}).front().found_of;
   std::reverse(found.begin(), found.end());
-  EXPECT_EQ(assign(c.drawing, found, roots, {}).front().found_of, before);
+  EXPECT_EQ(assign(c.drawing, found, {}, roots, {}).front().found_of, before);
   EXPECT_EQ(before[2], static_cast<FoundId>(16));
 }
 
@@ -212,7 +239,7 @@ TEST(Assignment, ACarIsNoHouse) {
   Case c = oneHouse(10.0, 9.0, 3.0);
   const auto takes = [&](double width, double depth) {
     c.found = {foundAt({{40.0, 20.0}, width, depth, 0.0})};
-    const std::vector<Hypothesis> all = assignAlone(c, AssignmentOptions{});
+    const std::vector<Hypothesis> all = assignAlone(c, {}, AssignmentOptions{});
     return std::ranges::any_of(all, [](const Hypothesis& h) { return placesOf(h)[0] == 0; });
   };
   EXPECT_TRUE(takes(10.0, 9.0));
@@ -229,7 +256,7 @@ TEST(Assignment, WhatMayNotExistNeedsABetterMatch) {
     c.drawing.buildings.front().may_not_exist = may_not_exist;
     c.found = {foundAt({{40.0 + off, 20.0}, 20.0, 15.0, 0.0})};
     double with = 0.0;
-    for (const Hypothesis& hypothesis : assignAlone(c, plainOptions())) {
+    for (const Hypothesis& hypothesis : assignAlone(c, {}, plainOptions())) {
       if (placesOf(hypothesis)[0] == 0) with += hypothesis.weight;
     }
     return with;

@@ -36,10 +36,11 @@ class LabelsTest : public testing::Test {
     }
   }
   void update(Labels& labels, const Pose2& pose) {
+    way_.push_back(pose);
     for (FoundBox& found : found_) {
       found.in_sight = (found.box.rectangle().centre - pose.position()).norm() < 60.0;
     }
-    labels.update(found_, pose.position(), kNear);
+    labels.update(found_, way_, kNear);
   }
   double foundAt(const Labels& labels, std::size_t building) const {
     const FoundBox* found = labels.of(building, found_).found;
@@ -48,6 +49,7 @@ class LabelsTest : public testing::Test {
 
   Map drawing_;
   std::vector<FoundBox> found_;
+  std::vector<Pose2> way_;
   double at_ = 0.0;
   int known_ = 0;
 };
