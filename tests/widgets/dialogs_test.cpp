@@ -14,6 +14,7 @@ class DialogsTest : public QObject {
 
  private Q_SLOTS:
   void whatIsSavedHasTheEndingOfTheChosenKind();
+  void whatIsTypedReplacesWhatIsProposed();
 };
 
 void DialogsTest::whatIsSavedHasTheEndingOfTheChosenKind() {
@@ -30,6 +31,24 @@ void DialogsTest::whatIsSavedHasTheEndingOfTheChosenKind() {
   const QString path = systemDialogs(window)->fileToSave(
       {"Save", folder.path(), "A (*.a);;B (*.bb *.c)", "town.a", "a"});
   QCOMPARE(path, folder.filePath("town.bb"));
+}
+
+void DialogsTest::whatIsTypedReplacesWhatIsProposed() {
+  QWidget window;
+  const auto type = [&window](const QString& text) {
+    QTimer::singleShot(0, &window, [&window, text] {
+      auto* dialog = window.findChild<QDialog*>();
+      QVERIFY(dialog);
+      QVERIFY(QTest::qWaitForWindowActive(dialog));
+      QTest::keyClicks(dialog->focusWidget(), text);
+      dialog->accept();
+    });
+  };
+  type("150");
+  QCOMPARE(systemDialogs(window)->numbers("Size", {{"Width", 200.0, 1.0, 1e5, 0, " m"}}),
+           QList<double>{150.0});
+  type("b.avi");
+  QCOMPARE(systemDialogs(window)->typedOrKnown("Camera", "Device", {"/dev/video0"}), "b.avi");
 }
 
 }  // namespace handmap

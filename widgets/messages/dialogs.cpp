@@ -1,11 +1,13 @@
 #include "widgets/messages/dialogs.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -79,6 +81,7 @@ class SystemDialogs : public Dialogs {
     form->addRow(buttons);
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    if (!fields.isEmpty()) fields.front()->selectAll();  // what is typed replaces it
     if (dialog.exec() != QDialog::Accepted) return {};
     QList<double> values;
     for (const QDoubleSpinBox* field : fields) values << field->value();
@@ -92,6 +95,7 @@ class SystemDialogs : public Dialogs {
     dialog.setLabelText(label);
     dialog.setComboBoxItems(known);
     dialog.setComboBoxEditable(true);
+    if (const auto* box = dialog.findChild<QComboBox*>()) box->lineEdit()->selectAll();
     return dialog.exec() == QDialog::Accepted ? dialog.textValue().trimmed() : QString();
   }
 
