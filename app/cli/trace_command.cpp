@@ -56,7 +56,7 @@ Map mapOfSheet(const Trace& trace, const TraceArguments& arguments, PagePlace& p
 
 Map tracedMap(const Trace& trace, const TraceArguments& arguments, PagePlace& place) {
   if (arguments.width_m || arguments.page_width_m) {
-    place = arguments.width_m ? placeOfDrawing(trace, *arguments.width_m)
+    place = arguments.width_m ? placeOfDrawing(trace, sureShapes(trace), *arguments.width_m)
                               : placeOfPage(trace.page, *arguments.page_width_m);
     return mapOf(trace, place);
   }
@@ -71,8 +71,7 @@ int traceCommand(const TraceArguments& arguments) {
   checkOutputFiles({arguments.out, picture}, {arguments.photo, arguments.on});
   const cv::Mat photo = readPhoto(arguments.photo, kPhotoSide_px);
   const Trace trace = traced(photo);
-  const auto sure = std::ranges::count_if(
-      trace.shapes, [](const TracedShape& shape) { return shape.confidence >= kSureOfShape; });
+  const std::size_t sure = sureShapes(trace).size();
   if (sure == 0) {
     const std::string trouble = troubleWith(photo);
     throwBadInput(arguments.photo, "",
@@ -85,7 +84,11 @@ int traceCommand(const TraceArguments& arguments) {
   writePng(trace.page.image, picture);
   writeMap(map, arguments.out);
   fmt::print("{}: {} closed shapes taken for buildings, {} left out\n", arguments.out, sure,
-             trace.shapes.size() - static_cast<std::size_t>(sure));
+             trace.shapes.size() - sure);
+  if (!arguments.on.empty() && isPlaceUnread(trace)) {
+    fmt::print("{}: the code on the sheet cannot be read: it lies where {} is printed now\n",
+               arguments.out, arguments.on);
+  }
   if (!map.start) fmt::print("{}: the start is not known yet\n", arguments.out);
   return 0;
 }

@@ -20,7 +20,7 @@ constexpr int kGoes = 3;
 
 SheetSight SheetWatch::look(const cv::Mat& image) {
   const auto seen = sheetOn(image);
-  if (!seen) {
+  if (!seen || !sheetOf(seen->code)) {
     before_.reset();
     return SheetSight::None;
   }

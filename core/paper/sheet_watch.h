@@ -8,7 +8,7 @@
 namespace handmap {
 
 enum class SheetSight {
-  None,     ///< not all four marks are seen
+  None,     ///< its four marks and its code are not all seen
   Covered,  ///< a hand lies over it
   Moving,   ///< since the image before
   Seen      ///< and the trace is of this image

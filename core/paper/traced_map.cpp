@@ -27,21 +27,30 @@ PagePlace placeOf(const Page& page, const Sheet& sheet) {
   return {sheet.corner, sheet.metres_per_mm() * kSheetWidth_mm / page.image.cols};
 }
 
+bool isPlaceUnread(const Trace& trace) { return trace.page.sheet && !sheetOf(*trace.page.sheet); }
+
 PagePlace placeOfPage(const Page& page, double width_m) {
   const double metres_per_pixel = width_m / std::max(1, page.image.cols);
   return {-0.5 * metres_per_pixel * Vec2(page.image.cols, page.image.rows), metres_per_pixel};
 }
 
-PagePlace placeOfDrawing(const Trace& trace, double width_m) {
+PagePlace placeOfDrawing(const Trace& trace, const std::vector<std::size_t>& shapes,
+                         double width_m) {
   double left = trace.page.image.cols, right = 0.0;
-  for (const TracedShape& shape : trace.shapes) {
-    if (shape.confidence < kSureOfShape) continue;
-    const Bounds bounds = boundsOf(shape.outline);
+  for (const std::size_t shape : shapes) {
+    const Bounds bounds = boundsOf(trace.shapes[shape].outline);
     left = std::min(left, bounds.low.x());
     right = std::max(right, bounds.high.x());
   }
   const double share = right > left ? (right - left) / trace.page.image.cols : 1.0;
   return placeOfPage(trace.page, width_m / share);
+}
+
+std::vector<std::size_t> sureShapes(const Trace& trace) {
+  std::vector<std::size_t> sure;
+  for (std::size_t i = 0; i < trace.shapes.size(); ++i)
+    if (trace.shapes[i].confidence >= kSureOfShape) sure.push_back(i);
+  return sure;
 }
 
 Building buildingOf(const TracedShape& shape, const Ink& ink, const PagePlace& place) {
@@ -72,9 +81,8 @@ Underlay underlayOf(const Page& page, const PagePlace& place, const std::string&
 
 Map mapOf(const Trace& trace, const PagePlace& place) {
   Map map;
-  for (const TracedShape& shape : trace.shapes) {
-    if (shape.confidence < kSureOfShape) continue;
-    map.buildings.push_back(buildingOf(shape, trace.ink, place));
+  for (const std::size_t shape : sureShapes(trace)) {
+    map.buildings.push_back(buildingOf(trace.shapes[shape], trace.ink, place));
     map.buildings.back().id = fmt::format("B{}", map.buildings.size());
   }
   if (!map.buildings.empty()) map.uncertainty = uncertaintyOnPaper(map);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/map/map.h"
 #include "core/paper/trace.h"
@@ -15,11 +16,16 @@ struct PagePlace {
 };
 
 PagePlace placeOf(const Page& page, const Sheet& sheet);
+/// A map is printed on the sheet, and nothing tells where on it the sheet lies.
+bool isPlaceUnread(const Trace& trace);
 /// So large that the page is so wide, its middle at the origin.
 PagePlace placeOfPage(const Page& page, double width_m);
-/// The same where the shapes that are surely buildings are, all together, so wide; as the page
-/// where there is none.
-PagePlace placeOfDrawing(const Trace& trace, double width_m);
+/// The same where these shapes of the trace are, all together, so wide; as the page where there is
+/// none.
+PagePlace placeOfDrawing(const Trace& trace, const std::vector<std::size_t>& shapes,
+                         double width_m);
+/// Those that are surely buildings.
+std::vector<std::size_t> sureShapes(const Trace& trace);
 
 /// Without id; with the handwriting in it.
 Building buildingOf(const TracedShape& shape, const Ink& ink, const PagePlace& place);

@@ -7332,6 +7332,14 @@ Corrected by a run.</source>
         <source>Close the camera</source>
         <translation>カメラを閉じる</translation>
     </message>
+    <message>
+        <source>The code on the sheet cannot be read: it lies where the drawing is printed now.</source>
+        <translation>用紙の符号が読めません。いまの図面を印刷したときの位置に置きました。</translation>
+    </message>
+    <message>
+        <source>The page is kept beside the drawing. Save the drawing where there is room, then press Enter again.</source>
+        <translation>紙の画像は図面の横に保存されます。書き込める場所に図面を保存してから、もう一度 Enter を押してください。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::PaperTool</name>

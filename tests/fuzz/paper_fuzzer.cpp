@@ -19,7 +19,7 @@ void readPixels(const std::uint8_t* data, std::size_t size) {
   std::copy_n(data + 1, page.total(), page.data);
   const Trace trace = traced(page);
   for (const TracedShape& shape : trace.shapes) fuzz::require(shape.outline.size() >= 3);
-  mapOf(trace, placeOfDrawing(trace, 100.0));
+  mapOf(trace, placeOfDrawing(trace, sureShapes(trace), 100.0));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const cv::Mat photo = decodePhoto(fuzz::textOf(data, size), "photo", kPhotoSide_px);
     if (std::max(photo.cols, photo.rows) > kMostSide_px) return;
     const Trace trace = traced(photo);
-    mapOf(trace, placeOfDrawing(trace, 100.0));
+    mapOf(trace, placeOfDrawing(trace, sureShapes(trace), 100.0));
     troubleWith(photo);
   });
 }

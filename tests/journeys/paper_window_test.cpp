@@ -1,4 +1,5 @@
 // A photo of a drawing on paper becomes buildings, looked through in the window.
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 
@@ -104,6 +105,61 @@ TEST_F(PaperWindow, AnotherPageIsAsWideAsOneSays) {
   const double left = boundsOf(document_.map().buildings[0].footprint()).low.x();
   EXPECT_NEAR(boundsOf(document_.map().buildings[1].footprint()).high.x() - left, 100.0, 0.5);
   EXPECT_FALSE(document_.map().start);
+}
+
+TEST_F(PaperWindow, WhatWasLeftDoesNotCountForTheWidth) {
+  cv::Mat page(900, 1400, CV_8UC3, cv::Scalar::all(235));
+  for (const int x : {100, 500, 1100}) cv::rectangle(page, {x, 300, 200, 150}, {40, 40, 40}, 4);
+  dialogs_->figures = {100.0};
+  openPhoto(page);
+  ASSERT_TRUE(isReviewing());
+  ASSERT_EQ(tool().takenCount(), 3);
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Tab);
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Delete);
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Return);
+  const Map& map = document_.map();
+  ASSERT_EQ(map.buildings.size(), 2u);
+  const Bounds left = boundsOf(map.buildings[0].footprint());
+  const Bounds right = boundsOf(map.buildings[1].footprint());
+  EXPECT_NEAR(std::max(left.high.x(), right.high.x()) - std::min(left.low.x(), right.low.x()),
+              100.0, 0.5);
+  EXPECT_NEAR(map.underlays[0].metres_per_pixel, 100.0 / 800.0, 0.001);
+}
+
+TEST_F(PaperWindow, WhereThePageCannotBeKeptNothingIsLost) {
+  document_.save(path("place.handmap"));
+  openPhoto(test::photographed(drawing(), {}));
+  ASSERT_TRUE(isReviewing());
+  QDir folder(path(""));
+  ASSERT_TRUE(folder.rename(path(""), path("") + "-gone"));
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Return);
+  EXPECT_TRUE(message(*window_).contains("place-paper.png")) << message(*window_).toStdString();
+  EXPECT_TRUE(tool().isBusy());
+  EXPECT_TRUE(document_.map().buildings.empty());
+  ASSERT_TRUE(folder.rename(path("") + "-gone", path("")));
+  QTest::keyClick(window_->canvas().viewport(), Qt::Key_Return);
+  EXPECT_EQ(document_.map().buildings.size(), 2u);
+  EXPECT_FALSE(tool().isBusy());
+}
+
+TEST_F(PaperWindow, NoShapeLiesUnderTheMessageInASmallWindow) {
+  window_->canvas().setFixedSize(745, 425);  // what a screen of 800 by 600 leaves
+  cv::Mat print = test::printed(emptySheet(200.0));
+  test::penned(print, Rectangle{{30.0, 20.0}, 40.0, 15.0, 0.0}.corners());
+  test::penned(print, Rectangle{{200.0, 20.0}, 40.0, 15.0, 0.0}.corners());
+  openPhoto(test::photographed(print, {}));
+  ASSERT_TRUE(isReviewing());
+  QTest::qWait(50);
+  const QWidget& canvas = *window_->canvas().viewport();
+  const QRect covered(canvas.mapFromGlobal(window_->messages().mapToGlobal(QPoint())),
+                      window_->messages().size());
+  ASSERT_EQ(tool().review().proposals.size(), 2u);
+  for (const PaperReview::Proposal& proposal : tool().review().proposals) {
+    const Vec2 middle = proposal.building.box().centre;
+    const QPoint at = window_->canvas().mapFromScene({middle.x(), middle.y()});
+    EXPECT_TRUE(canvas.rect().contains(at));
+    EXPECT_FALSE(covered.contains(at)) << at.x() << ", " << at.y();
+  }
 }
 
 TEST_F(PaperWindow, APageWithoutShapesIsToldAndNothingChanges) {

@@ -124,10 +124,13 @@ bool PaperTool::key(const ToolKey& key) {
 }
 
 void PaperTool::finish() {
-  std::vector<Building> buildings;
-  for (const PaperReview::Proposal& proposal : review_.proposals)
-    if (proposal.taken) buildings.push_back(proposal.building);
-  Q_EMIT taken(buildings);
+  std::vector<std::size_t> ticked;
+  for (std::size_t i = 0; i < review_.proposals.size(); ++i)
+    if (review_.proposals[i].taken) ticked.push_back(i);
+  Q_EMIT taken(ticked);
+}
+
+void PaperTool::endReview() {
   setReview({});
   Q_EMIT finished();
 }

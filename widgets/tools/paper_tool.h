@@ -44,13 +44,16 @@ class PaperTool : public Tool {
   void paint(ToolPaint& canvas) const override;
 
   void setReview(PaperReview review);
+  /// What was ticked is in the drawing.
+  void endReview();
   /// A newer one of the same page: what was ticked or not stays so.
   void renewReview(PaperReview review);
   const PaperReview& review() const { return review_; }
   int takenCount() const;
 
  Q_SIGNALS:
-  void taken(const std::vector<handmap::Building>& buildings);
+  /// Indices of the proposals that are ticked. Whoever could take them ends the review.
+  void taken(const std::vector<std::size_t>& proposals);
   void abandoned();
 
  private:

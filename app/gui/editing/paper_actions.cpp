@@ -30,6 +30,7 @@ constexpr auto kCameraKey = "paper/camera";
 constexpr auto kPaperTopic = "paper";
 constexpr double kPaperWidth_m = 200.0;
 constexpr double kLargestSheet_m = 4800.0;
+constexpr double kRoomForMessage = 0.3;  // below the page, of its height, in a small window
 
 std::filesystem::path localFile(const QString& path) {
   return QFile::encodeName(path).toStdString();
@@ -123,15 +124,15 @@ void PaperActions::show(const std::shared_ptr<const PaperReading>& reading, cons
   }
   reading_ = reading;
   photo_ = path;
-  const auto place = placeOfReading();
-  if (!place) return shell_.messages.withdraw(kPaperTopic);
-  place_ = *place;
+  if (!findPlace()) return shell_.messages.withdraw(kPaperTopic);
   begin(*reading);
   shell_.messages.show(
       MessageBar::Kind::Info,
       tr("%n closed shape(s) are found.", nullptr, static_cast<int>(trace.shapes.size())),
       trace.covered ? tr("Something lies over the sheet: what it hides is not ticked.")
-                    : tr("Click those that are no buildings, then press Enter."),
+      : isPlaceUnread(trace)
+          ? tr("The code on the sheet cannot be read: it lies where the drawing is printed now.")
+          : tr("Click those that are no buildings, then press Enter."),
       kPaperTopic);
 }
 
@@ -156,9 +157,11 @@ PaperReview PaperActions::reviewOf(const PaperReading& reading) const {
 
 /// All of the page in the window, to be looked through.
 void PaperActions::begin(const PaperReading& reading) {
-  const double scale = place_.metres_per_pixel;
   const cv::Mat& page = reading.trace.page.image;
-  canvas_.zoomToRect({place_.corner.x(), place_.corner.y(), scale * page.cols, scale * page.rows});
+  const QSizeF size = place_.metres_per_pixel * QSizeF(page.cols, page.rows);
+  const double below = kRoomForMessage * size.height();
+  canvas_.zoomToRect(
+      {place_.corner.x(), place_.corner.y() - below, size.width(), size.height() + below});
   canvas_.setTool(ToolId::Paper);
   tool_.setReview(reviewOf(reading));
   canvas_.setFocus();
@@ -177,6 +180,7 @@ void PaperActions::openCamera() {
   ++request_;
   tool_.cancel();
   reading_.reset();
+  width_m_.reset();
   const QString folder = shell_.settings.value(kPaperFolderKey, QDir::homePath()).toString();
   photo_ = QDir(folder).filePath(QStringLiteral("camera.png"));
   camera_.watch(source);
@@ -195,11 +199,11 @@ void PaperActions::tellOfCamera(MessageBar::Kind kind, const QString& words, con
 
 void PaperActions::follow(const std::shared_ptr<const PaperReading>& reading) {
   const bool first = reading_ == nullptr;
+  // Another sheet may have been laid there.
+  const bool other = !first && reading->trace.page.sheet != reading_->trace.page.sheet;
   reading_ = reading;
+  if (first || other) place_ = placeOf(reading->trace.page, *sheetOf(*reading->trace.page.sheet));
   if (first) {
-    const auto place = placeOfReading();
-    if (!place) return camera_.stop();
-    place_ = *place;
     begin(*reading);
   } else {
     tool_.renewReview(reviewOf(*reading));
@@ -219,12 +223,19 @@ void PaperActions::tellSight(SheetSight sight) {
   }
 }
 
-std::optional<PagePlace> PaperActions::placeOfReading() {
+bool PaperActions::findPlace() {
   const Trace& trace = reading_->trace;
+  width_m_.reset();
   if (trace.page.sheet) {
-    if (const auto told = sheetOf(*trace.page.sheet)) return placeOf(trace.page, *told);
+    if (const auto told = sheetOf(*trace.page.sheet)) {
+      place_ = placeOf(trace.page, *told);
+      return true;
+    }
     const Sheet sheet = sheetFor(document_.map());
-    if (sheet.code.square_m == trace.page.sheet->square_m) return placeOf(trace.page, sheet);
+    if (sheet.code.square_m == trace.page.sheet->square_m) {
+      place_ = placeOf(trace.page, sheet);
+      return true;
+    }
     shell_.messages.show(MessageBar::Kind::Warning,
                          tr("Another drawing is printed on this sheet, or this one has changed."),
                          tr("Say how wide it is instead."), kPaperTopic);
@@ -232,8 +243,10 @@ std::optional<PagePlace> PaperActions::placeOfReading() {
   const QList<double> width = shell_.dialogs.numbers(
       tr("How large is it?"),
       {{tr("From the leftmost building to the rightmost"), kPaperWidth_m, 1.0, 1e5, 0, tr(" m")}});
-  if (width.isEmpty()) return std::nullopt;
-  return placeOfDrawing(trace, width.front());
+  if (width.isEmpty()) return false;
+  width_m_ = width.front();
+  place_ = placeOfDrawing(trace, sureShapes(trace), *width_m_);
+  return true;
 }
 
 /// Beside the drawing, or beside the photo where the drawing has no file yet; a new one.
@@ -246,20 +259,25 @@ QString PaperActions::pictureFile() const {
   return path;
 }
 
-void PaperActions::take(const std::vector<Building>& buildings) {
-  camera_.stop();
+void PaperActions::take(const std::vector<std::size_t>& shapes) {
   const QString picture = pictureFile();
   try {
     writeFileAtomically(localFile(picture), reading_->page);
   } catch (const Error& error) {
-    return tell(failureOf(error));
+    return tell({error.code(), failureOf(error).message,
+                 tr("The page is kept beside the drawing. Save the drawing where there is room, "
+                    "then press Enter again.")});
   }
+  camera_.stop();
+  const Trace& trace = reading_->trace;
+  if (width_m_) place_ = placeOfDrawing(trace, shapes, *width_m_);
   const QString origin = document_.origin();
   const std::string named = origin.isEmpty() ? picture.toStdString()
                                              : referenceFrom(localFile(origin), localFile(picture));
   const bool was_empty = document_.map().buildings.empty();
   MapChange changed, added;
-  for (const Building& building : buildings) {
+  for (const std::size_t shape : shapes) {
+    const Building building = buildingOf(trace.shapes[shape], trace.ink, place_);
     const Building* under = buildingUnder(document_.map(), building);
     if (!under) {
       added.buildings.push_back(building);
@@ -268,7 +286,7 @@ void PaperActions::take(const std::vector<Building>& buildings) {
     changed.buildings.push_back(*under);
     changed.buildings.back().shape = building.shape;
   }
-  const Page& page = reading_->trace.page;
+  const Page& page = trace.page;
   if (page.sheet && !page.sheet->of_map) added.start = emptySheet(*page.sheet).start;
   const bool was_trusted = trust_.allows();
   const QString text = tr("Take Over from Paper");
@@ -280,10 +298,11 @@ void PaperActions::take(const std::vector<Building>& buildings) {
   document_.undoStack().endMacro();
   if (was_trusted) document_.setTrustsReferences(true);  // this one was chosen by hand
   document_.setSelection(keys);
+  tool_.endReview();
   shell_.messages.show(
       MessageBar::Kind::Info,
       tr("%n building(s) are taken over; the page lies under the drawing.", nullptr,
-         static_cast<int>(buildings.size())),
+         static_cast<int>(shapes.size())),
       document_.map().start ? QString() : tr("Say with the start tool (T) where the robot begins."),
       kPaperTopic);
 }

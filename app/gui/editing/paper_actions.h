@@ -44,9 +44,9 @@ class PaperActions : public QObject {
   PaperReview reviewOf(const PaperReading& reading) const;
   void begin(const PaperReading& reading);
   void tell(const Failure& failure);
-  /// Where the page lies; nullopt: nobody says.
-  std::optional<PagePlace> placeOfReading();
-  void take(const std::vector<Building>& buildings);
+  /// Where the page lies; false: nobody says.
+  bool findPlace();
+  void take(const std::vector<std::size_t>& shapes);
   QString pictureFile() const;
   void printSheet();
 
@@ -60,6 +60,7 @@ class PaperActions : public QObject {
   std::shared_ptr<const PaperReading> reading_;
   QString photo_;
   PagePlace place_;
+  std::optional<double> width_m_;                 ///< of what is drawn, as somebody said
   int request_ = 0;                               ///< an answer to an earlier one is dropped
   std::shared_ptr<Lifeline<PaperActions>> self_;  ///< shared with the threads that read
 };

@@ -225,7 +225,7 @@ TEST(TracedMap, IsAsWideAsOneSays) {
   cv::rectangle(page, {200, 200, 200, 150}, {40, 40, 40}, 4);
   cv::rectangle(page, {1000, 500, 200, 150}, {40, 40, 40}, 4);
   const Trace trace = traced(page);
-  const Map map = mapOf(trace, placeOfDrawing(trace, 100.0));
+  const Map map = mapOf(trace, placeOfDrawing(trace, sureShapes(trace), 100.0));
   ASSERT_EQ(map.buildings.size(), 2u);
   const double left = boundsOf(map.buildings[0].footprint()).low.x();
   EXPECT_NEAR(boundsOf(map.buildings[1].footprint()).high.x() - left, 100.0, 0.5);

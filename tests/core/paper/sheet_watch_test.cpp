@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/paper/sheet_marks.h"
+#include "core/paper/traced_map.h"
 #include "tests/core/paper/photographed.h"
 
 namespace handmap {
@@ -85,6 +87,21 @@ TEST(SheetWatch, SeesNothingWhileItMoves) {
               SheetSight::Moving);
   }
   EXPECT_EQ(watch.look(cv::Mat(600, 800, CV_8UC3, cv::Scalar::all(90))), SheetSight::None);
+}
+
+TEST(SheetWatch, AFingerOnTheCodeDoesNotShiftAMap) {
+  Map map;
+  map.buildings.emplace_back().shape = Rectangle{{20.0, 30.0}, 40.0, 20.0, 0.0};
+  const Sheet sheet = sheetFor(map);
+  const cv::Mat print = test::printed(sheet, &map);
+  cv::Mat touched = print.clone();
+  cv::circle(touched, test::onPrint(placeCellPlace(30)), 60, {30, 40, 60}, cv::FILLED, cv::LINE_AA);
+  Table table;
+  SheetWatch watch;
+  EXPECT_EQ(table.look(watch, touched, 3), SheetSight::None);
+  EXPECT_EQ(table.look(watch, print, 2), SheetSight::Seen);
+  EXPECT_EQ(watch.trace().page.sheet, sheet.code);
+  EXPECT_FALSE(isPlaceUnread(watch.trace()));
 }
 
 }  // namespace
