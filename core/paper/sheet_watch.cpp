@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <opencv2/core.hpp>
+
 #include "core/paper/blots.h"
 #include "core/paper/sheet_marks.h"
 

@@ -72,6 +72,10 @@ Underlay underlayOf(const Page& page, const PagePlace& place, const std::string&
   underlay.image = image;
   underlay.x = place.corner.x();
   underlay.y = place.corner.y() + place.metres_per_pixel * page.image.rows;
+  if (page.sheet) {  // no whole number of pixels: its corner is to be told from this
+    underlay.y = place.corner.y() +
+                 place.metres_per_pixel * page.image.cols * kSheetHeight_mm / kSheetWidth_mm;
+  }
   underlay.metres_per_pixel = place.metres_per_pixel;
   underlay.opacity = kOpacity;
   underlay.unknown[kPaperKey] =

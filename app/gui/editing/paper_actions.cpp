@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 #include <variant>
 
 #include "app/gui/files/file_actions.h"
@@ -181,8 +182,9 @@ void PaperActions::openCamera() {
   tool_.cancel();
   reading_.reset();
   width_m_.reset();
-  const QString folder = shell_.settings.value(kPaperFolderKey, QDir::homePath()).toString();
-  photo_ = QDir(folder).filePath(QStringLiteral("camera.png"));
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QDir folder(QDir(pictures).exists() ? pictures : QDir::homePath());
+  photo_ = folder.filePath(QStringLiteral("camera.png"));
   camera_.watch(source);
   tellOfCamera(MessageBar::Kind::Info, tr("Looking through “%1”…").arg(source));
 }

@@ -114,6 +114,21 @@ TEST(Sheet, IsTheOneThatTheMapWasDrawnOn) {
   EXPECT_EQ(sheetFor(map).code.square_m, 50.0);
 }
 
+TEST(Sheet, IsTheOneThatTheMapWasDrawnOnWhateverThePhotoMeasures) {
+  const Sheet sheet = emptySheet(200.0);
+  const cv::Mat print = drawnOn(sheet);
+  for (const int width : {1200, 1301, 1402, 1503}) {
+    cv::Mat photo;
+    cv::resize(print, photo, {width, width * print.rows / print.cols}, 0, 0, cv::INTER_AREA);
+    const Trace trace = traced(photo);
+    ASSERT_TRUE(trace.page.sheet) << width;
+    const PagePlace place = placeOf(trace.page, sheet);
+    Map map = mapOf(trace, place);
+    map.underlays = {underlayOf(trace.page, place, "page.png")};
+    EXPECT_TRUE(sheetUnder(map)) << width << ": " << trace.page.image.size();
+  }
+}
+
 TEST(Sheet, IsAsLargeAsThePlaceNeeds) {
   EXPECT_EQ(emptySheet(24.0).code.square_m, 1.0);
   EXPECT_EQ(emptySheet(200.0).code.square_m, 10.0);
