@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/paper/blots.h"
 #include "core/paper/sheet_marks.h"
@@ -14,13 +15,23 @@ namespace {
 constexpr double kStill = 0.004;    // of the longer side of an image, from one to the next
 constexpr double kSameShape = 0.5;  // intersection over union
 constexpr double kUnchanged = 0.9;
-constexpr int kComes = 2;  // images
+constexpr int kComparedWidth = 360;  // pixels, against noise
+constexpr double kOtherGrey = 16.0;  // grey levels there
+constexpr int kComes = 2;            // images
 constexpr int kChanges = 2;
 constexpr int kGoes = 3;
+
+cv::Mat smallGrey(const cv::Mat& page) {
+  cv::Mat small;
+  cv::cvtColor(page, small, cv::COLOR_BGR2GRAY);
+  cv::resize(small, small, {kComparedWidth, kComparedWidth * 2 / 3}, 0, 0, cv::INTER_AREA);
+  return small;
+}
 
 }  // namespace
 
 SheetSight SheetWatch::look(const cv::Mat& image) {
+  is_new_ = false;
   const auto seen = sheetOn(image);
   if (!seen || !sheetOf(seen->code)) {
     before_.reset();
@@ -30,7 +41,11 @@ SheetSight SheetWatch::look(const cv::Mat& image) {
   Page page = straightened(image, seen->grid, kSheetWidth_mm / kSheetHeight_mm);
   page.edges_found = true;
   page.sheet = seen->code;
+  if (trace_.page.sheet == page.sheet && isSettled() && looksAsBefore(page.image))
+    return SheetSight::Seen;
   if (cv::countNonZero(coverOf(page.image)) > 0) return SheetSight::Covered;
+  traced_ = smallGrey(page.image);
+  is_new_ = true;
   Trace trace = traced(std::move(page));
   settle(std::move(trace.shapes));
   trace_ = std::move(trace);
@@ -42,6 +57,17 @@ SheetSight SheetWatch::look(const cv::Mat& image) {
     numbers_.push_back(watched.number);
   }
   return SheetSight::Seen;
+}
+
+bool SheetWatch::isSettled() const {
+  return std::ranges::all_of(watched_, [](const Watched& watched) {
+    return watched.seen >= kComes && watched.missing == 0 && watched.other == 0;
+  });
+}
+
+/// As the one that was traced.
+bool SheetWatch::looksAsBefore(const cv::Mat& page) const {
+  return cv::norm(smallGrey(page), traced_, cv::NORM_INF) < kOtherGrey;
 }
 
 bool SheetWatch::isStill(const Quad& grid, const cv::Size& image) {

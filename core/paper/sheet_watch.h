@@ -11,7 +11,7 @@ enum class SheetSight {
   None,     ///< its four marks and its code are not all seen
   Covered,  ///< a hand lies over it
   Moving,   ///< since the image before
-  Seen      ///< and the trace is of this image
+  Seen      ///< whole: what is drawn can be told
 };
 
 /// Follows the pen: what was found stays as it is while a hand is over it, and does not tremble
@@ -22,8 +22,11 @@ class SheetWatch {
   /// Of any size, one channel or three.
   SheetSight look(const cv::Mat& image);
 
-  /// The newest that was seen whole, with the shapes that are settled.
+  /// Of the newest that was seen and looks otherwise than those before; with the shapes that are
+  /// settled.
   const Trace& trace() const { return trace_; }
+  /// Whether that is of the image that was looked at last.
+  bool isNew() const { return is_new_; }
   /// Of each shape of the trace, for good.
   const std::vector<int>& numbers() const { return numbers_; }
 
@@ -38,12 +41,16 @@ class SheetWatch {
   };
 
   bool isStill(const Quad& grid, const cv::Size& image);
+  bool looksAsBefore(const cv::Mat& page) const;
+  bool isSettled() const;
   void settle(std::vector<TracedShape> shapes);
 
   std::optional<Quad> before_;
   std::vector<Watched> watched_;
   int next_ = 1;
+  cv::Mat traced_;  ///< the page that was traced, small
   Trace trace_;
+  bool is_new_ = false;
   std::vector<int> numbers_;
 };
 

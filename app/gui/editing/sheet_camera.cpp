@@ -79,7 +79,7 @@ void SheetCamera::watch(const QString& source) {
           if (sight != before)
             post([sight](SheetCamera& camera) { Q_EMIT camera.sightChanged(sight); });
           before = sight;
-          if (sight == SheetSight::Seen) {
+          if (watch.isNew()) {
             auto reading = std::make_shared<PaperReading>();
             reading->trace = watch.trace();
             reading->numbers = watch.numbers();

@@ -89,6 +89,22 @@ TEST(SheetWatch, SeesNothingWhileItMoves) {
   EXPECT_EQ(watch.look(cv::Mat(600, 800, CV_8UC3, cv::Scalar::all(90))), SheetSight::None);
 }
 
+TEST(SheetWatch, WhatIsSettledIsTracedAgainOnlyWhereItLooksOtherwise) {
+  Table table;
+  SheetWatch watch;
+  cv::Mat print = test::printed(emptySheet(200.0));
+  test::penned(print, kFirst);
+  table.look(watch, print, 4);
+  ASSERT_EQ(watch.trace().shapes.size(), 1u);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(table.look(watch, print), SheetSight::Seen);
+    EXPECT_FALSE(watch.isNew()) << i;
+  }
+  test::penned(print, {{150, 40}, {158, 40}});  // a short stroke
+  EXPECT_EQ(table.look(watch, print), SheetSight::Seen);
+  EXPECT_TRUE(watch.isNew());
+}
+
 TEST(SheetWatch, AFingerOnTheCodeDoesNotShiftAMap) {
   Map map;
   map.buildings.emplace_back().shape = Rectangle{{20.0, 30.0}, 40.0, 20.0, 0.0};
