@@ -5,7 +5,9 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QSet>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextDocument>
 
 #include "app/gui/window/guide_pictures.h"
 #include "tests/journeys/window_test.h"
@@ -59,6 +61,29 @@ TEST(Guide, LeadsNowhereInVainAndShowsAllItsPictures) {
   for (const QString& name : GuidePictures::names()) {
     EXPECT_TRUE(QFile::exists(QStringLiteral("%1/en/pictures/%2.png").arg(kGuide, name)))
         << name.toStdString();
+  }
+}
+
+/// Marks of Markdown that stand among the words; code may have them.
+QStringList marksAmongWords(const QTextDocument& page) {
+  QStringList all;
+  for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().hasProperty(QTextFormat::BlockCodeFence)) continue;
+    for (auto piece = block.begin(); !piece.atEnd(); ++piece) {
+      const QTextFragment words = piece.fragment();
+      if (!words.charFormat().fontFixedPitch() && words.text().contains('*')) all << words.text();
+    }
+  }
+  return all;
+}
+
+TEST(Guide, ShowsNoMarksOfItsMarkdown) {
+  for (const char* language : {"en", "ja"}) {
+    for (const QString& name : pagesIn(language)) {
+      QTextDocument page;
+      page.setMarkdown(textOf(kGuide + '/' + language + '/' + name));
+      EXPECT_EQ(marksAmongWords(page), QStringList()) << language << '/' << name.toStdString();
+    }
   }
 }
 
