@@ -95,7 +95,7 @@ class Playground::Answers : public Dialogs {
     return values;
   }
   QString typedOrKnown(const QString&, const QString&, const QStringList&) override {
-    return choose({"photo.png", "gone.avi"});
+    return choose(QStringList{"photo.png", "gone.avi"});
   }
 
  private:
