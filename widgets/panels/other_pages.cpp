@@ -180,6 +180,7 @@ void MapPage::refresh() {
   turn_sigma_->showValue(toDegrees(map.whole.turn.value_or(kUsualTurnSigma)));
   shift_sigma_->showValue(map.shiftSigma());
   for (NumberField* field : {scale_sigma_, turn_sigma_}) field->setEnabled(known);
+  shift_sigma_->setEnabled(known || map.whole.shift);
   const Georeference georeference = map.georeference.value_or(Georeference{});
   georeferenced_->setChecked(map.georeference.has_value());
   latitude_->showValue(georeference.latitude);
