@@ -30,7 +30,7 @@ constexpr double kLeastTogether = 3.0;
 /// How the map lies: shift and turn of the whole about the start, and how far the buildings that
 /// are not drawn right are off together.
 using Lie = Eigen::Matrix<double, 5, 1>;
-using Covariance = Eigen::Matrix<double, 5, 5>;
+using LieMatrix = Eigen::Matrix<double, 5, 5>;
 
 /// How far a side that was seen lies from where it is drawn, outwards.
 struct SideError {
@@ -131,7 +131,7 @@ class Mixture {
   }
 
   const Lie& lie() const { return lie_; }
-  const Covariance& covariance() const { return covariance_; }
+  const LieMatrix& covariance() const { return covariance_; }
   /// 0 where nothing was seen.
   double shareSeen() const {
     const auto seen = std::count_if(buildings_.begin(), buildings_.end(),
@@ -188,7 +188,7 @@ class Mixture {
     double count = 0.0;
     double squares = kStatedSides;
     double sides = kStatedSides;
-    Covariance information = prior_;
+    LieMatrix information = prior_;
     Lie pull = Lie::Zero();
     for (const Compared& building : buildings_) {
       if (building.sides.empty()) continue;
@@ -218,11 +218,11 @@ class Mixture {
   }
 
   std::vector<Compared> buildings_;
-  Covariance prior_;    ///< information
+  LieMatrix prior_;     ///< information
   double share_ = 0.5;  ///< of buildings that are drawn right
   double worse_ = 1.0;  ///< the others are off by so many times what the drawing says
   Lie lie_ = Lie::Zero();
-  Covariance covariance_ = Covariance::Zero();  ///< of it
+  LieMatrix covariance_ = LieMatrix::Zero();  ///< of it
   double log_density_ = 0.0;
 };
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/paper/candidates.h"
+#include "core/paper/disc.h"
 
 namespace handmap {
 
@@ -18,11 +19,6 @@ constexpr double kOtherLight = 0.4;  // of the paper's
 constexpr double kThick = 3.0;       // strokes wide: what is less may be one
 constexpr double kStick = 6.0;       // length over width: a pen
 constexpr double kBlotSolid = 0.8;   // of its convex hull
-
-cv::Mat round(double radius) {
-  const int r = std::max(1, static_cast<int>(std::lround(radius)));
-  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * r + 1, 2 * r + 1});
-}
 
 bool isSolid(const std::vector<cv::Point>& outline) {
   std::vector<cv::Point> hull;
@@ -51,7 +47,7 @@ cv::Mat coverOf(const cv::Mat& page) {
   cv::absdiff(channels[1], cv::Scalar(paper[1]), a);
   cv::absdiff(channels[2], cv::Scalar(paper[2]), b);
   cv::Mat other = (cv::max(a, b) > kOtherColour) | (channels[0] < kOtherLight * paper[0]);
-  cv::morphologyEx(other, other, cv::MORPH_OPEN, round(kCoverBroad * kCoverSide_px));
+  cv::morphologyEx(other, other, cv::MORPH_OPEN, disc(kCoverBroad * kCoverSide_px));
   cv::Mat labels, stats, centres;
   const int count = cv::connectedComponentsWithStats(other, labels, stats, centres, 8);
   for (int i = 1; i < count; ++i) {
@@ -70,7 +66,7 @@ Blots blotsOf(const Ink& ink, const PageScale& scale) {
   Blots blots;
   const double thick_px = std::max(kThick * scale.stroke_px, scale.least_px / 2.0);
   cv::Mat thick;
-  cv::morphologyEx(ink.mask, thick, cv::MORPH_OPEN, round(thick_px / 2.0));
+  cv::morphologyEx(ink.mask, thick, cv::MORPH_OPEN, disc(thick_px / 2.0));
   blots.foreign = cv::Mat::zeros(thick.size(), CV_8U);
   const cv::Rect inner(2 * marginOf(thick.size()) + 2, 2 * marginOf(thick.size()) + 2,
                        std::max(0, thick.cols - 4 * marginOf(thick.size()) - 4),
@@ -92,7 +88,7 @@ Blots blotsOf(const Ink& ink, const PageScale& scale) {
       blots.filled.push_back(std::move(blot));
     }
   }
-  cv::dilate(blots.foreign, blots.foreign, round(2.0 * scale.stroke_px));
+  cv::dilate(blots.foreign, blots.foreign, disc(2.0 * scale.stroke_px));
   return blots;
 }
 

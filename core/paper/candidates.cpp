@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/paper/blots.h"
+#include "core/paper/disc.h"
 #include "core/paper/strokes.h"
 
 namespace handmap {
@@ -28,11 +29,6 @@ constexpr double kLetters = 4.0;  // writing reaches across no more than its hei
 constexpr double kWord = 1.7;     // less thick, and it is the word itself
 constexpr double kBeyond = 3.0;   // a drawing's box over that of what it encloses
 constexpr double kSolid = 0.8;    // of the convex hull: what is left without its writing
-
-cv::Mat disc(double radius) {
-  const int r = std::max(1, static_cast<int>(std::lround(radius)));
-  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * r + 1, 2 * r + 1});
-}
 
 cv::Mat onPage(const Region& region, const cv::Rect& area) {
   cv::Mat mask = cv::Mat::zeros(area.size(), CV_8U);

@@ -7,6 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/paper/disc.h"
 #include "core/paper/paper_pieces.h"
 
 namespace handmap {
@@ -129,8 +130,7 @@ cv::Mat withoutHatching(const Ink& ink) {
       for (int x = box.x; x < box.br().x; ++x)
         if (groupAt(y, x) == group && ink.mask.at<std::uint8_t>(y, x) == 0)
           own.at<std::uint8_t>(y - box.y + 2 * reach, x - box.x + 2 * reach) = 255;
-    cv::morphologyEx(own, own, cv::MORPH_CLOSE,
-                     cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * reach + 1, 2 * reach + 1}));
+    cv::morphologyEx(own, own, cv::MORPH_CLOSE, disc(reach));
     left(box).setTo(0, own(cv::Rect(2 * reach, 2 * reach, box.width, box.height)));
   }
   return left;

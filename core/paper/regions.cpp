@@ -5,6 +5,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/paper/disc.h"
+
 namespace handmap {
 
 namespace {
@@ -32,10 +34,8 @@ Region regionOf(const cv::Mat& mask, const cv::Rect& box, double stroke_px) {
   Region region;
   region.box = box;
   region.area = cv::countNonZero(mask);
-  const int half = std::max(1, static_cast<int>(std::lround(stroke_px / 2.0)));
-  const cv::Mat grow = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * half + 1, 2 * half + 1});
   cv::Mat grown;
-  cv::dilate(mask, grown, grow);
+  cv::dilate(mask, grown, disc(stroke_px / 2.0));
   region.outline = fill(grown, region.filled);
   for (cv::Point& p : region.outline) p += box.tl();
   region.filled_area = cv::countNonZero(region.filled);

@@ -7,6 +7,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/paper/disc.h"
 #include "core/paper/paper_pieces.h"
 
 namespace handmap {
@@ -124,10 +125,6 @@ cv::Mat gridLines(const cv::Mat& grid, const cv::Size& size, int thick_px) {
   return lines;
 }
 
-cv::Mat roundedDisc(int radius) {
-  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
-}
-
 }  // namespace
 
 cv::Mat withoutSquares(const cv::Mat& ink, double stroke_px) {
@@ -140,10 +137,10 @@ cv::Mat withoutSquares(const cv::Mat& ink, double stroke_px) {
   const cv::Mat lines = gridLines(*grid, ink.size(), line_px);
   // Strokes along a line are thicker than it.
   cv::Mat thicker = pieces.off_paper_px > kThicker * (stroke_px / 2.0 + 0.5);
-  cv::dilate(thicker, thicker, roundedDisc(line_px / 2 + 1));
+  cv::dilate(thicker, thicker, disc(line_px / 2 + 1));
   cv::Mat strokes = ink & (~lines | thicker);
   cv::Mat joined;
-  cv::morphologyEx(strokes, joined, cv::MORPH_CLOSE, roundedDisc(line_px));
+  cv::morphologyEx(strokes, joined, cv::MORPH_CLOSE, disc(line_px));
   return strokes | (joined & ink & lines);
 }
 

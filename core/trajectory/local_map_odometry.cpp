@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 namespace handmap {
 
 namespace {
@@ -25,12 +23,6 @@ constexpr double kMoveSquare = 18.0;  // in σ²
 
 double explained(const std::optional<ScanMatch>& match) {
   return match ? match->straight_near / std::max(1.0, static_cast<double>(match->straight)) : 0.0;
-}
-
-/// Whether it is told how far the robot went: two long walls leave that to the guess.
-bool isHeld(const Eigen::Matrix3d& information) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information.topLeftCorner<2, 2>());
-  return axes.eigenvalues()(0) > kHeld * axes.eigenvalues()(1);
 }
 
 }  // namespace
@@ -75,7 +67,7 @@ std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>&
   const auto match = bestMatch(scan, prior);
   if (!match || match->matched < kLeastMatched) return std::nullopt;
   noise_.learn(motion, between(prior.from, match->pose));
-  is_held_ = !guessed_ || isHeld(match->information);
+  is_held_ = !guessed_ || weakerShare(*match) > kHeld;
   if (guessed_) return match->pose;
   const Eigen::Vector3d off = prior.motion.at(prior.from, match->pose).residual;
   if (std::abs(off.z()) > kTurnSigmas) return std::nullopt;

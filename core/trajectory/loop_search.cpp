@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/trajectory/scan_match.h"
 
 namespace handmap {
@@ -30,12 +28,6 @@ constexpr int kLeastNear = 60;
 constexpr double kLeastEigenRatio = 0.04;  // a corridor tells nothing along itself
 constexpr double kLeastLoopSigma_m = 0.1;
 constexpr double kFloorTurn = 0.0045;
-
-/// Whether the walls hold the pose in every direction.
-bool holds(const Eigen::Matrix3d& information) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(information.topLeftCorner<2, 2>());
-  return axes.eigenvalues()(0) > kLeastEigenRatio * axes.eigenvalues()(1);
-}
 
 }  // namespace
 
@@ -121,7 +113,7 @@ std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
   PointMap map;
   map.add(target, 0);
   const auto match = matchScan(seen, map, *coarse, kLoopGates_m);
-  if (!match || match->straight_near < kLeastNear || !holds(match->information)) {
+  if (!match || match->straight_near < kLeastNear || !(weakerShare(*match) > kLeastEigenRatio)) {
     return std::nullopt;
   }
   if (match->straight_near < kLeastShare * match->straight) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "core/geometry/to_outer.h"
 
@@ -94,6 +95,12 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
   }
   countNear(match, scan, map);
   return match;
+}
+
+double weakerShare(const ScanMatch& match) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      match.information.topLeftCorner<2, 2>());
+  return axes.eigenvalues()(0) / axes.eigenvalues()(1);
 }
 
 std::optional<Eigen::Matrix3d> rootInformation(const ScanMatch& match,

@@ -30,6 +30,10 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
                                    const Pose2& start, std::span<const double> gates_m,
                                    const std::optional<MotionPrior>& prior = {});
 
+/// What the returns tell of the place in the direction in which they tell least, as a share of what
+/// they tell in the best one.
+double weakerShare(const ScanMatch& match);
+
 /// Root of the information of a match: its returns are wrong together, and poses and walls are off
 /// by `floor_sigma` (x, y, heading) beside. nullopt where the returns do not fix the pose.
 std::optional<Eigen::Matrix3d> rootInformation(const ScanMatch& match,

@@ -24,6 +24,18 @@ namespace {
 
 class LiveWindow : public WindowTest {
  protected:
+  /// Its scans tell the motion, too.
+  static Rig scannerAlone(std::string name) {
+    Rig rig;
+    rig.name = std::move(name);
+    rig.scanner = ScannerRig{};
+    rig.odometry.kind = OdometryRigKind::Scan;
+    return rig;
+  }
+  /// None of its devices ever says anything.
+  static Robot silentRobot(const Rig& rig) {
+    return liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; });
+  }
   static void runVirtualRig(MainWindow& window) {
     RunSetup setup;
     setup.settings.slam.slam_particles = 5;
@@ -115,11 +127,8 @@ TEST_F(LiveWindow, TheWindowClosesInTheMiddleOfADrive) {
 TEST_F(LiveWindow, AStopBeforeTheFirstObservationIsAnEnd) {
   const auto window = open();
   window->sources().openVirtualRig();
-  Rig rig;
-  rig.name = "silent";
-  rig.scanner = ScannerRig{};
-  rig.odometry.kind = OdometryRigKind::Scan;
-  window->sources().setRobot(liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+  Rig rig = scannerAlone("silent");
+  window->sources().setRobot(silentRobot(rig));
   window->runs().runOrResume();
   EXPECT_EQ(window->runs().stateInWords(), "Waiting for the robot");
   QTest::qWait(300);
@@ -132,10 +141,7 @@ TEST_F(LiveWindow, EachDriveGetsThePortOfTheDriveBefore) {
   window->sources().openVirtualRig();
   QTcpServer free;
   ASSERT_TRUE(free.listen(QHostAddress::LocalHost));
-  Rig rig;
-  rig.name = "silent";
-  rig.scanner = ScannerRig{};
-  rig.odometry.kind = OdometryRigKind::Scan;
+  Rig rig = scannerAlone("silent");
   rig.publish.foxglove = free.serverPort();
   free.close();
   const auto is_looked_on = [&] {
@@ -144,8 +150,7 @@ TEST_F(LiveWindow, EachDriveGetsThePortOfTheDriveBefore) {
   };
   for (const bool is_another : {true, false, true, true}) {
     if (is_another) {
-      window->sources().setRobot(
-          liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+      window->sources().setRobot(silentRobot(rig));
     }
     window->runs().runOrResume();
     EXPECT_TRUE(QTest::qWaitFor(is_looked_on, kPatienceMs));
@@ -267,13 +272,10 @@ TEST_F(LiveWindow, ARobotThatWaitsForItsStartOffersToPlaceIt) {
 TEST_F(LiveWindow, WhatRunsAtOnceIsNotAskedFor) {
   const auto window = open();
   window->sources().openVirtualRig();
-  Rig rig;
-  rig.name = "Cart";
-  rig.scanner = ScannerRig{};
-  rig.odometry.kind = OdometryRigKind::Scan;
+  Rig rig = scannerAlone("Cart");
   QObject::connect(&window->sources(), &SourceActions::robotChanged, &window->runs(),
                    &TransportActions::runOrResume, Qt::SingleShotConnection);  // as --run
-  window->sources().useLive(liveRobot(rig, [](const Rig&, RigMonitor&) { return RigDevices{}; }));
+  window->sources().useLive(silentRobot(rig));
   EXPECT_FALSE(message(*window).contains("Press Run")) << message(*window).toStdString();
   action(*window, "run.stop")->trigger();
   ASSERT_TRUE(waitFor(*window, RunState::Idle));

@@ -45,14 +45,12 @@ SheetCamera::~SheetCamera() {
 
 void SheetCamera::stop() {
   stop_.request_stop();
-  watching_ = false;
   ++request_;
 }
 
 void SheetCamera::watch(const QString& source) {
   stop();
   stop_ = {};
-  watching_ = true;
   startInBackground(
       [self = self_, request = request_, stop = stop_.get_token(), source = source.toStdString()] {
         const auto post = [&self, request](auto say) {

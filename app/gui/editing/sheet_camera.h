@@ -25,7 +25,6 @@ class SheetCamera : public QObject {
   /// A device, an address or a video, as a rig names a camera; in place of the one before.
   void watch(const QString& source);
   void stop();
-  bool isWatching() const { return watching_; }
 
  Q_SIGNALS:
   /// Not while a hand is over the sheet, nor while it moves.
@@ -39,8 +38,7 @@ class SheetCamera : public QObject {
   struct Newest;
 
   std::stop_source stop_;
-  int request_ = 0;  ///< what an earlier one says is dropped
-  bool watching_ = false;
+  int request_ = 0;                              ///< what an earlier one says is dropped
   std::shared_ptr<Lifeline<SheetCamera>> self_;  ///< shared with the threads
 };
 

@@ -18,8 +18,8 @@ bool addReturns(const Frame& frame, const Box& box, const SensorModel& sensor,
   const BoxView view(box, frame.pose);
   if (view.inside() || !view.inReach(sensor.rangeLimit())) return false;
   const ReturnFactors factor_of(frame.pose, box, sensor, errors);
-  std::vector<SightEquations> walls(4);
-  std::vector<double> information(4);
+  std::array<SightEquations, 4> walls;
+  std::array<double, 4> information{};
   view.forRays(frame.rays, [&](const FrameRay& ray) {
     if (ray.sight.label == SensorModel::kSilent) return;
     const Entry entry = view.entry(ray);
