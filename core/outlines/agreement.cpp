@@ -25,7 +25,7 @@ constexpr double kStatedSides = 4.0;
 /// are.
 constexpr double kLeastSigma_m = 0.3;
 /// Fewer buildings that are right may be so by chance.
-constexpr double kLeastTogether = 3.0;
+constexpr std::ptrdiff_t kLeastTogether = 3;
 
 /// How the map lies: shift and turn of the whole about the start, and how far the buildings that
 /// are not drawn right are off together.
@@ -119,7 +119,7 @@ class Mixture {
     askew.share_ = 0.5;
     askew.iterate();
     if (askew.log_density_ > log_density_) *this = std::move(askew);
-    if (together() >= kLeastTogether) return;
+    if (countOfRight() >= kLeastTogether) return;
     if (start_is_known) {
       lie_.head<3>().setZero();
       covariance_ = prior_.inverse();
@@ -148,6 +148,11 @@ class Mixture {
       if (round > 0 && log_density_ - before < kSettled) break;
       maximize();
     }
+  }
+
+  std::ptrdiff_t countOfRight() const {
+    return std::ranges::count_if(
+        buildings_, [](const Compared& b) { return !b.sides.empty() && b.right > 0.5; });
   }
 
   double together() const {

@@ -30,15 +30,36 @@ double priorShift(const OutlineTask& task) {
   return std::hypot(task.drawn_shift_m, 0.5 * task.size_m);
 }
 
+/// How far a side may be off, one σ: the row tells that where a house ends in it, else the returns.
+class SpreadAlong {
+ public:
+  SpreadAlong(const Polygon& outline, double prior_m, const OutlineScorer& scorer,
+              const std::optional<RowEnds>& ends)
+      : outline_(outline), prior_m_(prior_m), scorer_(scorer), ends_(ends.value_or(RowEnds{})) {}
+  double operator()(const Vec2& direction) const {
+    const double along = direction.dot(ends_.along);
+    const double end = along > 0.0 ? ends_.to_sigma : ends_.from_sigma;
+    if (std::abs(along) > std::sqrt(0.5) && end > 0.0) return std::hypot(end, kFitSlack_m);
+    return spreadOfSide(outline_, direction, prior_m_, scorer_);
+  }
+
+ private:
+  const Polygon& outline_;
+  double prior_m_;
+  const OutlineScorer& scorer_;
+  RowEnds ends_;
+};
+
 /// As the box() of a building of this outline has them.
-Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer) {
+Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer,
+              const SpreadAlong& spread) {
   const Vec2 first = outline[1] - outline[0];
   const double heading =
       task.rectangle ? std::atan2(first.y(), first.x()) : principalHeading(outline);
   Sides sides;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Vec2 normal = unitVector(heading + static_cast<double>(k) * kPi / 2.0);
-    sides[k].sigma = spreadOfSide(outline, normal, priorShift(task), scorer);
+    sides[k].sigma = spread(normal);
   }
   const std::vector<double> returns = scorer.returnsOf(outline, kFitSlack_m);
   std::array<double, 4> of_side{};
@@ -50,11 +71,10 @@ Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScor
   return sides;
 }
 
-Estimate estimateOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer) {
-  const double prior = priorShift(task);
+Estimate estimateOf(const Polygon& outline, const OutlineTask& task, const OutlineScorer& scorer,
+                    const SpreadAlong& spread) {
   const auto across = [&](const Vec2& direction) {
-    return std::hypot(spreadOfSide(outline, direction, prior, scorer),
-                      spreadOfSide(outline, -direction, prior, scorer));
+    return std::hypot(spread(direction), spread(-direction));
   };
   return {0.5 * across({1.0, 0.0}), 0.5 * across({0.0, 1.0}),
           std::min(across(unitVector(headingOf(outline))), task.size_m),
@@ -72,7 +92,7 @@ class Settling {
         seed_(seed),
         stop_(std::move(stop)),
         owners_(placed.rays.size(), kNobody),
-        in_terrace_(tasks.size(), false),
+        row_ends_(tasks.size()),
         settled_(tasks.size()) {
     for (const OutlineTask& task : tasks) priors_.push_back(priorOf(task));
   }
@@ -86,11 +106,11 @@ class Settling {
     places_ = placesTogether(priors_, placed_, range_limit_m_, owners_, seed_, stop_);
     std::ranges::fill(owners_, kNobody);
     std::ranges::fill(settled_, std::nullopt);
-    for (auto& [b, prior, place] :
+    for (auto& [b, prior, place, ends] :
          dividedTerraces(tasks_, places_, placed_, range_limit_m_, stop_)) {
       priors_[b] = std::move(prior);
       places_[b] = std::move(place);
-      in_terrace_[b] = true;
+      if (places_[b]) row_ends_[b] = ends;
     }
     std::vector<std::size_t> order(tasks_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -121,11 +141,9 @@ class Settling {
       result.outline = at_start ? task.start : task.drawn;
     }
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
-      // Where a house of a terrace ends its neighbour's returns do not tell.
-      const OutlineScorer alone = scorerFor(priors_[i], placed_, range_limit_m_, {}, kNobody);
-      const OutlineScorer& told = in_terrace_[i] ? alone : scorer;
-      result.estimate = estimateOf(result.outline, task, told);
-      result.sides = sidesOf(result.outline, task, told);
+      const SpreadAlong spread(result.outline, priorShift(task), scorer, row_ends_[i]);
+      result.estimate = estimateOf(result.outline, task, scorer, spread);
+      result.sides = sidesOf(result.outline, task, scorer, spread);
       own(i, result.outline, scorer);
     }
     return result;
@@ -135,7 +153,7 @@ class Settling {
   FittedOutline fittedBesideOthers(std::size_t i, const OutlineScorer& scorer) const {
     const RandomStream random(seed_, static_cast<std::uint32_t>(i));
     if (places_[i]) {
-      if (in_terrace_[i] || !isDisturbed(i, places_[i]->outline)) return *places_[i];
+      if (row_ends_[i] || !isDisturbed(i, places_[i]->outline)) return *places_[i];
       return searchNear(places_[i]->move, priors_[i], scorer, random, stop_);
     }
     const auto worth = [&](const FittedOutline& place) {
@@ -181,7 +199,7 @@ class Settling {
   RayOwners owners_;
   std::vector<OutlinePrior> priors_;
   std::vector<std::optional<FittedOutline>> places_;
-  std::vector<bool> in_terrace_;
+  std::vector<std::optional<RowEnds>> row_ends_;  ///< of a house of a terrace
   std::vector<std::optional<Polygon>> settled_;
 };
 

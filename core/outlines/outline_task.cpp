@@ -55,7 +55,7 @@ OutlinePrior priorOf(const OutlineTask& task) {
 }
 
 OutlineTask asDrawn(OutlineTask task) {
-  task.start = task.drawn;
+  task.drawn = task.start = task.as_whole;
   task.shift_m = task.drawn_shift_m;
   task.labelled = false;
   return task;

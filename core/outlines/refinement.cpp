@@ -134,7 +134,10 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
   if (to_be_found) {
     const Building& now = found->map.buildings[b];
     task.labelled = isRecognised(now);
-    task.drawn = task.labelled ? carried(task.drawn, found->motion) : now.footprint();
+    task.as_whole = carried(task.drawn, found->motion);
+    task.drawn = task.labelled ? task.as_whole : now.footprint();
+  } else {
+    task.as_whole = task.drawn;
   }
   task.start = task.drawn;
   if (!to_be_found) task.whole = drawing.whole;

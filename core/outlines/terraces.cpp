@@ -5,17 +5,16 @@
 #include <numeric>
 
 #include "core/outlines/joint_places.h"
+#include "core/outlines/row_division.h"
+#include "core/outlines/row_faces.h"
 
 namespace handmap {
 
 namespace {
 
-/// Nats for a drawn building that has a place at all, and for a place that has one: of twenty one
-/// is not there, or was not drawn. Choice.
-constexpr double kIsThere = 3.0;
-/// Of the evidence: less is lost at the ends of the parts, which are not where the houses' are.
-/// Choice; 0.95 to 1.04 in simulated terraces.
-constexpr double kLeastLeft = 0.9;
+/// One house alone is one, whatever else is drawn on it.
+constexpr std::size_t kLeastHouses = 2;
+constexpr double kFaceOff_m = 1.5;             // of a face of a house from that of another; choice
 constexpr double kWallToWall_m = 1.0;          // between places, along the terrace. Choice
 constexpr double kParallel = toRadians(10.0);  // choice
 
@@ -50,6 +49,12 @@ struct Terrace {
   std::vector<std::size_t> houses;
   std::vector<Stretch> places;  ///< of the houses
   double from = 0.0, to = 0.0;
+  bool has(std::size_t b) const { return std::ranges::find(houses, b) != houses.end(); }
+  double middle() const {  // across
+    double sum = 0.0;
+    for (const Stretch& place : places) sum += place.middle / static_cast<double>(places.size());
+    return sum;
+  }
 };
 
 bool isParallel(const Polygon& outline, double heading) {
@@ -67,7 +72,7 @@ Terrace terraceAround(std::size_t first, double heading, const Buildings& buildi
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (std::ranges::find(terrace.houses, k) != terrace.houses.end()) continue;
+      if (terrace.has(k)) continue;
       if (!buildings.hasPlace(k) || !isParallel(places[k]->outline, heading)) continue;
       const Stretch other = stretchOf(places[k]->outline, heading);
       const bool beside = std::ranges::any_of(terrace.places, [&](const Stretch& house) {
@@ -105,7 +110,7 @@ std::vector<std::size_t> drawnOn(const Terrace& terrace, const Buildings& buildi
   std::vector<std::size_t> others;
   for (std::size_t b = 0; b < tasks.size(); ++b) {
     if (buildings.done[b]) continue;
-    if (std::ranges::find(terrace.houses, b) != terrace.houses.end()) continue;
+    if (terrace.has(b)) continue;
     const Stretch drawn = stretchOf(tasks[b].drawn, terrace.heading);
     const double off = tasks[b].drawn_shift_m;
     if (drawn.from > terrace.to + off || drawn.to < terrace.from - off) continue;
@@ -117,117 +122,100 @@ std::vector<std::size_t> drawnOn(const Terrace& terrace, const Buildings& buildi
   return others;
 }
 
-/// Its length shared out among them, in the order and by the sizes of the drawing.
-std::vector<TerraceHouse> divided(const Terrace& terrace, const std::vector<std::size_t>& among,
-                                  const std::vector<OutlineTask>& tasks) {
-  struct Part {
-    std::size_t building;
-    Stretch drawn;
-  };
-  std::vector<Part> parts;
-  double drawn_m = 0.0;
-  for (const std::size_t b : among) {
-    parts.push_back({b, stretchOf(tasks[b].drawn, terrace.heading)});
-    drawn_m += parts.back().drawn.length();
-  }
-  std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.drawn.centre(); });
-  const Vec2 along = unitVector(terrace.heading);
-  std::vector<TerraceHouse> houses;
-  double from = terrace.from;
-  for (const auto& [building, drawn] : parts) {
-    const double width = (terrace.to - terrace.from) * drawn.length() / drawn_m;
-    const Stretch& there = *std::ranges::max_element(terrace.places, {}, [&](const Stretch& house) {
-      return std::min(house.to, from + width) - std::max(house.from, from);
-    });
-    const Vec2 centre = (from + 0.5 * width) * along + there.middle * perpendicular(along);
-    const OutlinePrior prior = priorOf(asDrawn(tasks[building]));
-    houses.push_back(
-        {building, prior, placedOn({centre, width, there.depth, terrace.heading}, prior)});
-    from += width;
-  }
-  return houses;
-}
-
-double priorsOf(const std::vector<TerraceHouse>& houses) {
-  double nats = 0.0;
-  for (const TerraceHouse& house : houses) nats += house.place.prior;
-  return nats;
-}
-
 /// As it is drawn, whatever was found for it.
 double priorAsItIs(std::size_t b, double heading, const Buildings& buildings) {
   const Rectangle box = boundingRectangle(buildings.places[b]->outline, heading);
   return placedOn(box, priorOf(asDrawn(buildings.tasks[b]))).prior;
 }
 
-/// What returns say for any of some outlines, each once.
-class Evidence {
- public:
-  Evidence(const PlacedRays& placed, double range_limit_m)
-      : placed_(placed),
-        range_limit_m_(range_limit_m),
-        nobody_(placed.rays.size(), kNobody),
-        nats_(placed.rays.size(), 0.0F) {}
-  void add(const OutlinePrior& prior, const Polygon& outline) {
-    const OutlineScorer scorer = scorerFor(prior, placed_, range_limit_m_, nobody_, kNobody);
-    for (const OutlineScorer::Standing& claim : scorer.standingFor(outline, kOwnedWithin_m)) {
-      nats_[claim.ray] = std::max(nats_[claim.ray], static_cast<float>(claim.nats()));
-    }
+RowHouse rowHouseOf(std::size_t b, const Terrace& terrace, const Buildings& buildings) {
+  const OutlinePrior prior = priorOf(asDrawn(buildings.tasks[b]));
+  const Rectangle box = boundingRectangle(prior.start, prior.heading);
+  const bool across = std::abs(std::sin(terrace.heading - prior.heading)) > std::sqrt(0.5);
+  const int axis = across ? 1 : 0;
+  const double width = across ? box.depth : box.width;
+  const Stretch drawn = stretchOf(prior.start, terrace.heading);
+  RowHouse house;
+  house.centre = drawn.centre();
+  house.centre_sigma = prior.shift_m;
+  house.width = width * std::exp(prior.expected_log_size[axis]);
+  house.log_width_sigma = prior.log_scale;
+  house.least_width = width * std::exp(prior.least_log_size[axis]);
+  house.most_width = width * std::exp(prior.most_log_size[axis]);
+  house.nats = -0.5 * std::pow((drawn.middle - terrace.middle()) / prior.shift_m, 2);
+  if (!terrace.has(b) && buildings.places[b]) {
+    house.worth_elsewhere = 2.0 * kIsThere + priorAsItIs(b, terrace.heading, buildings);
   }
-  double total() const { return std::accumulate(nats_.begin(), nats_.end(), 0.0); }
-
- private:
-  const PlacedRays& placed_;
-  double range_limit_m_;
-  RayOwners nobody_;
-  std::vector<float> nats_;
-};
-
-struct Division {
-  std::vector<TerraceHouse> houses;
-  double gain = 0.0;  ///< of the priors, nats
-};
-
-/// With those of the others that make it more probable.
-Division divisionOf(const Terrace& terrace, const Buildings& buildings) {
-  std::vector<std::size_t> others = drawnOn(terrace, buildings);
-  std::vector<std::size_t> among = terrace.houses;
-  double before = 0.0;
-  for (const std::size_t b : among) before += priorAsItIs(b, terrace.heading, buildings);
-  Division best;
-  while (!others.empty()) {
-    std::size_t taken = others.size();
-    for (std::size_t k = 0; k < others.size(); ++k) {
-      among.push_back(others[k]);
-      std::vector<TerraceHouse> houses = divided(terrace, among, buildings.tasks);
-      double gain = priorsOf(houses) - before;
-      for (std::size_t n = terrace.houses.size(); n < among.size(); ++n) {
-        const std::size_t b = among[n];
-        gain +=
-            buildings.places[b] ? -kIsThere - priorAsItIs(b, terrace.heading, buildings) : kIsThere;
-      }
-      among.pop_back();
-      if (gain <= best.gain) continue;
-      best = {std::move(houses), gain};
-      taken = k;
-    }
-    if (taken == others.size()) break;
-    among.push_back(others[taken]);
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(taken));
-  }
-  return best;
+  return house;
 }
 
-/// Whether the returns that stood for the houses stand for those of the division.
-bool leavesEvidence(const Division& division, const Terrace& terrace, const Buildings& buildings,
-                    const PlacedRays& placed, double range_limit_m) {
-  Evidence before(placed, range_limit_m);
-  Evidence after(placed, range_limit_m);
-  for (const std::size_t b : terrace.houses) {
-    before.add(priorOf(asDrawn(buildings.tasks[b])), buildings.places[b]->outline);
+/// As deep as its faces are seen; else as what was found there.
+Rectangle boxOf(const RowPart& part, const Terrace& terrace, const RowFaces& faces) {
+  const Stretch& there = *std::ranges::max_element(terrace.places, {}, [&](const Stretch& house) {
+    return std::min(house.to, part.to) - std::max(house.from, part.from);
+  });
+  std::optional<double> low = faces.across(RowFaces::kLow, part.from, part.to);
+  std::optional<double> high = faces.across(RowFaces::kHigh, part.from, part.to);
+  if (low && high && *high - *low < 0.5 * there.depth) low = high = std::nullopt;
+  if (!low && !high) low = there.middle - 0.5 * there.depth;
+  if (!low) low = *high - there.depth;
+  if (!high) high = *low + there.depth;
+  const Vec2 along = unitVector(terrace.heading);
+  return {0.5 * (part.from + part.to) * along + 0.5 * (*low + *high) * perpendicular(along),
+          part.to - part.from, *high - *low, terrace.heading};
+}
+
+RowBand bandOf(const Terrace& terrace) {
+  RowBand band{terrace.heading, terrace.from, terrace.to, 1e300, -1e300};
+  for (const Stretch& place : terrace.places) {
+    band.low = std::min(band.low, place.middle - 0.5 * place.depth - kFaceOff_m);
+    band.high = std::max(band.high, place.middle + 0.5 * place.depth + kFaceOff_m);
   }
-  for (const auto& [building, prior, place] : division.houses) after.add(prior, place.outline);
-  return after.total() >= kLeastLeft * before.total();
+  return band;
+}
+
+/// As its faces are turned, which one house may be not.
+Terrace turned(const Terrace& terrace, double by, const Places& places) {
+  Terrace straight{terrace.heading + by, terrace.houses, {}, 1e300, -1e300};
+  for (const std::size_t b : terrace.houses) {
+    straight.places.push_back(stretchOf(places[b]->outline, straight.heading));
+    straight.from = std::min(straight.from, straight.places.back().from);
+    straight.to = std::max(straight.to, straight.places.back().to);
+  }
+  return straight;
+}
+
+/// Empty where nobody else is of it.
+std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& buildings,
+                                  const PlacedRays& placed) {
+  std::vector<std::size_t> among = drawnOn(terrace, buildings);
+  if (among.empty()) return {};
+  among.insert(among.end(), terrace.houses.begin(), terrace.houses.end());
+  std::ranges::stable_sort(among, {}, [&](std::size_t b) {
+    return stretchOf(asDrawn(buildings.tasks[b]).start, terrace.heading).centre();
+  });
+  std::vector<RowHouse> row;
+  for (const std::size_t b : among) row.push_back(rowHouseOf(b, terrace, buildings));
+  const RowFaces faces(placed, bandOf(terrace));
+  const auto evidence = [&](double from, double to) { return faces.evidence(from, to); };
+  const Vec2 along = unitVector(terrace.heading);
+  std::vector<TerraceHouse> houses;
+  bool more = false;
+  for (const RowPart& part : divideRow(row, terrace.from, terrace.to, evidence)) {
+    if (part.house == kUndrawn) continue;
+    const std::size_t b = among[part.house];
+    const Rectangle box = boxOf(part, terrace, faces);
+    more = more || !terrace.has(b);
+    const OutlinePrior prior = priorOf(asDrawn(buildings.tasks[b]));
+    houses.push_back({b, prior, placedOn(box, prior), {along, part.from_sigma, part.to_sigma}});
+  }
+  for (const std::size_t b : terrace.houses) {
+    const bool is_in =
+        std::ranges::any_of(houses, [&](const TerraceHouse& house) { return house.building == b; });
+    if (!is_in) houses.push_back({b, priorOf(buildings.tasks[b]), std::nullopt, {}});
+  }
+  if (!more) houses.clear();
+  return houses;
 }
 
 }  // namespace
@@ -238,36 +226,26 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
   const RayOwners nobody(placed.rays.size(), kNobody);
   Buildings buildings{tasks, places, std::vector<bool>(tasks.size(), false)};
   std::vector<TerraceHouse> all;
-  const auto divide = [&](const Terrace& terrace, Division division) {
-    if (!leavesEvidence(division, terrace, buildings, placed, range_limit_m)) return false;
-    for (TerraceHouse& house : division.houses) {
-      buildings.done[house.building] = true;
-      scorePlace(house.place, scorerFor(house.prior, placed, range_limit_m, nobody,
-                                        static_cast<int>(house.building)));
-      all.push_back(std::move(house));
-    }
-    return true;
-  };
   for (const std::size_t i : longestFirst(places)) {
     if (stop.stop_requested()) break;
     if (buildings.done[i]) continue;
     const double heading = headingOf(places[i]->outline);
-    Terrace terrace = terraceAround(i, heading, buildings);
-    Division division = divisionOf(terrace, buildings);
-    Terrace across = terraceAround(i, heading + kPi / 2.0, buildings);
-    Division other = divisionOf(across, buildings);
-    if (other.gain > division.gain) {
-      std::swap(terrace, across);
-      std::swap(division, other);
-    }
-    if (division.houses.empty()) continue;
-    for (const std::size_t b : terrace.houses) buildings.done[b] = true;
-    if (divide(terrace, std::move(division))) continue;
-    // Where fronts are stepped the houses that are right would be lost with the others.
-    for (const std::size_t b : terrace.houses) {
-      const Terrace alone = oneHouse(b, terrace.heading, places);
-      Division of_one = divisionOf(alone, buildings);
-      if (!of_one.houses.empty()) divide(alone, std::move(of_one));
+    for (const double along : {heading, heading + kPi / 2.0}) {
+      Terrace terrace = terraceAround(i, along, buildings);
+      if (terrace.houses.size() < kLeastHouses) continue;
+      terrace = turned(terrace, RowFaces(placed, bandOf(terrace)).turn(), places);
+      std::vector<TerraceHouse> houses = divided(terrace, buildings, placed);
+      if (houses.empty()) continue;
+      for (const std::size_t b : terrace.houses) buildings.done[b] = true;
+      for (TerraceHouse& house : houses) {
+        buildings.done[house.building] = true;
+        const int building = static_cast<int>(house.building);
+        if (house.place) {
+          scorePlace(*house.place, scorerFor(house.prior, placed, range_limit_m, nobody, building));
+        }
+        all.push_back(std::move(house));
+      }
+      break;
     }
   }
   return all;

@@ -1,4 +1,4 @@
-// Houses wall to wall: one surface, of which the drawing alone says where a house ends.
+// Houses wall to wall: one surface; the drawing and the steps of its faces say where a house ends.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,24 @@
 
 namespace handmap {
 
+/// How well is told where a house ends along its row, one σ, metres.
+struct RowEnds {
+  Vec2 along = Vec2::UnitX();
+  double from_sigma = 0.0, to_sigma = 0.0;
+};
+
 /// A house of a terrace, looked for as drawn whatever was found for it.
 struct TerraceHouse {
   std::size_t building;
   OutlinePrior prior;
-  FittedOutline place;
+  std::optional<FittedOutline> place;  ///< none: it is none of the terrace, as it seemed
+  RowEnds ends;
 };
 
-/// Places wall to wall are a terrace. Others that are drawn on it, and have no place or one that is
-/// worth less, are to be on it too: it is divided among them all, in the order and by the sizes of
-/// the drawing, as far as that makes it more probable and leaves the evidence. One house alone
-/// takes as much of a wall without ends as it may. The houses of those that were divided.
+/// Places wall to wall are a terrace, of which one house alone takes as much as it may. Where
+/// others are drawn on it, too, it is divided (row_division.h) among those that make it most
+/// probable, by how they are drawn and by the steps of its faces. The houses of those that were
+/// divided.
 std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
                                           const std::vector<std::optional<FittedOutline>>& places,
                                           const PlacedRays& placed, double range_limit_m,

@@ -1,0 +1,212 @@
+#include "core/outlines/row_division.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace handmap {
+
+namespace {
+
+constexpr double kUndrawnLogWidth = 0.5;  // σ, about the mean of the drawn ones; choice
+constexpr double kMostShift = 3.0;        // σ
+constexpr double kShiftStep = 0.5;
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
+double logAdd(double a, double b) {
+  if (a < b) std::swap(a, b);
+  return b == kNever ? a : a + std::log1p(std::exp(b - a));
+}
+
+double squared(double x) { return x * x; }
+
+class Row {
+ public:
+  Row(const std::vector<RowHouse>& houses, double from, double to, const StretchEvidence& evidence)
+      : houses_(houses),
+        from_(from),
+        cells_(std::max(1, static_cast<int>(std::lround((to - from) / kRowCell_m)))),
+        cell_m_((to - from) / cells_) {
+    for (const RowHouse& house : houses) {
+      mean_width_ += house.width / static_cast<double>(houses.size());
+    }
+    evidence_.assign(static_cast<std::size_t>((cells_ + 1) * (cells_ + 1)), 0.0);
+    for (int a = 0; a < cells_; ++a) {
+      for (int b = a + 1; b <= cells_; ++b) at(evidence_, a, b) = evidence(placeOf(a), placeOf(b));
+    }
+  }
+
+  struct Division {
+    double nats = kNever;
+    std::vector<std::size_t> parts;
+  };
+
+  /// All houses lie off by so much, together.
+  void shiftBy(double shift) { shift_ = shift; }
+
+  /// The most probable one.
+  Division best() const {
+    // best[n][c]: of the row up to c, the first n houses decided; of those that end by an undrawn
+    // thing apart, as two of them are one.
+    const std::size_t n = houses_.size();
+    struct Step {
+      double nats = kNever;
+      std::size_t houses = 0;
+      int cell = 0;
+      std::size_t part = kUndrawn;
+      bool cut = false;
+      bool undrawn_before = false;
+    };
+    const auto table = [&] {
+      return std::vector<std::vector<Step>>(n + 1, std::vector<Step>(cells_ + 1));
+    };
+    auto drawn = table();
+    auto undrawn = table();
+    drawn[0][0] = {0.0};
+    const auto better = [](Step& step, const Step& other) {
+      if (other.nats > step.nats) step = other;
+    };
+    for (std::size_t h = 0; h <= n; ++h) {
+      for (int c = 0; c <= cells_; ++c) {
+        if (h > 0) {
+          const double skipped = houses_[h - 1].worth_elsewhere;
+          for (auto* of : {&drawn, &undrawn}) {
+            Step skip = (*of)[h - 1][c];
+            skip = {skip.nats + skipped, h - 1, c, kUndrawn, false, of == &undrawn};
+            better((*of)[h][c], skip);
+          }
+          for (int a = 0; a < c; ++a) {
+            const double nats = houseNats(h - 1, a, c);
+            if (nats == kNever) continue;
+            better(drawn[h][c], {drawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, false});
+            better(drawn[h][c], {undrawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, true});
+          }
+        }
+        for (int a = 0; a < c; ++a) {
+          better(undrawn[h][c],
+                 {drawn[h][a].nats + undrawnNats(a, c), h, a, kUndrawn, true, false});
+        }
+      }
+    }
+    Division division;
+    bool in_undrawn = undrawn[n][cells_].nats > drawn[n][cells_].nats;
+    const Step* step = &(in_undrawn ? undrawn : drawn)[n][cells_];
+    division.nats = step->nats;
+    if (step->nats == kNever) return division;
+    std::size_t h = n;
+    for (int c = cells_; c > 0 || h > 0;) {
+      if (step->cut) division.parts.push_back(step->part);
+      h = step->houses;
+      c = step->cell;
+      step = &(step->undrawn_before ? undrawn : drawn)[h][c];
+    }
+    std::ranges::reverse(division.parts);
+    return division;
+  }
+
+  /// Forwards and backwards along the row.
+  std::vector<RowPart> placed(const std::vector<std::size_t>& parts) const {
+    const std::size_t n = parts.size();
+    std::vector<std::vector<double>> before(n + 1, std::vector<double>(cells_ + 1, kNever));
+    std::vector<std::vector<double>> after = before;
+    before[0][0] = 0.0;
+    after[n][cells_] = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      for (int a = 0; a < cells_; ++a) {
+        if (before[k][a] == kNever) continue;
+        for (int b = a + 1; b <= cells_; ++b) {
+          before[k + 1][b] = logAdd(before[k + 1][b], before[k][a] + partNats(parts[k], a, b));
+        }
+      }
+    }
+    for (std::size_t k = n; k-- > 0;) {
+      for (int a = 0; a < cells_; ++a) {
+        for (int b = a + 1; b <= cells_; ++b) {
+          if (after[k + 1][b] == kNever) continue;
+          after[k][a] = logAdd(after[k][a], after[k + 1][b] + partNats(parts[k], a, b));
+        }
+      }
+    }
+    std::vector<RowPart> placed;
+    double from = from_;
+    double from_sigma = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      double sum = 0.0, mean = 0.0, square = 0.0;
+      for (int c = 0; c <= cells_; ++c) {
+        const double p = std::exp(before[k + 1][c] + after[k + 1][c] - before[n][cells_]);
+        sum += p;
+        mean += p * placeOf(c);
+      }
+      mean /= sum;
+      for (int c = 0; c <= cells_; ++c) {
+        const double p = std::exp(before[k + 1][c] + after[k + 1][c] - before[n][cells_]);
+        square += p / sum * squared(placeOf(c) - mean);
+      }
+      const double sigma = std::sqrt(square);
+      placed.push_back({parts[k], from, mean, from_sigma, sigma});
+      from = mean;
+      from_sigma = sigma;
+    }
+    return placed;
+  }
+
+ private:
+  double placeOf(int cell) const { return from_ + cell * cell_m_; }
+  const double& at(const std::vector<double>& of, int a, int b) const {
+    return of[static_cast<std::size_t>(a * (cells_ + 1) + b)];
+  }
+  double& at(std::vector<double>& of, int a, int b) const {
+    return of[static_cast<std::size_t>(a * (cells_ + 1) + b)];
+  }
+
+  double houseNats(std::size_t h, int a, int b) const {
+    const RowHouse& house = houses_[h];
+    const double width = (b - a) * cell_m_;
+    if (width < house.least_width || width > house.most_width) return kNever;
+    const double off = 0.5 * (placeOf(a) + placeOf(b)) - house.centre - shift_;
+    return kIsThere + house.nats + at(evidence_, a, b) - 0.5 * squared(off / house.centre_sigma) -
+           0.5 * squared(std::log(width / house.width) / house.log_width_sigma);
+  }
+  double undrawnNats(int a, int b) const {
+    const double log_width = std::log((b - a) * cell_m_ / mean_width_);
+    return -kIsThere + at(evidence_, a, b) - 0.5 * squared(log_width / kUndrawnLogWidth);
+  }
+  double partNats(std::size_t part, int a, int b) const {
+    return part == kUndrawn ? undrawnNats(a, b) : houseNats(part, a, b);
+  }
+
+  const std::vector<RowHouse>& houses_;
+  double from_;
+  int cells_;
+  double cell_m_;
+  double mean_width_ = 0.0;
+  double shift_ = 0.0;
+  std::vector<double> evidence_;  ///< of a stretch from cell to cell
+};
+
+}  // namespace
+
+std::vector<RowPart> divideRow(const std::vector<RowHouse>& houses, double from, double to,
+                               const StretchEvidence& evidence) {
+  if (houses.empty() || to - from < kRowCell_m) return {};
+  Row row(houses, from, to, evidence);
+  double shift_sigma = 0.0;
+  for (const RowHouse& house : houses) {
+    shift_sigma += house.centre_sigma / static_cast<double>(houses.size());
+  }
+  Row::Division best;
+  double best_shift = 0.0;
+  for (double sigmas = -kMostShift; sigmas <= kMostShift; sigmas += kShiftStep) {
+    row.shiftBy(sigmas * shift_sigma);
+    Row::Division division = row.best();
+    division.nats -= 0.5 * squared(sigmas);
+    if (division.nats <= best.nats) continue;
+    best = std::move(division);
+    best_shift = sigmas * shift_sigma;
+  }
+  row.shiftBy(best_shift);
+  return row.placed(best.parts);
+}
+
+}  // namespace handmap

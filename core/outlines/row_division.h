@@ -1,0 +1,47 @@
+// Where houses that stand wall to wall end, as what is drawn and what was seen of their fronts tell
+// it together: a hidden semi-Markov model along the row, solved exactly.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace handmap {
+
+/// A drawn house that may be of the row. Places along the row, metres; nats.
+struct RowHouse {
+  double centre = 0.0;
+  double centre_sigma = 1.0;
+  double width = 0.0;
+  double log_width_sigma = 0.3;
+  double least_width = 0.0;
+  double most_width = 0.0;
+  double nats = 0.0;             ///< that it is of the row at all, beside what is said above
+  double worth_elsewhere = 0.0;  ///< where it is not of the row, against not being there at all
+};
+
+/// Between places where a house may end, metres: a wall is as thick.
+inline constexpr double kRowCell_m = 0.25;
+/// For a drawn house that is there, and for a thing that is a drawn house; nats: of twenty one is
+/// not there, or was not drawn. Choice.
+inline constexpr double kIsThere = 3.0;
+
+/// A part of the row.
+struct RowPart {
+  std::size_t house;  ///< index, or kUndrawn
+  double from, to;
+  double from_sigma, to_sigma;  ///< of an end of the row: 0
+};
+inline constexpr std::size_t kUndrawn = static_cast<std::size_t>(-1);
+
+/// What was seen of a stretch from..to says for its being one thing; nats.
+using StretchEvidence = std::function<double(double from, double to)>;
+
+/// The row from `from` to `to` divided among some of the houses, in their order, and undrawn
+/// things; all may be drawn off together by as much as
+/// each is. Which is told by the most probable division, where by the mean of all that have the
+/// same parts. Empty where no division is possible.
+std::vector<RowPart> divideRow(const std::vector<RowHouse>& houses, double from, double to,
+                               const StretchEvidence& evidence);
+
+}  // namespace handmap

@@ -1,0 +1,106 @@
+#include "core/outlines/row_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/outlines/row_division.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kFaceDepth_m = 0.1;    // across: the cell of the paper's map
+constexpr double kFaceWithin_m = 0.15;  // of a face: recesses, poses
+constexpr double kFaceParallel = 0.92;  // cosine of what lies along the row
+constexpr double kFaceOther = 0.1;      // share of the returns that are from something else
+constexpr double kFaceStep_m = 1.0;     // of a house's face against the row's, one σ; choice
+constexpr double kFaceTemper = 0.5;     // neighbouring cells have one error
+constexpr double kFaceReturns = 2.0;    // of a cell that was seen
+
+}  // namespace
+
+RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
+    : band_(band),
+      cells_(std::max(1, static_cast<int>(std::ceil((band.to - band.from) / kRowCell_m)))),
+      depths_(std::max(1, static_cast<int>(std::ceil((band.high - band.low) / kFaceDepth_m)))) {
+  const Vec2 along = unitVector(band.heading);
+  const Vec2 across = perpendicular(along);
+  const auto size = static_cast<std::size_t>(depths_ * (cells_ + 1));
+  for (auto& sums : sums_) sums.assign(size, 0.0);
+  for (auto& seen : seen_) seen.assign(static_cast<std::size_t>(cells_ + 1), 0);
+  Vec2 direction = Vec2::Zero();
+  // Returns by cell, first where sums will be.
+  for (const PlacedRay& ray : placed.rays) {
+    if (ray.echo != Echo::Tall || ray.structure != Structure::Straight) continue;
+    const Vec2 normal(static_cast<double>(ray.nx), static_cast<double>(ray.ny));
+    if (std::abs(normal.dot(across)) < kFaceParallel) continue;
+    const Vec2 end = ray.end();
+    const double x = along.dot(end);
+    const double y = across.dot(end);
+    if (x < band.from || x >= band.to || y < band.low || y >= band.high) continue;
+    const Vec2 robot(static_cast<double>(ray.x), static_cast<double>(ray.y));
+    direction += std::copysign(1.0, normal.dot(across)) * normal;
+    const Face face = across.dot(robot) < y ? kLow : kHigh;
+    sum(face, static_cast<int>((y - band.low) / kFaceDepth_m),
+        std::min(cellOf(x), cells_ - 1) + 1) += 1.0;
+  }
+  if (!direction.isZero()) turn_ = std::atan2(cross(across, direction), across.dot(direction));
+  const int reach = static_cast<int>(std::lround(kFaceWithin_m / kFaceDepth_m));
+  for (const Face face : {kLow, kHigh}) {
+    std::vector<double> counts(static_cast<std::size_t>(depths_));
+    for (int cell = 0; cell < cells_; ++cell) {
+      double all = 0.0;
+      for (int d = 0; d < depths_; ++d) {
+        all += counts[static_cast<std::size_t>(d)] = sum(face, d, cell + 1);
+      }
+      const bool seen = all >= kFaceReturns;
+      seen_[face][static_cast<std::size_t>(cell + 1)] =
+          seen_[face][static_cast<std::size_t>(cell)] + (seen ? 1 : 0);
+      for (int d = 0; d < depths_; ++d) {
+        double near = 0.0;
+        for (int k = std::max(0, d - reach); k <= std::min(depths_ - 1, d + reach); ++k) {
+          near += counts[static_cast<std::size_t>(k)];
+        }
+        const double nats =
+            seen ? kFaceTemper * std::log(kFaceOther + (1.0 - kFaceOther) * near / all) : 0.0;
+        sum(face, d, cell + 1) = sum(face, d, cell) + nats;
+      }
+    }
+    if (seen_[face].back() > 0) whole_[face] = best(face, 0, cells_).depth;
+  }
+}
+
+double RowFaces::evidence(double from, double to) const {
+  return best(kLow, cellOf(from), cellOf(to)).nats + best(kHigh, cellOf(from), cellOf(to)).nats;
+}
+
+std::optional<double> RowFaces::across(Face face, double from, double to) const {
+  const int a = cellOf(from);
+  const int b = cellOf(to);
+  const auto& seen = seen_[face];
+  if (seen[static_cast<std::size_t>(a)] == seen[static_cast<std::size_t>(b)]) return std::nullopt;
+  return band_.low + (best(face, a, b).depth + 0.5) * kFaceDepth_m;
+}
+
+int RowFaces::cellOf(double along) const {
+  return std::clamp(static_cast<int>((along - band_.from) / kRowCell_m + 1e-6), 0, cells_);
+}
+
+RowFaces::Best RowFaces::best(Face face, int from, int to) const {
+  Best most{-1e300, 0};
+  for (int d = 0; d < depths_; ++d) {
+    const double step = whole_[face] ? (d - *whole_[face]) * kFaceDepth_m / kFaceStep_m : 0.0;
+    const double nats = sum(face, d, to) - sum(face, d, from) - 0.5 * step * step;
+    if (nats > most.nats) most = {nats, d};
+  }
+  return most;
+}
+
+double& RowFaces::sum(Face face, int depth, int cell) {
+  return sums_[face][static_cast<std::size_t>(depth * (cells_ + 1) + cell)];
+}
+double RowFaces::sum(Face face, int depth, int cell) const {
+  return sums_[face][static_cast<std::size_t>(depth * (cells_ + 1) + cell)];
+}
+
+}  // namespace handmap
