@@ -1,6 +1,7 @@
 // What a robot reports at one time, from whatever source, and the sources.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,8 @@ struct View {
   cv::Mat left;      ///< 8 bit, one or three channels; empty where there are no images
   cv::Mat right;
   std::optional<std::vector<RangePoint>> points;  ///< in the robot frame, pan already applied
+  /// One a point: of which feature it is a look, in all views; 0: of none. Empty: of none at all.
+  std::vector<std::uint32_t> ids = {};
 };
 
 /// A robot on the move: one view. A standing robot (stop-and-scan): the views of one stop.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uintmax_t kMaxPointsBytes = 64u << 20;
 constexpr std::size_t kBytesOfXyz = 3 * sizeof(float);
+constexpr std::size_t kIdsInPoints = sizeof(RangePoint) / sizeof(std::uint32_t);  // in bytes
 static_assert(std::endian::native == std::endian::little && sizeof(RangePoint) == 16,
               "points files are read as they lie in memory");
 
@@ -66,16 +67,51 @@ std::string readPart(const PointsPart& part) {
   return content;
 }
 
+/// Beside NAME.bin may lie NAME.ids; of a part of the one the same part of the other.
+std::vector<std::uint32_t> readIds(const std::optional<PointsPart>& part,
+                                   const std::filesystem::path& path, std::size_t points) {
+  std::filesystem::path file = part ? part->file : path;
+  file.replace_extension(".ids");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  const std::string content =
+      part ? readPart({file, part->offset / kIdsInPoints, part->bytes / kIdsInPoints})
+           : readFile(file, kMaxPointsBytes);
+  if (content.size() != points * sizeof(std::uint32_t)) {
+    throwBadInput(file.string(), "", phrase("{} bytes", content.size()),
+                  phrase("4 bytes for each of {} points", points));
+  }
+  std::vector<std::uint32_t> ids(points);
+  if (!ids.empty()) std::memcpy(ids.data(), content.data(), content.size());
+  return ids;
+}
+
 }  // namespace
 
-std::vector<RangePoint> readPoints(const std::filesystem::path& path) {
+void readPoints(const std::filesystem::path& path, View& view) {
   const auto part = partOf(path);
   std::vector<RangePoint> points =
       parsePoints(part ? readPart(*part) : readFile(path, kMaxPointsBytes), path.string());
-  std::erase_if(points, [](const RangePoint& p) {
-    return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w);
-  });
-  return points;
+  std::vector<std::uint32_t> ids = readIds(part, path, points.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const RangePoint& p = points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w)) {
+      continue;
+    }
+    if (!ids.empty()) ids[kept] = ids[i];
+    points[kept++] = p;
+  }
+  points.resize(kept);
+  if (!ids.empty()) ids.resize(kept);
+  view.points = std::move(points);
+  view.ids = std::move(ids);
+}
+
+std::vector<RangePoint> readPoints(const std::filesystem::path& path) {
+  View view;
+  readPoints(path, view);
+  return std::move(*view.points);
 }
 
 std::optional<PointsPart> partOf(const std::filesystem::path& path) {

@@ -77,6 +77,9 @@ std::unique_ptr<ObservationSource> replay(Recording recording, const ReplayOptio
 /// z (w = 1). Points that are not finite are left out; no byte is a scan in which nothing came
 /// back. Throws BadInput.
 std::vector<RangePoint> readPoints(const std::filesystem::path& path);
+/// Of a view, with their ids where NAME.ids lies beside NAME.bin: little-endian uint32, one a
+/// point.
+void readPoints(const std::filesystem::path& path, View& view);
 
 /// Writes this format row by row, so that whatever ends the program leaves a readable recording;
 /// what is older than a second is on the disk, whatever ends the machine.

@@ -158,12 +158,12 @@ struct RecordingWriter::Files {
       writePng(view.left, folder / row.left);
       writePng(view.right, folder / row.right);
     }
-    if (view.points) row.points = writePoints(*view.points, observation.time_s);
+    if (view.points) row.points = writePoints(view, observation.time_s);
     return row;
   }
 
   /// As frames.csv names them. With the system before their row is.
-  std::string writePoints(const std::vector<RangePoint>& points_of_view, double time_s) {
+  std::string writePoints(const View& view, double time_s) {
     if (!points) {
       writeFileAtomically(folder / "recording.json", json_with_parts);
       std::error_code ignored;  // writing into it tells
@@ -172,11 +172,29 @@ struct RecordingWriter::Files {
     }
     const auto minute = static_cast<long>((time_s - first_points_s) / kSecondsOfFile);
     const std::string name = fmt::format("points/minute-{:04}.bin", minute);
-    if (!points || points->path() != folder / name) points.emplace(folder / name);
+    if (!points || points->path() != folder / name) {
+      points.emplace(folder / name);
+      ids.reset();
+    }
     const off_t offset = points->written();
-    const std::size_t bytes = points_of_view.size() * sizeof(RangePoint);
-    points->append({reinterpret_cast<const char*>(points_of_view.data()), bytes});
+    const std::size_t bytes = view.points->size() * sizeof(RangePoint);
+    writeIds(view);
+    points->append({reinterpret_cast<const char*>(view.points->data()), bytes});
     return fmt::format("{}@{}+{}", name, offset, bytes);
+  }
+
+  /// Beside the points, from the first that has one on; those before it have none.
+  void writeIds(const View& view) {
+    if (view.ids.empty() && !ids) return;
+    std::vector<std::uint32_t> numbers;
+    if (!ids) {
+      ids.emplace(fs::path(points->path()).replace_extension(".ids"));
+      numbers.resize(static_cast<std::size_t>(points->written()) / sizeof(RangePoint));
+    }
+    numbers.insert(numbers.end(), view.ids.begin(), view.ids.end());
+    if (view.ids.empty()) numbers.resize(numbers.size() + view.points->size());
+    ids->append(
+        {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::uint32_t)});
   }
 
   /// Points and poses first: a row is never there without its pose.
@@ -185,6 +203,7 @@ struct RecordingWriter::Files {
     if (now - synced < kSyncEvery) return;
     synced = now;
     if (points) points->sync();
+    if (ids) ids->sync();
     odometry.sync();
     truth.sync();
     frames.sync();
@@ -198,6 +217,7 @@ struct RecordingWriter::Files {
   GrowingFile odometry;
   GrowingFile truth;
   std::optional<GrowingFile> points;
+  std::optional<GrowingFile> ids;
   double first_points_s = 0.0;
   int last_frame = -1;
   double last_time_s = -std::numeric_limits<double>::infinity();

@@ -58,7 +58,7 @@ void ViewReader::readImages(const FrameRow& row, View& view) {
 }
 
 void ViewReader::readPoints(const FrameRow& row, View& view) const {
-  view.points = handmap::readPoints(folder_ / row.points);
+  handmap::readPoints(folder_ / row.points, view);
   if (points_as_ == PointsReading{}) return;
   for (RangePoint& point : *view.points) point = points_as_(point);
 }

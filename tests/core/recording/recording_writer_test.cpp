@@ -152,6 +152,23 @@ TEST(RecordingWriter, KeepsAScanInWhichNothingCameBack) {
   EXPECT_EQ(recording.odometry.poses().size(), 3u);
 }
 
+TEST(RecordingWriter, KeepsWhichFeaturesPointsAre) {
+  const test::TemporaryFolder folder;
+  RecordingWriter writer(folder.path(), SourceInfo{});
+  for (int frame = 0; frame < 4; ++frame) {
+    Observation observation = movingObservation(frame);
+    observation.views[0].left.release();
+    observation.views[0].points = {{1, 0, 0, 1}, {2, 0, 0, 1}};
+    if (frame % 2 == 1) observation.views[0].ids = {7, static_cast<std::uint32_t>(frame)};
+    writer.add(observation);
+  }
+  const auto source = replay(openRecording(folder.path()), {});
+  const std::vector<std::vector<std::uint32_t>> expected{{0, 0}, {7, 1}, {0, 0}, {7, 3}};
+  for (const std::vector<std::uint32_t>& ids : expected) {
+    EXPECT_EQ(source->next()->views[0].ids, ids);
+  }
+}
+
 TEST(RecordingWriter, PutsTheScansOfAMinuteIntoOneFile) {
   const test::TemporaryFolder folder;
   RecordingWriter writer(folder.path(), SourceInfo{});

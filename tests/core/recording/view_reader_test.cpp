@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/text.h"
 #include "tests/core/base/expect_error.h"
 #include "tests/core/recording/example_recording.h"
 
@@ -38,6 +39,18 @@ TEST_F(ViewReaderTest, ReadsWhatTheRowNames) {
   ASSERT_EQ(points.points->size(), 2U);
   EXPECT_EQ(points.points->front().x, 2.0F);
   EXPECT_TRUE(points.left.empty());
+}
+
+TEST_F(ViewReaderTest, WantsAnIdForEachPointWhereThereAreIds) {
+  const std::filesystem::path ids =
+      (recording_.folder / recording_.rows[2].points).replace_extension(".ids");
+  View points;
+  writeFileAtomically(ids, std::string("\7\0\0\0\3\1\0\0", 8));
+  reader().readPoints(recording_.rows[2], points);
+  EXPECT_EQ(points.ids, (std::vector<std::uint32_t>{7, 259}));
+  writeFileAtomically(ids, "four");
+  expectBadInput([&] { reader().readPoints(recording_.rows[2], points); },
+                 {".ids: found 4 bytes, expected 4 bytes for each of 2 points"});
 }
 
 TEST_F(ViewReaderTest, WantsOneSizeOfAllImages) {
