@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/simulation/appearance.h"
 #include "core/simulation/site.h"
+#include "core/simulation/wall_frame.h"
 
 namespace handmap {
 
@@ -19,21 +20,6 @@ constexpr double kPanel_m = 2.2;       // of a fence
 constexpr double kFence_m = 0.06;      // its thickness
 constexpr double kClear_m = 3.0;       // half the width that bays leave to the robot
 constexpr double kPiece_m = 1.3;       // of a ragged hedge
-
-/// Along a wall and outwards from it, from its first corner.
-struct WallFrame {
-  Vec2 corner;
-  Vec2 along;
-  Vec2 out;
-  double length;
-
-  WallFrame(const Vec2& a, const Vec2& b)
-      : corner(a),
-        along((b - a).normalized()),
-        out(-perpendicular(along)),
-        length((b - a).norm()) {}
-  Vec2 at(double s, double outwards) const { return corner + s * along + outwards * out; }
-};
 
 /// The wall from its first corner to before its last one. A recess goes in, a bay comes out.
 Polygon brokenWall(const WallFrame& wall, RandomStream& random) {
@@ -119,23 +105,14 @@ class Roughness {
     RandomStream random(seed_, 0, 0, kRacks);
     Site site(world_);
     for (const Building& building : world_.map.buildings) {
-      const Polygon corners = building.footprint();
-      const auto away = [&](std::size_t k) {
-        return std::abs(
-            route_.project((corners[k] + corners[(k + 1) % corners.size()]) / 2.0).offset);
-      };
-      std::size_t nearest = 0;
-      for (std::size_t k = 1; k < corners.size(); ++k) {
-        if (away(k) < away(nearest)) nearest = k;
-      }
-      const WallFrame wall(corners[nearest], corners[(nearest + 1) % corners.size()]);
+      const WallFrame wall = frontOf(building.footprint(), route_);
       Thing rack;
       rack.kind = Thing::Kind::Rack;
       rack.height = random.uniform(1.05, 1.15);
       rack.free_path_m = random.uniform(1.0, 3.0);
       rack.footprint.width = random.uniform(2.0, 7.0);
       rack.footprint.depth = 1.8;
-      rack.footprint.heading = std::atan2(wall.along.y(), wall.along.x());
+      rack.footprint.heading = wall.heading();
       const double from_wall = random.uniform(0.05, 1.0) + 0.9 + Site::kToWall_m;
       const double share = random.uniform(0.2, 0.8);
       if (random.uniform() > 0.6 || rack.footprint.width > wall.length) continue;

@@ -11,6 +11,7 @@ namespace {
 constexpr double kLeastLeg = 1e-3;
 constexpr double kCornerReach = 4.0;  // corners are rounded this far before and behind
 constexpr double kStandOff = 3.0;     // before a wall in the way
+constexpr double kComesBack_m = 1.0;  // choice: within the width of a robot
 
 double distanceBetween(const Segment& a, const Segment& b) {
   const auto sides = [](const Segment& s, const Segment& other) {
@@ -98,14 +99,32 @@ double Route::distanceTo(const Polygon& polygon) const {
   return nearest;
 }
 
-std::optional<Route> routeOf(const Map& map) {
+std::vector<Vec2> routePoints(const Map& map) {
+  if (map.start && map.route.empty()) return straightAhead(map);
   std::vector<Vec2> points = map.route;
   if (map.start) points.insert(points.begin(), map.start->position());
-  if (map.start && map.route.empty()) points = straightAhead(map);
+  return points;
+}
+
+std::optional<Route> routeOf(const Map& map) {
+  const std::vector<Vec2> points = routePoints(map);
   double span = 0.0;
   for (const Vec2& point : points) span = std::max(span, (point - points.front()).norm());
   if (span < kLeastLeg) return std::nullopt;
   return Route(points);
+}
+
+std::optional<std::vector<Vec2>> roundAgain(const std::vector<Vec2>& points, int rounds) {
+  const auto comes_back = [&](const Vec2& point) {
+    return (point - points.front()).norm() < kComesBack_m;
+  };
+  const auto away = std::find_if_not(points.begin(), points.end(), comes_back);
+  const auto back = std::find_if(points.rbegin(), std::make_reverse_iterator(away), comes_back);
+  if (back.base() == away) return std::nullopt;
+  std::vector<Vec2> result = {points.front()};
+  for (int i = 0; i < rounds; ++i) result.insert(result.end(), points.begin() + 1, back.base());
+  result.insert(result.end(), back.base(), points.end());
+  return result;
 }
 
 }  // namespace handmap

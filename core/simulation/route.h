@@ -34,9 +34,14 @@ class Route {
   std::vector<double> ends_;  ///< s at the end of each leg
 };
 
+/// The points of a route that comes back to its first one, driven so often; what follows the last
+/// coming back is driven once, at the end. nullopt where it does not come back.
+std::optional<std::vector<Vec2>> roundAgain(const std::vector<Vec2>& points, int rounds);
+
 /// The route of a map, begun at its start. A map with no more than a start is driven straight
 /// ahead, past the last building or up to the first in the way. nullopt where there is neither or
 /// nowhere to go.
 std::optional<Route> routeOf(const Map& map);
+std::vector<Vec2> routePoints(const Map& map);  ///< the same, its corners
 
 }  // namespace handmap

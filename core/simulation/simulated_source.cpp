@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 #include "core/simulation/drive.h"
-#include "core/simulation/ray_cast.h"
+#include "core/simulation/surroundings.h"
 
 namespace handmap {
 
@@ -16,21 +16,7 @@ constexpr double kLeastRange = 0.3;
 class SimulatedSource : public ObservationSource {
  public:
   SimulatedSource(const World& world, const SimulationOptions& options, std::uint64_t seed)
-      : options_(options),
-        seed_(seed),
-        obstacles_(world.obstacles),
-        info_(infoOf(world, options, seed)) {
-    for (std::size_t i = 0; i < world.map.buildings.size(); ++i) {
-      const Polygon corners = world.wallsOf(i);
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        walls_.push_back({corners[k], corners[(k + 1) % corners.size()]});
-      }
-    }
-    for (const Thing& thing : world.things) {
-      if (thing.height <= options.sensor_height_m) continue;
-      bodies_.push_back({thing.footprint.corners(), thing.free_path_m});
-    }
-  }
+      : options_(options), seed_(seed), surroundings_(world), info_(infoOf(world, options, seed)) {}
 
   const SourceInfo& info() const override { return info_; }
 
@@ -51,43 +37,20 @@ class SimulatedSource : public ObservationSource {
   }
 
  private:
-  struct Hit {
-    double distance = kNoHit;
-    bool wall = true;
-  };
-
-  /// A thing at the height of the sensor.
-  struct Body {
-    Polygon corners;
-    double free_path_m;
-  };
-
-  /// All that may be met from one place.
-  struct Surroundings {
-    std::vector<Segment> walls;
-    std::vector<Body> bodies;
-    std::vector<Obstacle> obstacles;
-  };
-
   std::vector<RangePoint> scan(const Pose2& pose, std::uint32_t frame) const {
     const Vec2 eye = pose.position();
-    const Surroundings around{
-        near(walls_, [&](const Segment& wall) { return distanceTo(wall, eye); }),
-        near(bodies_, [&](const Body& body) { return distanceTo(body.corners, eye); }),
-        near(obstacles_, [&](const Obstacle& obstacle) {
-          return (obstacle.centre - eye).norm() - obstacle.radius;
-        })};
+    const Surroundings around = surroundings_.within(options_.range_limit_m, eye);
     RandomStream random(seed_, frame, 0, kRays);
     std::vector<RangePoint> points;
     for (int ray = 0; ray < options_.rays; ++ray) {
       const double bearing = 2.0 * kPi * ray / options_.rays;
       if (std::abs(normalizedAngle(bearing)) > options_.view_rad / 2.0) continue;
-      const Hit hit =
-          measured(cast(eye, unitVector(pose.heading + bearing), around, random), random);
+      const SensorRay looks{eye, unitVector(pose.heading + bearing), options_.sensor_height_m};
+      const Hit hit = measured(around.cast(looks, random), random);
       if (hit.distance < kLeastRange || hit.distance > options_.range_limit_m) continue;
       const Vec2 point = hit.distance * unitVector(bearing);
       const double recognised =
-          hit.wall ? 1.0 - options_.unrecognised : options_.obstacles_mistaken;
+          hit.on == Hit::On::Wall ? 1.0 - options_.unrecognised : options_.obstacles_mistaken;
       points.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
                         static_cast<float>(options_.sensor_height_m),
                         random.uniform() < recognised ? 1.0F : 0.0F});
@@ -95,46 +58,10 @@ class SimulatedSource : public ObservationSource {
     return points;
   }
 
-  template <typename Thing, typename Distance>
-  std::vector<Thing> near(const std::vector<Thing>& things, Distance distance) const {
-    std::vector<Thing> result;
-    for (const Thing& thing : things) {
-      if (distance(thing) <= options_.range_limit_m) result.push_back(thing);
-    }
-    return result;
-  }
-
-  static Hit cast(const Vec2& origin, const Vec2& direction, const Surroundings& around,
-                  RandomStream& random) {
-    Hit hit;
-    for (const Segment& wall : around.walls) {
-      hit.distance = std::min(hit.distance, rayToSegment(origin, direction, wall));
-    }
-    const auto meet = [&](const Crossing& crossing, double free_path_m) {
-      if (crossing.in >= hit.distance) return;
-      const double distance = crossing.in + depthIn(free_path_m, random);
-      if (distance > crossing.out && free_path_m > 0.0) return;
-      if (distance < hit.distance) hit = {distance, false};
-    };
-    for (const Body& body : around.bodies) {
-      meet(rayThrough(origin, direction, body.corners), body.free_path_m);
-    }
-    for (const Obstacle& obstacle : around.obstacles) {
-      meet(rayThroughCircle(origin, direction, obstacle.centre, obstacle.radius),
-           obstacle.free_path_m);
-    }
-    return hit;
-  }
-
-  /// Law of Beer and Lambert: what stops a ray is spread evenly.
-  static double depthIn(double free_path_m, RandomStream& random) {
-    return free_path_m > 0.0 ? -free_path_m * std::log(1.0 - random.uniform()) : 0.0;
-  }
-
   /// An outlier looks like a wall: a false match is most likely where the texture repeats.
   Hit measured(Hit hit, RandomStream& random) const {
     if (random.uniform() < options_.outliers) {
-      return {random.uniform(kLeastRange, options_.range_limit_m), true};
+      return {random.uniform(kLeastRange, options_.range_limit_m), Hit::On::Wall};
     }
     if (hit.distance > options_.range_limit_m) return Hit{};
     const double share = hit.distance / options_.range_limit_m;
@@ -147,9 +74,7 @@ class SimulatedSource : public ObservationSource {
 
   SimulationOptions options_;
   std::uint64_t seed_;
-  std::vector<Segment> walls_;
-  std::vector<Body> bodies_;
-  std::vector<Obstacle> obstacles_;
+  Surroundings surroundings_;
   SourceInfo info_;
   std::size_t next_ = 0;
 };

@@ -16,15 +16,20 @@ struct SimulationOptions {
   int rays = 720;               ///< around the robot
   double view_rad = 2.0 * kPi;  ///< of these, those around straight ahead are measured
   double range_limit_m = 40.0;
-  double sigma_offset_m = 0.05;     ///< σ(d) = offset + quadratic · d²
-  double sigma_quadratic = 0.0021;  ///< 1/m
-  double outliers = 0.02;           ///< share of rays with a random range
-  double lost = 0.0;                ///< share of rays that do not return from the range limit
-  double unrecognised = 0.15;       ///< share of the wall points with weight 0
-  double obstacles_mistaken = 0.1;  ///< share of the points on obstacles with weight 1
-  double sensor_height_m = 1.0;     ///< z of every point
-  double odometry_length = 0.03;    ///< σ of a step's length, as a share
-  double odometry_heading = 0.012;  ///< σ of a step's turn, radians
+  double sigma_offset_m = 0.05;      ///< σ(d) = offset + quadratic · d²
+  double sigma_quadratic = 0.0021;   ///< 1/m
+  double outliers = 0.02;            ///< share of rays with a random range
+  double lost = 0.0;                 ///< share of rays that do not return from the range limit
+  double unrecognised = 0.15;        ///< share of the wall points with weight 0
+  double obstacles_mistaken = 0.1;   ///< share of the points on obstacles with weight 1
+  double sensor_height_m = 1.0;      ///< z of every point
+  double odometry_length = 0.03;     ///< σ of a step's length, as a share
+  double odometry_heading = 0.012;   ///< σ of a step's turn, radians
+  double odometry_scale = 1.0;       ///< what it makes of a metre
+  double odometry_turn_rad_m = 0.0;  ///< what it turns in a metre straight ahead
+  /// So often the route is driven: round again where it comes back to its start, else forward and,
+  /// in reverse gear, back by turns.
+  int rounds = 1;
 };
 
 /// A planar laser that does not know what it sees, on a robot that does not stop: noise and

@@ -20,16 +20,16 @@ Site::Site(World& world) : world_(world), route_(*routeOf(world.map)) {
 void Site::put(const std::vector<Thing>& group) {
   std::vector<Thing> free;
   std::copy_if(group.begin(), group.end(), std::back_inserter(free),
-               [this](const Thing& thing) { return isFree(thing); });
+               [this](const Thing& thing) { return isFree(thing.footprint); });
   for (const Thing& thing : free) {
     footprints_.push_back(thing.footprint.corners());
     world_.things.push_back(thing);
   }
 }
 
-bool Site::isFree(const Thing& thing) const {
-  const Polygon own = thing.footprint.corners();
-  Rectangle grown = thing.footprint;
+bool Site::isFree(const Rectangle& footprint) const {
+  const Polygon own = footprint.corners();
+  Rectangle grown = footprint;
   grown.width += 2.0 * kToWall_m;
   grown.depth += 2.0 * kToWall_m;
   const Polygon around = grown.corners();

@@ -18,10 +18,11 @@ class Site {
   /// Adds the things that stand where nothing stands yet and the robot does not pass; those of one
   /// group may touch each other.
   void put(const std::vector<Thing>& group);
+  bool isFree(const Rectangle& footprint) const;
+  /// From now on a building stands there.
+  void take(const Rectangle& footprint) { footprints_.push_back(footprint.corners()); }
 
  private:
-  bool isFree(const Thing& thing) const;
-
   World& world_;
   Route route_;
   std::vector<Polygon> footprints_;  ///< of buildings and things

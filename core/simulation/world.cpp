@@ -20,6 +20,7 @@ constexpr std::uint32_t kCampus = 2;
 constexpr std::uint32_t kFromMap = 3;
 constexpr std::uint32_t kLoop = 7;
 constexpr std::uint32_t kQuarter = 19;
+constexpr std::uint32_t kTerraces = 43;
 
 constexpr double kRobotRadius = 0.3;
 constexpr double kMaxLength = 20e3;  // of a route from a file
@@ -134,6 +135,12 @@ Map blocks(double nearest, double farthest, RandomStream& random) {
 
 }  // namespace
 
+Map World::drawable() const {
+  Map drawn = map;
+  drawn.buildings.resize(drawn.buildings.size() - undrawn);
+  return drawn;
+}
+
 World twoRowWorld(std::uint64_t seed) {
   RandomStream random(seed, 0, 0, kTwoRows);
   Map map;
@@ -211,6 +218,43 @@ World quarterWorld(std::uint64_t seed) {
   Map map = blocks(5.0, 30.0, random);
   map.name = fmt::format("Quarter, {}", seed);
   return rough(worldOf(std::move(map), seed, random), seed);
+}
+
+World terraceWorld(std::uint64_t seed) {
+  constexpr double kFront_m = 8.0;   // from the middle of the street, as in laser-sim
+  constexpr double kAlley_m = 30.0;  // 12 m behind the houses: the street stays the nearest way
+  constexpr double kAhead_m = 10.0;  // of the ends of the rows
+  RandomStream random(seed, 0, 0, kTerraces);
+  Map map;
+  map.name = fmt::format("Terraces, {}", seed);
+  map.start = Pose2{-kAhead_m, 0.0, 0.0};
+  const bool north_is_flush = random.uniform() < 0.5;
+  double end = 0.0;
+  for (const bool north : {true, false}) {
+    const bool flush = north == north_is_flush;
+    double x = 0.0;
+    for (int i = 1; i <= 6; ++i) {
+      Rectangle box;
+      box.width = random.uniform(7.0, 12.0);
+      box.depth = flush ? 10.0 : random.uniform(9.0, 11.0);
+      const double y = kFront_m + (flush ? 0.0 : random.uniform(0.0, 1.0)) + box.depth / 2.0;
+      box.centre = {x + box.width / 2.0, north ? y : -y};
+      x += box.width;
+      Building building;
+      building.id = fmt::format("{}{}", north ? 'N' : 'S', i);
+      building.shape = box;
+      map.buildings.push_back(building);
+    }
+    end = std::max(end, x + kAhead_m);
+  }
+  for (const double alley : {kAlley_m, -kAlley_m}) {
+    for (const Vec2& corner :
+         {Vec2(-kAhead_m, 0.0), Vec2(end, 0.0), Vec2(end, alley), Vec2(-kAhead_m, alley)}) {
+      map.route.push_back(corner);
+    }
+  }
+  map.route.push_back(map.route.front());
+  return worldOf(std::move(map), seed, random);
 }
 
 World worldFromMap(const Map& map, std::uint64_t seed) {

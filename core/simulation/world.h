@@ -37,6 +37,10 @@ struct World {
   std::uint64_t seed = 0;  ///< of what things look like, see appearance.h
   /// What the buildings are like where a map does not go into such detail; none: as in the map.
   std::vector<Polygon> walls = {};
+  std::size_t undrawn = 0;  ///< so many buildings, the last ones of the map, nobody draws
+
+  /// The map without what nobody draws.
+  Map drawable() const;
 
   Polygon wallsOf(std::size_t building) const {
     return walls.empty() ? map.buildings[building].footprint() : walls[building];
@@ -56,6 +60,9 @@ World quarterWorld(std::uint64_t seed);
 /// A residential street, straight or slightly bent: 12–18 detached houses 8–20 m wide, L1 … on the
 /// left and R1 … on the right, gaps of 2–8 m, set back 4–8 m from the kerb; furnished.
 World streetWorld(std::uint64_t seed);
+/// Two rows of six houses wall to wall with a street between and an alley behind each, the way
+/// around both: one row flush, the fronts of the other stepped by up to a metre.
+World terraceWorld(std::uint64_t seed);
 /// Any map with a route (or a start: the route then leads through between the buildings) becomes a
 /// world. Throws BadInput where there is neither, or where the route is endless or runs through a
 /// building.
@@ -69,6 +76,10 @@ World withoutCars(World world, std::uint64_t seed);  ///< the same but for the c
 /// in long walls, fences before and between the buildings, bicycles at the walls, hedges and bushes
 /// that are ragged and let part of the rays through. The map stays.
 World rough(World world, std::uint64_t seed);
+
+/// The world with sheds and garages before and beside the fronts, drawn by no one, and cars parked
+/// along the fronts.
+World withSheds(World world, std::uint64_t seed);
 
 /// What a drawing keeps right about the places of its buildings, however wrong the measures are.
 enum class Keeping { SideAndOrder, Nothing };

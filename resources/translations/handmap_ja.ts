@@ -4693,6 +4693,34 @@
         <source>Nothing told the motion at {} of {} observations, first at {} s: what was seen there has too little in common with what was seen before, or only goes along the way.</source>
         <translation>{} 個の観測（{} 個のうち）では動きを伝えるものがありませんでした。最初は {} 秒です。そこで見えたものは、それまでに見えたものと共通点が少なすぎるか、道に沿って続くものだけです。</translation>
     </message>
+    <message>
+        <source>buildings that are not there</source>
+        <translation>実在しない建物</translation>
+    </message>
+    <message>
+        <source>room for {} beside the route</source>
+        <translation>経路の脇に {} 棟分の場所</translation>
+    </message>
+    <message>
+        <source>buildings to leave out</source>
+        <translation>描き落とす建物</translation>
+    </message>
+    <message>
+        <source>more than {}</source>
+        <translation>{} より多く</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>出発点</translation>
+    </message>
+    <message>
+        <source>one that can be off</source>
+        <translation>ずらせる出発点</translation>
+    </message>
+    <message>
+        <source>4 bytes for each of {} points</source>
+        <translation>{} 個の点それぞれに 4 バイト</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

@@ -1,5 +1,6 @@
 #include "core/simulation/world.h"
 
+#include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -168,6 +169,71 @@ TEST(World, FurnitureChangesNothingThatWasThere) {
   EXPECT_GT(counts[Thing::Kind::Lamp], 60U);
   EXPECT_GT(counts[Thing::Kind::Sign], 60U);
   EXPECT_GT(counts[Thing::Kind::Person], 150U);
+}
+
+TEST(World, TerracesStandWallToWallAndOneRowIsStepped) {
+  int north_flush = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const World world = terraceWorld(seed);
+    const std::vector<Building>& houses = world.map.buildings;
+    ASSERT_EQ(houses.size(), 12U);
+    EXPECT_LT((world.map.route.back() - world.map.start->position()).norm(), 1e-9);
+    for (const std::size_t row : {0U, 6U}) {
+      std::vector<double> fronts;
+      for (std::size_t i = row; i < row + 6; ++i) {
+        const Rectangle house = houses[i].box();
+        fronts.push_back(std::abs(house.centre.y()) - house.depth / 2.0);
+        EXPECT_GE(routeOf(world.map)->distanceTo(houses[i].footprint()), 7.9);
+        if (i == row) continue;
+        const Rectangle before = houses[i - 1].box();
+        EXPECT_NEAR(before.centre.x() + before.width / 2.0, house.centre.x() - house.width / 2.0,
+                    1e-9);
+      }
+      const auto [low, high] = std::minmax_element(fronts.begin(), fronts.end());
+      const bool flush = *high - *low < 1e-9;
+      EXPECT_LE(*high - *low, 1.0);
+      if (row == 0) north_flush += flush ? 1 : 0;
+    }
+    const Map drawn = perturbed(world.map, 3.0, seed);
+    int moved = 0;
+    for (std::size_t i = 0; i < houses.size(); ++i) {
+      moved += (drawn.buildings[i].box().centre - houses[i].box().centre).norm() > 0.5 ? 1 : 0;
+    }
+    EXPECT_GE(moved, 8) << seed;
+  }
+  EXPECT_GT(north_flush, 4);
+  EXPECT_LT(north_flush, 16);
+}
+
+TEST(World, ShedsAndCarsStandAlongTheFrontsAndNobodyDrawsTheSheds) {
+  std::size_t sheds = 0;
+  std::size_t cars = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const World& bare :
+         {twoRowWorld(seed), campusWorld(seed), quarterWorld(seed), streetWorld(seed)}) {
+      const World full = withSheds(bare, seed);
+      EXPECT_EQ(full.drawable(), bare.map);
+      EXPECT_EQ(full.walls.empty(), bare.walls.empty());
+      const std::size_t houses = bare.map.buildings.size();
+      for (std::size_t i = houses; i < full.map.buildings.size(); ++i) {
+        const Polygon shed = full.wallsOf(i);
+        EXPECT_LT(std::abs(signedArea(shed)), 22.0);
+        EXPECT_GE(routeOf(full.map)->distanceTo(shed), 1.8);
+        double to_house = 1e9;
+        for (std::size_t k = 0; k < houses; ++k) {
+          EXPECT_FALSE(overlap(shed, full.wallsOf(k)));
+          for (const Vec2& corner : shed) {
+            to_house = std::min(to_house, distanceTo(full.map.buildings[k].footprint(), corner));
+          }
+        }
+        EXPECT_LT(to_house, 4.0);
+        ++sheds;
+      }
+      cars += full.things.size() - bare.things.size();
+    }
+  }
+  EXPECT_GT(sheds, 60U);
+  EXPECT_GT(cars, 100U);
 }
 
 TEST(World, RoughnessIsWhatRealPlacesHave) {
