@@ -24,6 +24,36 @@ CLI::Validator inRange(double low, double high) {
       range);
 }
 
+CLI::Option* addPair(CLI::App& command, const std::string& name,
+                     const std::function<void(double, double)>& take, double first_high,
+                     double second_high, const std::string& words, const std::string& text) {
+  const std::string range = fmt::format("0,0 to {},{}", first_high, second_high);
+  const auto read = [=](const std::string& word) {
+    const std::size_t comma = std::min(word.find(','), word.size());
+    const auto first = parseFinite(word.substr(0, comma));
+    const auto second = parseFinite(word.substr(std::min(comma + 1, word.size())));
+    if (first && second && *first >= 0.0 && *first <= first_high && *second >= 0.0 &&
+        *second <= second_high) {
+      return take(*first, *second);
+    }
+    throw CLI::ValidationError(name,
+                               fmt::format("found {}, expected {} from {}", word, words, range));
+  };
+  return command.add_option_function<std::string>(name, read, fmt::format("{} ({})", text, range))
+      ->option_text(words);
+}
+
+void addMisdrawing(CLI::App& command, Misdrawing& misdrawing) {
+  addNumber(command, "--wrong", misdrawing.wrong, 0, 1000,
+            "So many buildings drawn that are not there, and as many left out");
+  const auto off = [&misdrawing](double metres, double degrees) {
+    misdrawing.start_m = metres;
+    misdrawing.start_turn_rad = toRadians(degrees);
+  };
+  addPair(command, "--start-off", off, 100, 90, "M,DEG",
+          "The drawn start is off by metres and degrees, and says so");
+}
+
 void addFrames(CLI::App& command, ReplayOptions& replay, const std::string& every_text) {
   constexpr double kLastFrame = 2147483647;
   addNumber(command, "--from", replay.from, 0, kLastFrame, "First frame number");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -13,6 +14,7 @@
 
 #include "core/recording/recording.h"
 #include "core/recording/recording_files.h"
+#include "core/simulation/misdrawn.h"
 
 namespace handmap {
 
@@ -30,6 +32,14 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, Number& value
       ->check(inRange(low, high))
       ->option_text("N");
 }
+
+/// An option that takes two such numbers from 0 on, as "2,5"; `words` names them.
+CLI::Option* addPair(CLI::App& command, const std::string& name,
+                     const std::function<void(double, double)>& take, double first_high,
+                     double second_high, const std::string& words, const std::string& text);
+
+/// --wrong and --start-off: what else is wrong with a sketch.
+void addMisdrawing(CLI::App& command, Misdrawing& misdrawing);
 
 /// --seed.
 CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& text);

@@ -17,6 +17,7 @@ struct PerturbArguments {
   std::optional<double> sigma_m;
   Like like = Like::Sigma;
   Redrawing redrawing;
+  Misdrawing misdrawing;
   std::uint64_t seed = 1;
   std::string out;
 };
@@ -35,8 +36,10 @@ int perturb(const PerturbArguments& arguments) {
     throw Error(ErrorCode::Usage, "--sigma is required", "handmap-cli perturb --help");
   }
   checkOutputFiles({arguments.out}, {arguments.map});
-  const Map outlined = redrawn(readMap(arguments.map), arguments.redrawing, arguments.seed);
-  writeMap(drawingOf(outlined, arguments), arguments.out);
+  const Map truth = readMap(arguments.map);
+  const Map outlined = redrawn(truth, arguments.redrawing, arguments.seed);
+  writeMap(misdrawn(drawingOf(outlined, arguments), truth, arguments.misdrawing, arguments.seed),
+           arguments.out);
   return 0;
 }
 
@@ -58,6 +61,7 @@ void addPerturbCommand(CLI::App& app, ChosenCommand& chosen) {
             "Error of each corner of an outline by itself, metres");
   addNumber(*command, "--simplify", a.redrawing.simplify_m, 0, 100,
             "Annexes and recesses less deep are left out, metres");
+  addMisdrawing(*command, a.misdrawing);
   addSeed(*command, a.seed, "Of the random numbers");
   command->add_option("--out", a.out, "The sketch (required)")
       ->required()

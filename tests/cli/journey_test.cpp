@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/map/map_io.h"
 #include "tests/cli/program.h"
 
 namespace handmap {
@@ -142,6 +143,34 @@ TEST_F(Journey, TakesAPoseThatIsGiven) {
   expectFailed(run(slam({"--given-poses", "late.tum"})), 2,
                "handmap-cli: error: a pose is given at 40000 s, but the odometry of the run does "
                "not reach there\nhint: give times of the recording\n");
+}
+
+TEST_F(Journey, SimulatesHardPlacesTheSameEveryTime) {
+  const std::vector<std::vector<std::string>> places{
+      {"--scene", "terraces", "--laser", "--step", "5", "--sheds", "--wrong", "2", "--start-off",
+       "2,5", "--drift", "5,0.03", "--rounds", "2"},
+      {"--scene", "street", "--features", "27", "--joined", "40", "--step", "5", "--rough"},
+      {"--scene", "two-rows", "--images", "--moving", "--step", "40", "--sheds", "--rounds", "2",
+       "--width", "64", "--height", "64"}};
+  for (const std::vector<std::string>& place : places) {
+    for (const char* out : {"hard", "again"}) {
+      std::filesystem::remove_all(out);
+      std::vector<std::string> arguments{"simulate", "--seed", "2", "--out", out};
+      arguments.insert(arguments.end(), place.begin(), place.end());
+      ASSERT_EQ(run(arguments).status, 0);
+    }
+    const Outcome valid = run({"validate", "hard", "hard/truth.handmap", "hard/sketch.handmap"});
+    EXPECT_EQ(valid.status, 0) << valid.err;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator("hard")) {
+      if (!entry.is_regular_file()) continue;
+      const auto twin = "again" / std::filesystem::relative(entry.path(), "hard");
+      EXPECT_EQ(contentOf(entry.path()), contentOf(twin)) << twin;
+    }
+  }
+  ASSERT_TRUE(std::filesystem::exists("hard/truth.handmap"));
+  EXPECT_EQ(readMap("hard/truth.handmap").buildings.size(), 6U);  // sheds are not in it
+  expectFailed(run({"simulate", "--wrong", "6", "--out", "gone"}), 2,
+               "handmap-cli: error: buildings to leave out: found 6, expected more than 6\n");
 }
 
 TEST_F(Journey, SimulatesAMapOfOnesOwn) {
