@@ -1,42 +1,19 @@
 #include "core/map_match/matched_trajectory.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "core/map_match/constants.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr double kKeyframe_m = 3.0;
-constexpr double kBehind_m = 20.0;  // of way whose scans are laid on the walls together, and at the
-constexpr double kAside_m = 10.0;   // end on either side
-constexpr double kThin_m = 0.25;
-constexpr std::array kGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
-constexpr int kLeastMatched = 30;
-/// What walls and poses of one window are off together; windows overlap, and share it.
-constexpr double kFloor_m = 0.3;
-constexpr double kFloorTurn = toRadians(0.6);
-constexpr double kStart_m = 1.0;  // of a start that is set by hand, where nothing is said of it
-constexpr double kStartTurn = toRadians(3.0);
-constexpr double kLeastStart_m = 0.05;  // of one that is said to be exact
-constexpr double kLeastStartTurn = toRadians(0.2);
-constexpr double kKernel = 9.0;  // χ²: walls may be others, odometry may slip
-constexpr int kSteps = 12;
-constexpr std::size_t kAlike = 8;  // keyframes in a row that are about as uncertain
-constexpr int kMostRounds = 4;     // at the end
-constexpr double kStill_m = 0.02;  // no pose moves any more
-constexpr double kOnWall_m = 0.5;
-constexpr int kLeastOnWalls = 10;
-
-}  // namespace
+using namespace map_match;
 
 MatchedTrajectory::MatchedTrajectory(const Map& map, const SeenFrames& seen)
     : start_(map.start.value()),
@@ -165,7 +142,7 @@ std::vector<ScanPoint> MatchedTrajectory::featuresAround(const Keyframe& keyfram
     const double side = facing > 0.0F ? -1.0 : 1.0;
     features.push_back({ray.end(), side * Vec2(ray.nx, ray.ny)});
   }
-  return thinned(features, kThin_m);
+  return thinned(features, kSpacing_m);
 }
 
 void MatchedTrajectory::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& features,

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/map_match/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace map_match;
 
-constexpr double kStep_m = 0.25;
-constexpr double kNear_m = 60.0;  // a point map holds 64 m around one place
-constexpr double kStale_m = 10.0;
+namespace {
 
 /// Along each wall, the first and last half a step from its ends.
 void addWalls(const Polygon& outline, std::vector<ScanPoint>& points) {
@@ -17,7 +17,7 @@ void addWalls(const Polygon& outline, std::vector<ScanPoint>& points) {
     const Vec2& from = outline[(i + outline.size() - 1) % outline.size()];
     const Vec2 along = outline[i] - from;
     const Vec2 outwards = -perpendicular(along.normalized());
-    const auto steps = static_cast<int>(std::ceil(along.norm() / kStep_m));
+    const auto steps = static_cast<int>(std::ceil(along.norm() / kSpacing_m));
     for (int k = 0; k < steps; ++k) points.push_back({from + (k + 0.5) / steps * along, outwards});
   }
 }

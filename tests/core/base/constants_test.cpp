@@ -1,0 +1,83 @@
+// The numbers of the method's rooms: one header a room, each with its unit and its source.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+namespace handmap {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `most` can only fall. Rooms of the method that are not here yet have their numbers where they
+/// are used.
+struct Room {
+  const char* folder;
+  std::size_t most;
+};
+constexpr Room kRooms[] = {{"core/map_match", 21}};
+
+const std::regex kNumber(
+    R"((?:^|\n)[ \t]*(?:(?:static|inline)[ \t]+)*constexpr[ \t]+)"
+    R"((?:static[ \t]+|const[ \t]+)*(?:double|float|int|auto|(?:std::)?u?int\d+_t|)"
+    R"(std::size_t|std::array\b[^\n=]*?)[ \t]+(k[A-Z]\w*)\s*[={][^;]*;([^\n]*(?:\n[ \t]*//[^\n]*)*))");
+const std::regex kSourced(R"(^\s*//\s*[^\s;]+; (choice|derived|limit|measured|paper): \S)");
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+struct Number {
+  std::string name;
+  std::string comment;
+};
+
+std::vector<Number> numbersIn(const std::string& source) {
+  std::vector<Number> numbers;
+  for (std::sregex_iterator at(source.begin(), source.end(), kNumber), end; at != end; ++at) {
+    numbers.push_back({(*at)[1], (*at)[2]});
+  }
+  return numbers;
+}
+
+TEST(Constants, AreFoundHoweverTheyAreWritten) {
+  const auto numbers = numbersIn(
+      "constexpr double kA = 1.0;\n"
+      "  static constexpr int kB{2};  // m; choice: so\n"
+      "inline constexpr std::array<double, 2> kC = {1.0, 2.0};\n"
+      "constexpr std::array kD{1.0};\n"
+      "inline constexpr std::size_t kE = 1;  // s;\n    // choice: more\n"
+      "constexpr auto kF = 3.0F;\nconstexpr double f(double x) { return x; }\n");
+  ASSERT_EQ(numbers.size(), 6U);
+  EXPECT_TRUE(std::regex_search(numbers[1].comment, kSourced));
+  EXPECT_FALSE(std::regex_search(numbers[0].comment, kSourced));
+}
+
+TEST(Constants, StandInOneHeaderOfTheirRoomWithUnitAndSource) {
+  const fs::path sources = HANDMAP_SOURCES;
+  for (const auto& [room, most] : kRooms) {
+    const fs::path header = sources / room / "constants.h";
+    const std::vector<Number> numbers = numbersIn(contentOf(header));
+    EXPECT_FALSE(numbers.empty()) << room;
+    EXPECT_LE(numbers.size(), most) << room;
+    for (const Number& number : numbers) {
+      EXPECT_TRUE(std::regex_search(number.comment, kSourced))
+          << room << "/constants.h: " << number.name << ": found \"" << number.comment
+          << "\", expected // UNIT; choice, derived, limit, measured or paper: WHERE FROM";
+    }
+    for (const auto& entry : fs::directory_iterator(sources / room)) {
+      const bool is_source = entry.path().extension() == ".h" || entry.path().extension() == ".cpp";
+      if (!is_source || entry.path() == header) continue;
+      for (const Number& number : numbersIn(contentOf(entry.path()))) {
+        ADD_FAILURE() << entry.path().string() << ": found " << number.name << ", expected it in "
+                      << header.string();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace handmap
