@@ -3,22 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/explain/constants.h"
 #include "core/map/certainty.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr int kLeastRays = 2;      // one makes no piece
-constexpr int kLeastOfARun = 3;    // fewer may be strays
-constexpr double kMissed_m = 1.0;  // beside the noise of the ray: it is not of the wall
-constexpr double kNear_m = 5.0;    // before a wall: what stands there may be what is taken for it
-/// Of those that end before a wall, hedges and cars have many; of a wall that is elsewhere nearly
-/// all do.
-constexpr int kMostBefore = 4;  // times those on it
-constexpr double kNoiseSigmas = 2.0;
-
-}  // namespace
+using namespace explain;
 
 /// What one observation saw of walls, map frame.
 struct Returns {

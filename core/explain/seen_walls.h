@@ -23,7 +23,7 @@ struct SeenWall {
 
 /// Walls that face the robot and have returns, taken for walls, within `tolerance_m`.
 std::vector<SeenWall> seenWalls(const Map& map, const Pose2& robot, const Scan& scan,
-                                double tolerance_m = kOnWall_m);
+                                double tolerance_m = explain::kOnWall_m);
 
 struct Returns;
 

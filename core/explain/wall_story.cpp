@@ -4,17 +4,14 @@
 #include <cmath>
 #include <map>
 
+#include "core/explain/constants.h"
 #include "core/map/certainty.h"
 
 namespace handmap {
 
-namespace {
+using namespace explain;
 
-/// What all rays of an observation share, one σ: its pose, and walls that are not quite straight.
-constexpr double kShared_m = 0.2;
-/// Looks from one metre of the way are one: their poses are off together.
-constexpr double kOneLook_m = 1.0;
-constexpr double kLeastSigma_m = 0.01;
+namespace {
 
 std::optional<Segment> wallOf(const Map& map, std::size_t building, std::size_t wall) {
   if (building >= map.buildings.size()) return std::nullopt;

@@ -52,6 +52,6 @@ struct WallStory {
 /// wall or building that is not there has an empty story.
 WallStory storyOf(const Map& drawing, const Map& refined,
                   const std::vector<StampedPose>& trajectory, std::span<const SeenScan> scans,
-                  std::size_t building, std::size_t wall, double tolerance_m = kOnWall_m);
+                  std::size_t building, std::size_t wall, double tolerance_m = explain::kOnWall_m);
 
 }  // namespace handmap

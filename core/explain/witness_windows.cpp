@@ -7,14 +7,13 @@
 #include <utility>
 
 #include "core/classification/windows.h"
+#include "core/explain/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace explain;
 
-constexpr float kBuilding = 0.5F;  // probability
-constexpr double kNearest_m = 0.5;
-constexpr double kUp_m = 3.0;  // of a wall that nothing was judged of
+namespace {
 
 struct Pillar {
   int column;  ///< of windows
