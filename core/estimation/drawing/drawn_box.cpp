@@ -1,12 +1,10 @@
 #include "core/estimation/drawing/drawn_box.h"
 
+#include "core/estimation/drawing/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kSeen = 2.0;  // metres, σ of a wall that was seen at most; choice
-
-}  // namespace
+using namespace drawing;
 
 DrawnBox::DrawnBox(const Rectangle& drawn, const Uncertainty& uncertainty,
                    const DrawingMotion& motion, const Box& frame) {
@@ -32,10 +30,11 @@ DrawnBox::DrawnBox(const Rectangle& drawn, const Uncertainty& uncertainty,
 
 SeenWalls::SeenWalls(const FoundBox& found) {
   for (std::size_t k = 0; k < 4; ++k) {
-    if (found.reachSigma(k) < kSeen) index[static_cast<std::size_t>(count++)] = static_cast<int>(k);
+    if (found.reachSigma(k) < kSeen_m)
+      index[static_cast<std::size_t>(count++)] = static_cast<int>(k);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (found.reachSigma(axis) < kSeen && found.reachSigma(axis + 2) < kSeen) ++widths;
+    if (found.reachSigma(axis) < kSeen_m && found.reachSigma(axis + 2) < kSeen_m) ++widths;
   }
 }
 

@@ -6,10 +6,13 @@
 
 #include <Eigen/LU>
 
+#include "core/estimation/drawing/constants.h"
+
 namespace handmap {
 
+using namespace drawing;
+
 double predictiveShare(const DrawingMotion& expected, std::span<const Displaced> buildings) {
-  constexpr double kLeastVariance = 1e-9;    // a drawing may say that it is exact
   std::vector<DrawingMotion::Slope> slopes;  // of the places, in σ
   std::vector<Vec2> differences;             // from what was expected, in σ
   Eigen::Matrix4d information =
@@ -38,7 +41,6 @@ double predictiveShare(const DrawingMotion& expected, std::span<const Displaced>
 }
 
 double shareAt(double distance_m, double share) {
-  constexpr double kBlock_m = 50.0;  // choice
   return share * std::exp(-0.5 * std::pow(distance_m / kBlock_m, 2));
 }
 

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "core/estimation/drawing/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace drawing;
 
-constexpr double kUnlikely = 3.5;    // σ; choice
-constexpr double kLeastShare = 0.3;  // of the drawn size that a side nobody saw keeps; choice
+namespace {
 
 /// Takes over the walls that were seen, the least surprising first. One that the drawing and the
 /// others make very unlikely is of something built on to the building.
@@ -66,7 +67,7 @@ RefinedBuilding refinedBuilding(const Building& building, const Uncertainty& unc
   }
   for (int axis = 0; axis < 2; ++axis) {
     const double size = axis == 0 ? drawn.width : drawn.depth;
-    const double least = kLeastShare * motion.scale() * size;
+    const double least = kLeastKept * motion.scale() * size;
     const double missing = least - (walls[axis] + walls[axis + 2]);
     if (missing <= 0.0) continue;
     // What was seen stays; the other wall gives way.

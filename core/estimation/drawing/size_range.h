@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/estimation/drawing/constants.h"
+
 namespace handmap {
 
 /// Metres.
@@ -14,11 +16,9 @@ struct SizeRange {
 /// differs by more is another thing, however well it is seen: a car, a hedge, a whole row of
 /// houses.
 inline SizeRange sizeRange(double drawn_m, double sigma_m) {
-  constexpr double kFactor = 2.0;   // sketches of real places are off by no more: METHOD.md
-  constexpr double kSigmas = 3.0;   // unless they say so
-  constexpr double kLeast_m = 3.0;  // a car is 1.8 m wide, hardly a house below 3; choice
-  return {std::min(drawn_m / kFactor, kLeast_m),
-          drawn_m + std::max((kFactor - 1.0) * drawn_m, kSigmas * sigma_m)};
+  return {
+      std::min(drawn_m / drawing::kSizeFactor, drawing::kLeastSize_m),
+      drawn_m + std::max((drawing::kSizeFactor - 1.0) * drawn_m, drawing::kSizeSigmas * sigma_m)};
 }
 
 }  // namespace handmap
