@@ -5,13 +5,13 @@
 
 #include <Eigen/Core>
 
+#include "core/estimation/loops/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace loops;
 
-constexpr double kGate = 12.0;    // squared Mahalanobis distance of one parameter; choice: 3.5 σ
-constexpr double kChance = 60.0;  // metres over which walls of other buildings are spread; choice
-constexpr double kSure = 10.0;    // nats; choice: as the acceptance of an outline (FIELD.md 2, 4)
+namespace {
 
 /// A way to close the loop that grows pair by pair: what the drift is if it is right.
 struct Trial {
@@ -83,7 +83,7 @@ class LoopCloser {
       const double error = parameter.error - slope.dot(next.drift);
       const double distance = error * error / variance;
       if (distance > kGate) return std::nullopt;
-      const double spread = parameter.old_parameter == kHeading ? kPi / 2.0 : kChance;
+      const double spread = parameter.old_parameter == kHeading ? kPi / 2.0 : kChance_m;
       next.evidence += std::log(spread / std::sqrt(2.0 * kPi * variance)) - 0.5 * distance;
       next.drift += seen * (error / variance);
       next.covariance -= seen * seen.transpose() / variance;

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/loops/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kSeen = 1.0;       // metres, one σ, of a wall that is compared; choice
-constexpr double kWallFloor = 0.2;  // metres, one σ, of what two boxes of a wall may differ; choice
-constexpr double kHeadingFloor = 0.02;  // radians, the same; choice
-
-}  // namespace
+using namespace loops;
 
 std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again) {
   const Box& a = old.box;
@@ -20,7 +16,7 @@ std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again)
   std::vector<SharedParameter> shared;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t j = (k + quarters) % 4;
-    if (old.reachSigma(k) > kSeen || again.reachSigma(j) > kSeen) continue;
+    if (old.reachSigma(k) > kSeen_m || again.reachSigma(j) > kSeen_m) continue;
     SharedParameter wall;
     wall.old_parameter = k;
     wall.again_parameter = j;
@@ -34,7 +30,7 @@ std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again)
     wall.again_slope[static_cast<Eigen::Index>(j)] = -wall.normal.dot(b.normal(j));
     wall.again_slope[kHeading] = -wall.normal.dot(perpendicular(wall.point - b.pivot));
     wall.variance = old.reachSigma(k) * old.reachSigma(k) +
-                    again.reachSigma(j) * again.reachSigma(j) + kWallFloor * kWallFloor;
+                    again.reachSigma(j) * again.reachSigma(j) + kWallFloor_m * kWallFloor_m;
     shared.push_back(wall);
   }
   if (shared.empty()) return shared;

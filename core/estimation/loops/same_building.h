@@ -14,9 +14,6 @@ struct SameBuilding {
   FoundId again;
 };
 
-/// Index of the heading among the parameters of a box.
-inline constexpr std::size_t kHeading = 4;
-
 /// A parameter of a box (see Box::reach; the fifth is its heading) that another box has as well.
 struct SharedParameter {
   std::size_t old_parameter;
