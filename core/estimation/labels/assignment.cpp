@@ -6,16 +6,13 @@
 
 #include <Eigen/Geometry>
 
+#include "core/estimation/labels/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace labels;
 
-constexpr double kFreeScale = 0.25;  // one σ; of 0.7 to 1.4
-constexpr double kFan =
-    toRadians(8.0);           // between the hypotheses of a free turn, and their σ; choice
-constexpr int kFanSteps = 5;  // to either side: ±40°
-/// Nats behind the best at which a branch is given up. Choice: more than a building more can tell.
-constexpr double kHopeless = 25.0;
+namespace {
 
 Vec2 originOf(const Map& drawing) {
   return drawing.start ? drawing.start->position() : Vec2::Zero();
@@ -23,14 +20,13 @@ Vec2 originOf(const Map& drawing) {
 
 /// The density of found buildings that no one drew, by metre and metre.
 double undrawnDensity(const Map& drawing, const AssignmentOptions& options) {
-  constexpr double kMargin = 20.0;  // metres; choice
   std::vector<Vec2> corners;
   for (const Building& building : drawing.buildings) {
     for (const Vec2& corner : building.footprint()) corners.push_back(corner);
   }
   if (corners.empty()) return options.undrawn;
   const Bounds bounds = boundsOf(corners);
-  const Vec2 size = bounds.high - bounds.low + Vec2::Constant(2.0 * kMargin);
+  const Vec2 size = bounds.high - bounds.low + Vec2::Constant(2.0 * kUndrawnMargin_m);
   return options.undrawn * static_cast<double>(drawing.buildings.size()) / (size.x() * size.y());
 }
 
@@ -74,7 +70,6 @@ class Assigner {
   }
 
  private:
-  static constexpr int kNone = -1;
   /// A hypothesis that grows: what was found by its place in `found_`.
   struct Branch {
     std::vector<int> found_of;
@@ -136,11 +131,10 @@ class Assigner {
 
   /// No pairing() lies farther from where a building is expected.
   double reachOf(std::size_t building, const DrawingMotion& motion) const {
-    constexpr double kMost = 6.0;  // σ; beyond the gate of pairing()
     const Uncertainty uncertainty = drawing_.uncertaintyOf(drawing_.buildings[building]);
     const double own = std::hypot(uncertainty.position, uncertainty.size);
     const Rectangle& drawn = drawn_[building];
-    return kMost * (own + motion.sigmaAt(drawn.centre)) + motion.scale() * halfSize(drawn);
+    return kReachSigmas * (own + motion.sigmaAt(drawn.centre)) + motion.scale() * halfSize(drawn);
   }
 
   /// Of the robot's way: 1 left, −1 right, 0 where there is none.
@@ -173,7 +167,7 @@ class Assigner {
     if (!pair) return;
     // The same walls of a building that no one drew: anywhere, of any size.
     const double undrawn =
-        log_undrawn_ * (pair->walls - pair->widths) / 2.0 - pair->widths * std::log(kSizeRange);
+        log_undrawn_ * (pair->walls - pair->widths) / 2.0 - pair->widths * std::log(kSizeRange_m);
     const double side_price = sides_[f] == side ? 0.0 : options_.wrong_side;
 
     Branch extended = branch;
@@ -199,10 +193,9 @@ class Assigner {
 }  // namespace
 
 AssignmentOptions withStated(const WholeUncertainty& whole, AssignmentOptions options) {
-  constexpr double kLeast = 1e-4;  // share and radians: 5 cm in 500 m, and no covariance of rank 0
-  if (whole.scale) options.scale_sigma = std::max(*whole.scale, kLeast);
+  if (whole.scale) options.scale_sigma = std::max(*whole.scale, kLeastSigma);
   if (whole.turn) {
-    options.turn_sigma = std::max(*whole.turn, kLeast);
+    options.turn_sigma = std::max(*whole.turn, kLeastSigma);
     options.free_turn |= *whole.turn > kFan;  // one Gaussian in (a, b) does not reach so far
   }
   return options;

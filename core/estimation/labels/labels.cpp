@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/labels/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace labels;
 
-constexpr double kMostDoubt = 0.5;  // of a label that says something; choice
+namespace {
 
 bool isWithin(double distance_m, const FoundBox& found, const Vec2& here) {
   return (found.box.rectangle().centre - here).norm() < distance_m;
@@ -93,7 +95,6 @@ void Labels::bringNearOnesBack(std::vector<FoundBox>& found, const Vec2& here, d
 }
 
 void Labels::findNearby(const Vec2& here, double near_m) {
-  constexpr double kMost = 3.0;  // σ; choice
   for (const std::size_t building : nearby_) {
     const std::size_t place = nearby_at_[building];
     if (hypotheses_.front().found_of[place] == FoundId::None) {
@@ -106,7 +107,7 @@ void Labels::findNearby(const Vec2& here, double near_m) {
   const DrawingMotion& where = motion();
   for (std::size_t b = 0; b < centres_.size(); ++b) {
     if (settled_at_[b] != kNowhere) continue;
-    const double off = kMost * drawing_.uncertaintyOf(drawing_.buildings[b]).position;
+    const double off = kNearSigmas * drawing_.uncertaintyOf(drawing_.buildings[b]).position;
     if ((where(centres_[b]) - here).norm() > near_m + off) continue;
     nearby_at_[b] = nearby_.size();
     nearby_.push_back(b);
@@ -159,14 +160,12 @@ std::optional<std::size_t> Labels::drawnOf(FoundId found) const {
 
 std::vector<std::optional<std::size_t>> Labels::recognise(std::span<const FoundBox> boxes,
                                                           const Vec2& here, double shift_m) const {
-  constexpr double kReach = 100.0;  // metres; choice: twice the sight
-  constexpr double kSure = 0.9;     // choice: a loop closure has its own test
   Map around;
   around.start = drawing_.start;
   around.uncertainty = drawing_.uncertainty;
   std::vector<std::size_t> which;
   for (std::size_t b = 0; b < centres_.size(); ++b) {
-    if ((motion()(centres_[b]) - here).norm() > kReach + 3.0 * shift_m) continue;
+    if ((motion()(centres_[b]) - here).norm() > kReach_m + kNearSigmas * shift_m) continue;
     which.push_back(b);
     around.buildings.push_back(drawing_.buildings[b]);
   }
@@ -186,9 +185,6 @@ std::vector<std::optional<std::size_t>> Labels::recognise(std::span<const FoundB
 }
 
 double Labels::headingScatter(std::span<const FoundBox> found) const {
-  constexpr double kAssumed = 2.0;  // buildings that the assumption counts for; choice
-  constexpr int kLeastSeen = 3;     // key frames; choice
-  constexpr double kOutlier = 4.0;  // σ; choice
   double count = kAssumed;
   double squares = count * options_.heading_sigma * options_.heading_sigma;
   for (const std::size_t b : nearby_) {

@@ -8,6 +8,7 @@
 
 #include "core/estimation/drawing/drawing_prior.h"
 #include "core/estimation/labels/assignment.h"
+#include "core/estimation/labels/constants.h"
 
 namespace handmap {
 
@@ -45,7 +46,7 @@ class Labels {
   /// Indices of the drawn buildings near the robot.
   const std::vector<std::size_t>& nearby() const { return nearby_; }
 
-  bool isNearby(std::size_t building) const { return nearby_at_[building] != kNowhere; }
+  bool isNearby(std::size_t building) const { return nearby_at_[building] != labels::kNowhere; }
 
   /// What a drawn building is, see refinedBuilding().
   struct Label {
@@ -70,10 +71,9 @@ class Labels {
  private:
   struct Settled {
     FoundBox found;
-    std::size_t drawn;  ///< kNowhere: no one drew it
+    std::size_t drawn;  ///< labels::kNowhere: no one drew it
     double doubt;
   };
-  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 
   void settleFarOnes(std::vector<FoundBox>& found, const Vec2& here, double near_m);
   void bringNearOnesBack(std::vector<FoundBox>& found, const Vec2& here, double near_m);

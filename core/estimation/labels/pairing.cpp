@@ -7,15 +7,13 @@
 #include <Eigen/Cholesky>
 
 #include "core/estimation/drawing/drawn_box.h"
+#include "core/estimation/labels/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace labels;
 
-constexpr double kGate = 25.0;       // squared Mahalanobis distance of what is tried; choice
-constexpr double kSurprising = 6.0;  // the same, beyond which a wall may not belong; choice
-constexpr double kFoundFloor = 0.3;  // metres, one σ, of what a box may be off its building; choice
-constexpr double kMostTurned = 4.0;  // half squares of the heading's error at most; choice
+namespace {
 
 /// What a heading says of the drawing's turn: (a, b) lies along it. Returns its price; a building
 /// that stands as it likes says nothing.
@@ -52,15 +50,12 @@ int farWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox&
 /// is, however wrong sizes may be drawn: where they are off by 3 m, a car is 2.3 σ from a house of
 /// 9 m.
 bool isCar(const Rectangle& drawn, const DrawingMotion& motion, const FoundBox& found) {
-  constexpr double kLong_m = 6.0;
-  constexpr double kWide_m = 3.0;
-  constexpr double kWell_m = 0.5;  // one σ; choice
   const auto is_small = [](const Rectangle& box, double scale) {
-    return scale * std::max(box.width, box.depth) < kLong_m &&
-           scale * std::min(box.width, box.depth) < kWide_m;
+    return scale * std::max(box.width, box.depth) < kCarLong_m &&
+           scale * std::min(box.width, box.depth) < kCarWide_m;
   };
   for (std::size_t wall = 0; wall < 4; ++wall) {
-    if (found.reachSigma(wall) > kWell_m) return false;
+    if (found.reachSigma(wall) > kCarWell_m) return false;
   }
   return is_small(found.box.rectangle(), 1.0) && !is_small(drawn, motion.scale());
 }
@@ -122,7 +117,7 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
     std::remove_copy(seen.index.begin(), seen.index.begin() + seen.count, others.begin(),
                      seen.index[out]);
     Match without = compareWalls(prior, motion, found, {others.data(), count - 1});
-    without.log_likelihood += std::log(options.built_on / kSizeRange);
+    without.log_likelihood += std::log(options.built_on / kSizeRange_m);
     if (without.log_likelihood > match.log_likelihood) match = without;
   }
   if (!(match.distance <= kGate)) return std::nullopt;

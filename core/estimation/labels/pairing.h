@@ -9,9 +9,6 @@
 
 namespace handmap {
 
-/// Metres over which the sizes of things that no one drew are spread. Choice.
-inline constexpr double kSizeRange = 60.0;
-
 struct PairingOptions {
   double built_on = 0.02;  ///< share of the walls that are of something undrawn; choice
   double heading_sigma = toRadians(3.0);  ///< of a building against the drawing; METHOD.md

@@ -20,7 +20,8 @@ struct Room {
 constexpr Room kRooms[] = {{"core/map_match", 21},
                            {"core/explain", 15},
                            {"core/estimation/drawing", 8},
-                           {"core/estimation/loops", 7}};
+                           {"core/estimation/loops", 7},
+                           {"core/estimation/labels", 24}};
 
 const std::regex kNumber(
     R"((?:^|\n)[ \t]*(?:(?:static|inline)[ \t]+)*constexpr[ \t]+)"
