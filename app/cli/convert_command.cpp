@@ -7,6 +7,9 @@
 #include "core/geodata/geo_writer.h"
 #include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
+#include "core/map/map_limits.h"
+#include "core/map/references.h"
+#include "core/map_match/grid_place.h"
 
 namespace handmap {
 
@@ -14,12 +17,47 @@ namespace {
 
 struct ConvertArguments {
   std::string in;
+  std::string onto;
   std::string out;
 };
 
 bool isDrawing(const std::filesystem::path& path) { return path.extension() == ".handmap"; }
 
+/// A robot's map becomes a picture under the drawing.
+int layOnto(const ConvertArguments& arguments) {
+  const std::filesystem::path onto = arguments.onto;
+  checkOutputFiles({arguments.out}, {arguments.in});
+  Map drawing = readMap(onto);
+  const RobotGrid grid = readRobotGrid(arguments.in);
+  const auto place = placeOf(grid.ground, drawing);
+  if (!place) {
+    throwBadInput(arguments.in, "", "a map without anything straight", "walls of a place");
+  }
+  if (drawing.underlays.size() >= kMaxUnderlays) {
+    throwBadInput(arguments.onto, "underlays", std::to_string(drawing.underlays.size()),
+                  fmt::format("fewer than {}", kMaxUnderlays));
+  }
+  const Pose2& pose = place->pose;
+  fmt::print(
+      "x_m: {:.2f}\ny_m: {:.2f}\nturn_deg: {:.2f}\nfits: {}\nwalls_there: {:.2f}\nmedian_m: "
+      "{:.2f}\n"
+      "ninety_percent_m: {:.2f}\nscale: {:.3f}\nscale_sigma: {:.3f}\n",
+      pose.x, pose.y, toDegrees(pose.heading), place->fits ? "yes" : "no", place->supported,
+      place->median_m, place->most_m, place->scale, place->scale_sigma);
+  if (place->other) {
+    fmt::print("or_x_m: {:.2f}\nor_y_m: {:.2f}\nor_turn_deg: {:.2f}\n", place->other->x,
+               place->other->y, toDegrees(place->other->heading));
+  }
+  moveReferences(drawing, onto, arguments.out);
+  Underlay underlay = underlayOf(grid, pose);
+  underlay.image = referenceFrom(arguments.out, std::filesystem::absolute(grid.image));
+  drawing.underlays.push_back(std::move(underlay));
+  writeMap(drawing, arguments.out);
+  return 0;
+}
+
 int convert(const ConvertArguments& arguments) {
+  if (!arguments.onto.empty()) return layOnto(arguments);
   const bool from_drawing = isDrawing(arguments.in);
   if (from_drawing == isDrawing(arguments.out)) {
     throw Error(ErrorCode::Usage,
@@ -60,12 +98,21 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
       ->required()
       ->option_text("IN");
   command
-      ->add_option("out", a.out,
-                   "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
-                   "(these need a "
-                   "georeference), DXF, a map of map_server (.yaml and .pgm)")
+      ->add_option(
+          "out", a.out,
+          "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
+          "(these need a "
+          "georeference), DXF, a map of map_server (.yaml and .pgm), for fleets Open-RMF's "
+          "NAME.building.yaml and the reference coordinates of the robot's map under it, "
+          "NAME.fleet.yaml")
       ->required()
       ->option_text("OUT");
+  command
+      ->add_option(
+          "--onto", a.onto,
+          "A drawing of the same place: the robot's map (.yaml) is laid on it, where it is "
+          "found to lie, as a picture underneath")
+      ->option_text("MAP.handmap");
 }
 
 }  // namespace handmap

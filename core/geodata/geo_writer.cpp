@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
+#include "core/geodata/fleet_map.h"
 #include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
 #include "core/map/tangent_plane.h"
@@ -33,6 +34,13 @@ std::string lowerEnding(const std::filesystem::path& path) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return ending;
+}
+
+constexpr std::string_view kBuildingEnding = ".building.yaml";
+constexpr std::string_view kFleetEnding = ".fleet.yaml";
+
+bool isNamed(const std::filesystem::path& path, std::string_view ending) {
+  return path.filename().string().ends_with(ending);
 }
 
 #ifdef HANDMAP_GDAL
@@ -189,6 +197,11 @@ const std::vector<std::string>& writableEndings() {
   return kEndings;
 }
 
+bool isMapServer(const std::filesystem::path& path) {
+  return lowerEnding(path) == "yaml" && !isNamed(path, kBuildingEnding) &&
+         !isNamed(path, kFleetEnding);
+}
+
 bool needsGeoreference(const std::filesystem::path& path) {
   const std::string ending = lowerEnding(path);
   return ending == "geojson" || ending == "osm" || ending == "kml" || ending == "gpkg";
@@ -199,6 +212,10 @@ void writeGeoMap(const Map& map, const std::filesystem::path& path) {
   if (std::ranges::find(writableEndings(), ending) == writableEndings().end()) {
     throwBadInput(path.string(), "", phrase("another ending"),
                   fmt::format("{}", fmt::join(writableEndings(), ", ")));
+  }
+  if (isNamed(path, kBuildingEnding)) return writeFileAtomically(path, formatBuildingYaml(map));
+  if (isNamed(path, kFleetEnding)) {
+    return writeFileAtomically(path, formatReferenceCoordinates(map, path));
   }
   if (ending == "yaml") return writeRobotMap(map, path);
   if (ending == "geojson") return writeFileAtomically(path, formatGeoJson(map));

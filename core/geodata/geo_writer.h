@@ -10,11 +10,15 @@
 namespace handmap {
 
 /// Endings of the files that it can be written as: geojson, osm, kml, gpkg, dxf (metres of the
-/// map), yaml (of map_server, with a .pgm beside).
+/// map), yaml: of map_server, with a .pgm beside; named NAME.building.yaml Open-RMF's, and
+/// NAME.fleet.yaml the reference coordinates of a robot's map.
 const std::vector<std::string>& writableEndings();
 
 /// Whether its ending is one of those that say where on earth a map lies.
 bool needsGeoreference(const std::filesystem::path& path);
+
+/// Whether a .pgm is written beside.
+bool isMapServer(const std::filesystem::path& path);
 
 /// By the ending; the old file stays whole where it fails. See
 /// needsGeoreference(). Throws BadInput or RunFailed.

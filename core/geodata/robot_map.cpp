@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -10,7 +12,9 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
+#include "core/geodata/fleet_map.h"
 #include "core/map/map_limits.h"
+#include "core/recording/image_file.h"
 
 namespace handmap {
 
@@ -62,7 +66,32 @@ struct RobotMapText {
   double cell_m = 0.0;
   Pose2 origin;
   bool negate = false;
+  bool raw = false;  ///< pixels are per cent; what is beyond them is unknown
   double occupied = 0.65;
+  double free = 0.25;
+
+  /// What a pixel says, 0 free … 1 occupied; nullopt: nothing.
+  std::optional<double> occupancy(std::uint8_t grey) const {
+    if (raw) return grey <= 100 ? std::optional(grey / 100.0) : std::nullopt;
+    return (negate ? grey : 255 - grey) / 255.0;
+  }
+  /// 255 where it holds of what a pixel says.
+  cv::Mat1b where(const cv::Mat1b& grey, const std::function<bool(double)>& holds) const {
+    cv::Mat1b table(1, 256);
+    for (int i = 0; i < 256; ++i) {
+      const auto said = occupancy(static_cast<std::uint8_t>(i));
+      table(i) = said && holds(*said) ? 255 : 0;
+    }
+    cv::Mat1b mask;
+    cv::LUT(grey, table, mask);
+    return mask;
+  }
+  cv::Mat1b isOccupied(const cv::Mat1b& grey) const {
+    return where(grey, [this](double said) { return said > occupied; });
+  }
+  cv::Mat1b isFree(const cv::Mat1b& grey) const {
+    return where(grey, [this](double said) { return said < free; });
+  }
 };
 
 RobotMapText readText(const fs::path& path) {
@@ -77,7 +106,11 @@ RobotMapText readText(const fs::path& path) {
     text.image = node["image"].as<std::string>("");
     text.cell_m = node["resolution"].as<double>(0.0);
     text.negate = node["negate"].as<int>(0) != 0;
+    const auto mode = node["mode"].as<std::string>("trinary");
+    text.raw = mode == "raw";
+    if (!text.raw && mode != "trinary" && mode != "scale") wrong("mode", "trinary, scale, raw");
     text.occupied = node["occupied_thresh"].as<double>(0.65);
+    text.free = node["free_thresh"].as<double>(0.25);
     const auto origin = node["origin"].as<std::vector<double>>(std::vector<double>());
     if (origin.size() < 2) wrong("origin", "[x, y, yaw]");
     text.origin = {origin[0], origin[1], origin.size() > 2 ? origin[2] : 0.0};
@@ -88,11 +121,31 @@ RobotMapText readText(const fs::path& path) {
   if (text.image.empty() || !staysInside(text.image))
     wrong("image", phrase("a path inside the folder"));
   if (!(text.cell_m >= 1e-3 && text.cell_m <= 10.0)) wrong("resolution", phrase("metres a pixel"));
+  if (!(text.free >= 0.0 && text.free < text.occupied && text.occupied <= 1.0)) {
+    wrong("occupied_thresh", phrase("above free_thresh, both in 0 … 1"));
+  }
   for (const double value : {text.origin.x, text.origin.y, text.origin.heading}) {
     if (!(std::abs(value) <= kMaxCoordinate)) wrong("origin", "[x, y, yaw]");
   }
   return text;
 }
+
+/// The picture of a grid, a pixel a cell.
+struct GridPicture {
+  RobotMapText text;
+  fs::path image;
+  cv::Mat1b grey;
+
+  explicit GridPicture(const fs::path& path)
+      : text(readText(path)), image(path.parent_path() / text.image) {
+    grey = image.extension() == ".pgm" ? parsePgm(readFile(image, kMostPgmBytes), image.string())
+                                       : greyImage(readImage(image));
+  }
+  /// Middle of a cell and corners in between, metres of the grid's frame.
+  Vec2 place(double column, double row) const {
+    return text.origin.toOuter({column * text.cell_m, (grey.rows - row) * text.cell_m});
+  }
+};
 
 }  // namespace
 
@@ -143,11 +196,9 @@ void writeRobotMap(const Map& map, const fs::path& path) {
 }
 
 Map readRobotMap(const fs::path& path) {
-  const RobotMapText text = readText(path);
-  const fs::path image = path.parent_path() / text.image;
-  const cv::Mat grey = parsePgm(readFile(image, kMostPgmBytes), image.string());
-  const double limit = 255.0 * (text.negate ? text.occupied : 1.0 - text.occupied);
-  cv::Mat occupied = text.negate ? cv::Mat(grey > limit) : cv::Mat(grey < limit);
+  const GridPicture grid(path);
+  const RobotMapText& text = grid.text;
+  const cv::Mat occupied = text.isOccupied(grid.grey);
   std::vector<std::vector<cv::Point>> pieces;
   cv::findContours(occupied, pieces, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
   Map map;
@@ -171,7 +222,7 @@ Map readRobotMap(const fs::path& path) {
     for (const cv::Point& pixel : outline) {
       const double u = box.x + (pixel.x - 1 + 0.5) / kFiner;
       const double v = box.y + (pixel.y - 1 + 0.5) / kFiner;
-      corners.push_back(text.origin.toOuter({u * text.cell_m, (grey.rows - v) * text.cell_m}));
+      corners.push_back(grid.place(u, v));
     }
     if (signedArea(corners) < 0.0) std::ranges::reverse(corners);
     if (corners.size() < 3 || corners.size() > kMaxPolygonVertices || !isSimple(corners)) continue;
@@ -186,6 +237,54 @@ Map readRobotMap(const fs::path& path) {
                   phrase("pieces of at least {} m²", kLeastArea_m2));
   }
   return map;
+}
+
+RobotGrid readRobotGrid(const fs::path& path) {
+  constexpr double kFreeStep_m = 0.5;
+  const GridPicture picture(path);
+  const RobotMapText& text = picture.text;
+  const cv::Mat1b occupied = text.isOccupied(picture.grey);
+  const cv::Mat1b free = text.isFree(picture.grey);
+  RobotGrid grid{picture.image,
+                 {picture.grey.cols, picture.grey.rows},
+                 text.cell_m,
+                 text.origin,
+                 {text.cell_m, {}, {}}};
+  const int step = std::max(1, static_cast<int>(kFreeStep_m / text.cell_m));
+  const auto isInside = [&](int column, int row) {
+    return row >= 0 && column >= 0 && row < occupied.rows && column < occupied.cols &&
+           occupied(row, column) != 0;
+  };
+  for (int row = 0; row < occupied.rows; ++row) {
+    for (int column = 0; column < occupied.cols; ++column) {
+      const Vec2 middle = picture.place(column + 0.5, row + 0.5);
+      if (isInside(column, row)) {
+        const bool is_edge = !isInside(column - 1, row) || !isInside(column + 1, row) ||
+                             !isInside(column, row - 1) || !isInside(column, row + 1);
+        if (is_edge) grid.ground.edges.push_back(middle);
+      } else if (row % step == 0 && column % step == 0 && free(row, column) != 0) {
+        grid.ground.free.push_back(middle);
+      }
+    }
+  }
+  if (grid.ground.edges.empty()) {
+    throwBadInput(path.string(), "", phrase("nothing that is occupied"), phrase("walls"));
+  }
+  return grid;
+}
+
+Underlay underlayOf(const RobotGrid& grid, const Pose2& place) {
+  const Pose2 corner = place * grid.origin;
+  const Vec2 top_left = corner.toOuter({0.0, grid.cells[1] * grid.cell_m});
+  Underlay underlay;
+  underlay.image = grid.image.string();
+  underlay.x = top_left.x();
+  underlay.y = top_left.y();
+  underlay.metres_per_pixel = grid.cell_m;
+  underlay.heading = corner.heading;
+  underlay.opacity = 0.6;
+  rememberFrame({grid.cells, grid.cell_m, grid.origin}, underlay);
+  return underlay;
 }
 
 }  // namespace handmap

@@ -1340,10 +1340,6 @@
         <translation>ファイルがありません</translation>
     </message>
     <message>
-        <source>Pictures (*.%1)</source>
-        <translation>画像 (*.%1)</translation>
-    </message>
-    <message>
         <source>no picture, or one of an unknown format</source>
         <translation>画像ではないか、未知の形式です</translation>
     </message>
@@ -1518,6 +1514,10 @@
     <message>
         <source>a quarter</source>
         <translation>街区</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
     </message>
 </context>
 <context>
@@ -4721,6 +4721,22 @@
         <source>4 bytes for each of {} points</source>
         <translation>{} 個の点それぞれに 4 バイト</translation>
     </message>
+    <message>
+        <source>{} maps of robots</source>
+        <translation>ロボットの地図が {} 枚</translation>
+    </message>
+    <message>
+        <source>one, laid on the drawing</source>
+        <translation>図面に合わせて置いたもの一枚</translation>
+    </message>
+    <message>
+        <source>above free_thresh, both in 0 … 1</source>
+        <translation>free_thresh より大きい値（どちらも 0 … 1）</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>壁</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -6001,6 +6017,14 @@ Observations: %4</source>
     <message>
         <source>&amp;Stop writing</source>
         <translation>やめる(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Building of Open-RMF, for fleets (*.building.yaml)</source>
+        <translation>Open-RMF の建物、ロボット群向け (*.building.yaml)</translation>
+    </message>
+    <message>
+        <source>Reference coordinates of the robot&apos;s map, for fleets (*.fleet.yaml)</source>
+        <translation>ロボットの地図の基準座標、ロボット群向け (*.fleet.yaml)</translation>
     </message>
 </context>
 <context>
@@ -7543,6 +7567,14 @@ Corrected by a run.</source>
         <source>Fit by points</source>
         <translation>点で合わせる</translation>
     </message>
+    <message>
+        <source>Pictures and maps of robots (%1 %2)</source>
+        <translation>画像とロボットの地図 (%1 %2)</translation>
+    </message>
+    <message>
+        <source>Maps of robots, map_server (%1)</source>
+        <translation>ロボットの地図、map_server (%1)</translation>
+    </message>
 </context>
 <context>
     <name>handmap::PicturePage</name>
@@ -8512,6 +8544,53 @@ Corrected by a run.</source>
     <message>
         <source>%1 m around</source>
         <translation>周囲 %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>handmap::RobotMapLayer</name>
+    <message>
+        <source>Where “%1” lies on the drawing is being looked for…</source>
+        <translation>「%1」が図面のどこに当たるかを探しています…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>“%1” lies as it does in its own frame.</source>
+        <translation>「%1」は自身の座標系のとおりに置かれました。</translation>
+    </message>
+    <message>
+        <source>No building is drawn on which it could be laid: draw upon it.</source>
+        <translation>合わせる建物がまだ描かれていません。この上に描いてください。</translation>
+    </message>
+    <message>
+        <source>There are no straight walls in it by which it could be laid on the drawing.</source>
+        <translation>図面に合わせる手がかりになるまっすぐな壁がありません。</translation>
+    </message>
+    <message>
+        <source>It would lie nearly as well %1 m from there, turned by %2°: look whether it is the right place.</source>
+        <translation>そこから %1 m 離れ %2° 回った所にもほぼ同じほど合います。正しい場所か確かめてください。</translation>
+    </message>
+    <message>
+        <source>What is drawn is %1 % larger than what the robot has.</source>
+        <translation>図面はロボットの地図より %1 % 大きく描かれています。</translation>
+    </message>
+    <message>
+        <source>What is drawn is %1 % smaller than what the robot has.</source>
+        <translation>図面はロボットの地図より %1 % 小さく描かれています。</translation>
+    </message>
+    <message>
+        <source>Of the walls that faced what it saw, only %1 % are there: it may be of another place.</source>
+        <translation>見えていたはずの壁のうち、あるのは %1 % だけです。別の場所の地図かもしれません。</translation>
+    </message>
+    <message>
+        <source>“%1” lies on the drawing: of the walls that faced what it saw, %2 % are there, half of them within %3 m and nine of ten within %4 m.</source>
+        <translation>「%1」を図面に合わせました。見えていたはずの壁の %2 % があり、その半分は %3 m 以内、九割は %4 m 以内です。</translation>
+    </message>
+    <message>
+        <source>“%1” does not fit the drawing.</source>
+        <translation>「%1」は図面に合いません。</translation>
     </message>
 </context>
 <context>

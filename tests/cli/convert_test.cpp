@@ -21,6 +21,24 @@ TEST_F(Convert, ThereAndBack) {
   EXPECT_EQ(run({"validate", "back.handmap"}).status, 0);
 }
 
+TEST_F(Convert, LaysTheMapOfARobotOnADrawing) {
+  expectDone(run({"convert", "row-truth.handmap", "grid.yaml"}), "");
+  const Outcome laid = run({"convert", "grid.yaml", "laid.handmap", "--onto", "row-drawn.handmap"});
+  ASSERT_EQ(laid.status, 0) << laid.err;
+  EXPECT_NE(laid.out.find("fits: yes\n"), std::string::npos) << laid.out;
+  const auto drawing = nlohmann::json::parse(contentOf("laid.handmap"));
+  ASSERT_EQ(drawing["underlays"].size(), 1U);
+  EXPECT_EQ(drawing["underlays"][0]["image"], "grid.pgm");
+  EXPECT_EQ(run({"validate", "laid.handmap"}).status, 0);
+  expectDone(run({"convert", "laid.handmap", "town.fleet.yaml"}), "");
+  EXPECT_NE(contentOf("town.fleet.yaml").find("rmf:"), std::string::npos);
+  expectDone(run({"convert", "laid.handmap", "town.building.yaml"}), "");
+  EXPECT_FALSE(exists(std::filesystem::path("town.building.pgm")));
+  expectFailed(run({"convert", "row-truth.handmap", "a.fleet.yaml"}), 2,
+               "handmap-cli: error: a.fleet.yaml: underlays: found 0 maps of robots, expected one, "
+               "laid on the drawing\n");
+}
+
 TEST_F(Convert, SaysWhatItCannotDo) {
   expectFailed(run({"convert", "row-truth.handmap", "a.handmap"}), 1,
                "handmap-cli: error: row-truth.handmap to a.handmap: one of them is to be a drawing "

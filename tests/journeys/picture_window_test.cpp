@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/files/file_actions.h"
+#include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
@@ -98,6 +99,64 @@ TEST_F(PictureWindow, HostilePicturesAreToldAndNothingIsAdded) {
   drop("bad.png");
   add("gone.png");
   EXPECT_TRUE(newest().contains("no such file")) << newest().toStdString();
+  EXPECT_TRUE(document_.map().underlays.empty());
+}
+
+/// Four buildings, and the robot map of them.
+Map fourBuildings() {
+  Map map;
+  for (const Rectangle& box :
+       {Rectangle{{15.0, 18.0}, 20.0, 10.0, 0.0}, Rectangle{{50.0, 22.0}, 30.0, 14.0, 0.0},
+        Rectangle{{20.0, -16.0}, 34.0, 12.0, 0.0}, Rectangle{{62.0, -20.0}, 18.0, 18.0, 0.0}}) {
+    Building building;
+    building.id = "B" + std::to_string(map.buildings.size() + 1);
+    building.shape = box;
+    map.buildings.push_back(building);
+  }
+  map.uncertainty.position = 0.5;
+  return map;
+}
+
+TEST_F(PictureWindow, AMapOfARobotIsLaidWhereItLies) {
+  writeRobotMap(fourBuildings(), path("elsewhere/grid.yaml").toStdString());
+  // The same place in a frame of its own.
+  Map drawing = fourBuildings();
+  const Pose2 place{30.0, -12.0, 0.6};
+  for (Building& building : drawing.buildings) {
+    auto& box = std::get<Rectangle>(building.shape);
+    box.centre = place.toOuter(box.centre);
+    box.heading = 0.6;
+  }
+  document_.reset(drawing);
+  document_.undoStack().setClean();
+  drop("elsewhere/grid.yaml");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document_.map().underlays.size() == 1; }, kPatienceMs));
+  const Underlay& underlay = document_.map().underlays[0];
+  EXPECT_EQ(underlay.image, path("elsewhere/grid.pgm").toStdString());
+  const RobotGrid grid = readRobotGrid(path("elsewhere/grid.yaml").toStdString());
+  const Underlay right = underlayOf(grid, place);
+  EXPECT_LT(std::hypot(underlay.x - right.x, underlay.y - right.y), 0.3);
+  EXPECT_NEAR(underlay.heading, 0.6, 0.01);
+  EXPECT_EQ(underlay.metres_per_pixel, 0.1);
+  EXPECT_TRUE(newest().contains("lies on the drawing")) << newest().toStdString();
+  document_.undoStack().undo();
+  EXPECT_TRUE(document_.map().underlays.empty()) << "one step";
+}
+
+TEST_F(PictureWindow, AMapOfARobotThatIsNoneIsTold) {
+  QFile file(path("no.yaml"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("image: 7\n");
+  file.close();
+  add("no.yaml");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return newest().contains("no.yaml: "); }, kPatienceMs));
+  EXPECT_TRUE(document_.map().underlays.empty());
+  // Another drawing is opened while it is sought.
+  writeRobotMap(fourBuildings(), path("grid.yaml").toStdString());
+  add("grid.yaml");
+  document_.reset(Map());
+  EXPECT_TRUE(waitForBackground(std::chrono::seconds(30)));
+  QCoreApplication::processEvents();
   EXPECT_TRUE(document_.map().underlays.empty());
 }
 

@@ -18,11 +18,14 @@ namespace {
 
 /// What is saved is of the kind that was chosen, whatever the name was before.
 void takeEnding(QFileDialog& dialog, const QString& filter) {
-  static const QRegularExpression kEnding(QStringLiteral(R"(\*\.(\w+))"));
+  static const QRegularExpression kEnding(QStringLiteral(R"(\*\.([\w.]+))"));
   const QString ending = kEnding.match(filter).captured(1);
   if (ending.isEmpty()) return;
+  const QFileInfo file(dialog.selectedFiles().value(0));
+  const QString before = u'.' + dialog.defaultSuffix();
+  const QString name = file.fileName().endsWith(before) ? file.fileName().chopped(before.size())
+                                                        : file.completeBaseName();
   dialog.setDefaultSuffix(ending);
-  const QString name = QFileInfo(dialog.selectedFiles().value(0)).completeBaseName();
   if (!name.isEmpty()) dialog.selectFile(name + QLatin1Char('.') + ending);
 }
 

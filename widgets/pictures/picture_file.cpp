@@ -111,9 +111,9 @@ Picture readRaster(const QString& path) {
 
 }  // namespace
 
-QString pictureFilter() {
-  return QObject::tr("Pictures (*.%1)").arg(suffixes().join(QStringLiteral(" *.")));
-}
+QString pictureEndings() { return QStringLiteral("*.") + suffixes().join(QStringLiteral(" *.")); }
+
+QString pictureFilter() { return QObject::tr("Pictures (%1)").arg(pictureEndings()); }
 
 bool isPictureName(const QString& path) {
   return suffixes().contains(QFileInfo(path).suffix().toLower());

@@ -9,7 +9,8 @@
 
 namespace handmap {
 
-/// "Pictures (*.png *.jpg …)", for dialogs.
+/// "*.png *.jpg …", and the same for dialogs: "Pictures (*.png *.jpg …)".
+QString pictureEndings();
 QString pictureFilter();
 /// Whether the name is that of a picture; the file itself may still be anything.
 bool isPictureName(const QString& path);

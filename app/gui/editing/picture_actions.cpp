@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/gui/editing/robot_map_layer.h"
 #include "app/gui/files/reference_trust.h"
 #include "app/gui/shell/docks.h"
 #include "core/base/error.h"
@@ -50,7 +51,10 @@ PictureActions::PictureActions(const Shell& shell, MapDocument& document, MapCan
       canvas_(canvas),
       tool_(tool),
       properties_(properties),
-      trust_(trust) {
+      trust_(trust),
+      robot_maps_(new RobotMapLayer(
+          shell, document, [this](Underlay map) { canvas_.zoomToObject(layUnder(map, {})); },
+          this)) {
   shell_.actions.on("draw.add_picture", this, [this] { ask(); });
   properties_.setPictureTool(tool_);
   connect(&properties_, &PropertyPanel::pictureToolRequested, &canvas_,
@@ -60,7 +64,7 @@ PictureActions::PictureActions(const Shell& shell, MapDocument& document, MapCan
 void PictureActions::ask() {
   const QString path = shell_.dialogs.fileToOpen({tr("Add a picture underneath"),
                                                   shell_.settings.value(kFolderKey).toString(),
-                                                  pictureFilter(),
+                                                  filter(),
                                                   {},
                                                   {}});
   if (path.isEmpty()) return;
@@ -68,11 +72,22 @@ void PictureActions::ask() {
   add(path);
 }
 
+QString PictureActions::filter() {
+  return tr("Pictures and maps of robots (%1 %2)")
+             .arg(pictureEndings(), QStringLiteral("*.yaml *.yml")) +
+         QStringLiteral(";;") + pictureFilter() + QStringLiteral(";;") +
+         tr("Maps of robots, map_server (%1)").arg(QStringLiteral("*.yaml *.yml"));
+}
+
 void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
   const Map& map = document_.map();
   if (map.underlays.size() >= kMaxUnderlays) {
     shell_.messages.show(MessageBar::Kind::Warning,
                          tr("There are %1 pictures, and no room for more.").arg(kMaxUnderlays));
+    return;
+  }
+  if (RobotMapLayer::isRobotMap(path)) {
+    robot_maps_->lay(path);
     return;
   }
   PictureHead head;
@@ -87,23 +102,14 @@ void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
   const QPointF centre = middle.value_or(visible.center());
   Underlay underlay;
   underlay.opacity = kUsualOpacity;
-  const QString origin = document_.origin();
-  const QString absolute = QFileInfo(path).absoluteFilePath();
-  underlay.image =
-      origin.isEmpty() ? absolute.toStdString() : referenceFrom(native(origin), native(absolute));
+  underlay.image = native(QFileInfo(path).absoluteFilePath()).string();
   underlay = spread(underlay, head.size, visible, {centre.x(), centre.y()});
 
   const auto placed =
       head.geometry ? grounded(underlay, *head.geometry, map.georeference, {centre.x(), centre.y()})
                     : std::nullopt;
   if (placed) underlay = placed->fit.underlay;
-  const bool was_trusted = trust_.allows();
-  const QString key = document_.addUnderlay(underlay, placed ? placed->georeference : std::nullopt);
-  if (was_trusted) document_.setTrustsReferences(true);  // this one was chosen by hand
-  document_.setSelection({key});
-  canvas_.setTool(ToolId::Picture);
-  shell_.docks.show(properties_);
-  canvas_.setFocus();
+  const QString key = layUnder(underlay, placed ? placed->georeference : std::nullopt);
 
   const QString name = QFileInfo(path).fileName();
   if (placed) {
@@ -126,6 +132,20 @@ void PictureActions::add(const QString& path, std::optional<QPointF> middle) {
                             [this] { adjust(static_cast<int>(PictureTool::Mode::Scale)); });
   shell_.messages.addAction(tr("Fit by points"),
                             [this] { adjust(static_cast<int>(PictureTool::Mode::Fit)); });
+}
+
+QString PictureActions::layUnder(Underlay underlay,
+                                 const std::optional<Georeference>& georeference) {
+  const QString origin = document_.origin();
+  if (!origin.isEmpty()) underlay.image = referenceFrom(native(origin), underlay.image);
+  const bool was_trusted = trust_.allows();
+  const QString key = document_.addUnderlay(std::move(underlay), georeference);
+  if (was_trusted) document_.setTrustsReferences(true);  // this one was chosen by hand
+  document_.setSelection({key});
+  canvas_.setTool(ToolId::Picture);
+  shell_.docks.show(properties_);
+  canvas_.setFocus();
+  return key;
 }
 
 void PictureActions::adjust(int mode) {

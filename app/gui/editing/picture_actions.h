@@ -16,6 +16,9 @@ class MapDocument;
 class PictureTool;
 class PropertyPanel;
 class ReferenceTrust;
+class RobotMapLayer;
+struct Georeference;
+struct Underlay;
 
 class PictureActions : public QObject {
   Q_OBJECT
@@ -25,11 +28,15 @@ class PictureActions : public QObject {
                  PropertyPanel& properties, ReferenceTrust& trust, QObject* parent);
 
   /// Lays it where its file tells, else about `middle` (metres; absent: the middle of the canvas),
-  /// as large as it shows whole. What goes wrong is told in the message bar.
+  /// as large as it shows whole; a map of a robot where it is found to lie. What goes wrong is told
+  /// in the message bar.
   void add(const QString& path, std::optional<QPointF> middle = {});
 
  private:
+  static QString filter();
   void ask();
+  /// The key of the picture; its path is absolute.
+  QString layUnder(Underlay underlay, const std::optional<Georeference>& georeference);
   void adjust(int mode);
 
   const Shell& shell_;
@@ -38,6 +45,7 @@ class PictureActions : public QObject {
   PictureTool& tool_;
   PropertyPanel& properties_;
   ReferenceTrust& trust_;
+  RobotMapLayer* robot_maps_;
 };
 
 }  // namespace handmap

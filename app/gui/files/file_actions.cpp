@@ -13,6 +13,7 @@
 #include "app/gui/files/plan_sheet.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/geodata/fleet_map.h"
 #include "core/geodata/geo_map.h"
 #include "core/geodata/geo_writer.h"
 #include "core/map/map_io.h"
@@ -293,7 +294,11 @@ void FileActions::exportToOthers() {
   if (!map) return;
   QStringList on_earth = {tr("GeoJSON (*.geojson)"), tr("OpenStreetMap (*.osm)"), tr("KML (*.kml)"),
                           tr("GeoPackage (*.gpkg)")};
-  QStringList in_metres = {tr("DXF for CAD (*.dxf)"), tr("Map of a robot, map_server (*.yaml)")};
+  QStringList in_metres = {tr("DXF for CAD (*.dxf)"), tr("Map of a robot, map_server (*.yaml)"),
+                           tr("Building of Open-RMF, for fleets (*.building.yaml)")};
+  if (hasRobotMap(*map)) {
+    in_metres << tr("Reference coordinates of the robot's map, for fleets (*.fleet.yaml)");
+  }
   const QStringList filters = map->georeference ? on_earth + in_metres : in_metres + on_earth;
   const QString path = askPath(
       tr("Export to other programs"), document_.displayName(), filters.join(QStringLiteral(";;")),
@@ -303,7 +308,7 @@ void FileActions::exportToOthers() {
   if (!map->georeference && needsGeoreference(file))
     return askWhereItLies(QFileInfo(path).suffix());
   exportTo(path, what, [&] {
-    if (file.extension() == ".yaml") {
+    if (isMapServer(file)) {
       auto picture = file;
       refuseWhatIsRead(QFile::decodeName(picture.replace_extension(".pgm").c_str()));
     }

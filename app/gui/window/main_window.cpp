@@ -17,6 +17,7 @@
 #include "app/gui/editing/georeference_actions.h"
 #include "app/gui/editing/paper_actions.h"
 #include "app/gui/editing/picture_actions.h"
+#include "app/gui/editing/robot_map_layer.h"
 #include "app/gui/files/disk_watch.h"
 #include "app/gui/files/file_actions.h"
 #include "app/gui/files/map_model.h"
@@ -71,6 +72,7 @@ QString draggedPath(const QMimeData& data) {
   if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
   const QString path = urls.front().toLocalFile();
   const bool is_known = path.endsWith(QLatin1String(".handmap")) || isPictureName(path) ||
+                        RobotMapLayer::isRobotMap(path) ||
                         isGeoFile(QFile::encodeName(path).toStdString()) || QDir(path).exists();
   return is_known ? path : QString();
 }
@@ -478,7 +480,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   if (QDir(path).exists()) {
     sources_->openRecording(path);
-  } else if (isPictureName(path)) {
+  } else if (isPictureName(path) || RobotMapLayer::isRobotMap(path)) {
     const QPoint on_canvas = canvas_->viewport()->mapFrom(this, event->position().toPoint());
     pictures_->add(path, canvas_->mapToScene(on_canvas));
   } else {

@@ -1,11 +1,14 @@
 #include "core/geodata/geo_writer.h"
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include "core/base/text.h"
 #include "core/geodata/geo_map.h"
 #include "core/geodata/robot_map.h"
+#include "core/map/map_io.h"
 #include "core/map/public_tags.h"
+#include "core/map/underlay_fit.h"
 #include "tests/core/base/expect_error.h"
 #include "tests/core/base/temporary_folder.h"
 
@@ -130,6 +133,87 @@ TEST_F(GeoWriter, RobotMapsComeBackWithinACell) {
     }
     EXPECT_LT(least, 0.25) << building.id;
   }
+}
+
+TEST_F(GeoWriter, AGridIsReadInAllItsModes) {
+  const auto grid = [&](const std::string& more, const std::vector<int>& pixels) {
+    std::string pgm = "P5\n4 2\n255\n";
+    for (const int pixel : pixels) pgm += static_cast<char>(pixel);
+    folder_.write("g.pgm", pgm);
+    return readRobotGrid(
+        folder_.write("g.yaml",
+                      "image: g.pgm\nresolution: 0.5\norigin: [1, 2, 1.5707963267948966]\n"
+                      "occupied_thresh: 0.65\nfree_thresh: 0.196\n" +
+                          more));
+  };
+  // Black above on the left; the lower left corner is the origin, turned to the left.
+  const RobotGrid trinary = grid("negate: 0\n", {0, 205, 254, 254, 254, 254, 254, 254});
+  ASSERT_EQ(trinary.ground.edges.size(), 1U);
+  EXPECT_LT((trinary.ground.edges[0] - Vec2(1.0 - 0.75, 2.0 + 0.25)).norm(), 1e-9);
+  EXPECT_EQ(trinary.ground.free.size(), 6U);
+  const RobotGrid negated = grid("negate: 1\n", {255, 50, 0, 0, 0, 0, 0, 0});
+  EXPECT_EQ(negated.ground.edges, trinary.ground.edges);
+  EXPECT_EQ(negated.ground.free.size(), 6U);
+  const RobotGrid raw = grid("negate: 0\nmode: raw\n", {100, 255, 0, 0, 0, 0, 0, 0});
+  EXPECT_EQ(raw.ground.edges, trinary.ground.edges);
+  EXPECT_EQ(raw.ground.free.size(), 6U);
+
+  const Pose2 place{10.0, -5.0, 0.7};
+  const Underlay underlay = underlayOf(raw, place);
+  const Vec2 pixel = pointOf(underlay, {0.5, 0.5});
+  EXPECT_LT((pixel - place.toOuter(raw.ground.edges[0])).norm(), 1e-9);
+  EXPECT_LT((pointOf(underlay, {0, 2}) - place.toOuter({1.0, 2.0})).norm(), 1e-9);
+
+  test::expectBadInput([&] { grid("mode: colourful\n", {0}); }, {"g.yaml", "mode", "trinary"});
+  test::expectBadInput([&] { grid("", {254, 254, 254, 254, 254, 254, 254, 254}); }, {"g.yaml"});
+}
+
+TEST_F(GeoWriter, FleetsGetTheSameWalls) {
+  Map map = corrected();
+  map.landmarks.push_back({"gate", "Gate: \"A\"", {0.0, -3.0}});
+  const auto file = folder_.path() / "town.building.yaml";
+  writeGeoMap(map, file);
+  const YAML::Node node = YAML::LoadFile(file.string());
+  EXPECT_EQ(node["coordinate_system"].as<std::string>(), "cartesian_meters");
+  const YAML::Node level = node["levels"]["L1"];
+  const auto vertex = [&](const YAML::Node& index) {
+    const YAML::Node at = level["vertices"][index.as<std::size_t>()];
+    return Vec2(at[0].as<double>(), at[1].as<double>());
+  };
+  std::size_t wall = 0;
+  for (const Building& building : map.buildings) {
+    const Polygon outline = building.footprint();
+    for (std::size_t i = 0; i < outline.size(); ++i, ++wall) {
+      EXPECT_LT((vertex(level["walls"][wall][0]) - outline[i]).norm(), 1e-4);
+      EXPECT_LT((vertex(level["walls"][wall][1]) - outline[(i + 1) % outline.size()]).norm(), 1e-4);
+    }
+  }
+  EXPECT_EQ(level["walls"].size(), wall);
+  EXPECT_EQ(level["vertices"].size(), wall + 1);
+  EXPECT_EQ(level["vertices"][wall][3].as<std::string>(), "Gate: \"A\"");
+  EXPECT_EQ(level["lanes"].size(), 0U);
+}
+
+TEST_F(GeoWriter, FleetsGetPairsOfPoints) {
+  Map map = corrected();
+  const auto file = folder_.path() / "town.fleet.yaml";
+  test::expectBadInput([&] { writeGeoMap(map, file); }, {"town.fleet.yaml", "0 maps of robots"});
+  writeRobotMap(map, out("yaml"));
+  const Pose2 place{3.0, -4.0, 1.1};
+  map.underlays.push_back(underlayOf(readRobotGrid(out("yaml")), place));
+  writeMap(map, folder_.path() / "m.handmap");  // it is kept
+  writeGeoMap(readMap(folder_.path() / "m.handmap"), file);
+  const YAML::Node level = YAML::LoadFile(file.string())["reference_coordinates"]["L1"];
+  ASSERT_EQ(level["rmf"].size(), 4U);
+  ASSERT_EQ(level["robot"].size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto at = [&](const char* key) {
+      return Vec2(level[key][i][0].as<double>(), level[key][i][1].as<double>());
+    };
+    EXPECT_LT((place.toOuter(at("robot")) - at("rmf")).norm(), 1e-3);
+  }
+  map.underlays.push_back(map.underlays[0]);
+  test::expectBadInput([&] { writeGeoMap(map, file); }, {"2 maps of robots"});
 }
 
 TEST_F(GeoWriter, DamagedRobotMapsAreRefused) {
