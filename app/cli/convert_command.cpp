@@ -91,10 +91,10 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
       "convert", "Make a drawing of a public or robot map, or such a map of a drawing");
   command->callback([&chosen, arguments] { chosen = [arguments] { return convert(*arguments); }; });
   command
-      ->add_option(
-          "in", a.in,
-          "GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML, a map of map_server "
-          "(.yaml); or a drawing")
+      ->add_option("in", a.in,
+                   "GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML, DXF (metres), a "
+                   "map of map_server "
+                   "(.yaml); or a drawing")
       ->required()
       ->option_text("IN");
   command

@@ -13,6 +13,7 @@
 #include "core/kitti_raw/kitti_raw.h"
 #include "core/logs/log.h"
 #include "core/plausibility/plausibility.h"
+#include "core/recording/sensor_place.h"
 
 namespace handmap {
 
@@ -117,6 +118,9 @@ int importFromKitti(const ImportArguments& arguments, const std::string& name) {
                 fmt::format("{}: found {} files, expected the folder of one drive",
                             arguments.files.front(), arguments.files.size()));
   }
+  if (arguments.options.sensor) {
+    throw Error(ErrorCode::Usage, "--sensor: a drive of KITTI tells where its sensors are");
+  }
   // Without a slash behind it.
   const std::filesystem::path folder =
       (std::filesystem::absolute(arguments.files.front()).lexically_normal() / "").parent_path();
@@ -185,6 +189,16 @@ void addImportCommand(CLI::App& app, ChosenCommand& chosen) {
             "Scans a second, where there are no times");
   addNumber(*command, "--max-range", a.options.most_range_m, 0.1, 1e4,
             "Nothing came back from N metres on");
+  text(
+      "--sensor",
+      [&a](const std::string& place) {
+        a.options.sensor = parseSensorPlace(place);
+        a.topics["sensor"] = place;
+      },
+      "Where on the robot the scanner (of a bag without scans and points: the camera) is, x ahead, "
+      "y left, z up, metres, and how far it is turned to the left, degrees (default: as the file "
+      "says)",
+      "X,Y,Z[,YAW]");
   for (const auto& [role, what] : std::initializer_list<std::pair<const char*, const char*>>{
            {"left", "images of the left camera"},
            {"right", "images of the right camera"},

@@ -20,6 +20,7 @@ struct ReportArguments {
   std::string truth;
   std::string recording;
   std::string out;
+  ReportLanguage language = ReportLanguage::English;
 };
 
 ReportInputs inputsOf(const RunFolder& kept, const ReportArguments& arguments) {
@@ -29,6 +30,7 @@ ReportInputs inputsOf(const RunFolder& kept, const ReportArguments& arguments) {
   inputs.run = readFile(kept.report(), kMostReportBytes);
   inputs.run_file = kept.report();
   inputs.trajectory = readTum(kept.trajectory()).poses();
+  inputs.language = arguments.language;
   if (!arguments.truth.empty()) inputs.truth = readMap(arguments.truth);
   if (!arguments.recording.empty()) inputs.recording = openRecording(arguments.recording);
   return inputs;
@@ -87,6 +89,9 @@ void addReportCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--truth", a.truth, "A true map, to be drawn beside")
       ->option_text("T.handmap");
   command->add_option("--recording", a.recording, "For pictures on the way")->option_text("DIR");
+  addChoice(*command, "--language", a.language,
+            {{"en", ReportLanguage::English}, {"ja", ReportLanguage::Japanese}},
+            "Of what is printed (.pdf); the page (.html) has both");
   command
       ->add_option("--out", a.out,
                    "The page (.html, which refers to nothing outside; .pdf), how sure each wall is "

@@ -65,8 +65,8 @@ CameraMount mountOf(const Eigen::Isometry3d& camera, const cv::Matx33d& rectific
           std::atan2(ahead.y(), ahead.x())};
 }
 
-BagCamera::BagCamera(const BagFacts& facts, bool rectified, const std::string& file,
-                     std::vector<std::string>& notes)
+BagCamera::BagCamera(const BagFacts& facts, const BagPlan& plan, bool rectified,
+                     const std::string& file, std::vector<std::string>& notes)
     : file_(file) {
   if (!facts.left || !facts.right) {
     throwBadInput(file, "camera_info", phrase("no calibration"), phrase("that of both cameras"));
@@ -78,7 +78,9 @@ BagCamera::BagCamera(const BagFacts& facts, bool rectified, const std::string& f
     right_ = mapsOf(*facts.right);
   }
   const auto pose = facts.frames.poseIn(facts.base, facts.camera_frame);
-  if (pose) {
+  if (plan.sensor && !plan.ranges) {  // body: x ahead, z up
+    camera_.mount = mountOf(*plan.sensor, cv::Matx33d::eye());
+  } else if (pose) {
     camera_.mount = mountOf(*pose, facts.left->rectification);
   } else {
     camera_.mount.z = kDefaultCameraHeight;

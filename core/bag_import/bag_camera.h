@@ -12,7 +12,7 @@ class BagCamera {
  public:
   /// `rectified`: whether the topics say that the images are. Throws BadInput for infos that are
   /// not those of a calibrated pair; `file` names them.
-  BagCamera(const BagFacts& facts, bool rectified, const std::string& file,
+  BagCamera(const BagFacts& facts, const BagPlan& plan, bool rectified, const std::string& file,
             std::vector<std::string>& notes);
 
   const StereoCamera& camera() const { return camera_; }

@@ -9,6 +9,7 @@
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/recording.h"
+#include "core/recording/sensor_place.h"
 
 namespace handmap {
 
@@ -78,7 +79,7 @@ class BagRecorder {
   BagRecorder(const Bag& bag, const BagPlan& plan, const BagFacts& facts,
               const std::optional<BagCamera>& camera, std::vector<std::string>& notes)
       : bag_(bag), plan_(plan), camera_(camera), notes_(notes) {
-    sensor_ = facts.frames.poseIn(facts.base, facts.ranges_frame);
+    sensor_ = plan.sensor ? plan.sensor : facts.frames.poseIn(facts.base, facts.ranges_frame);
     if (plan.ranges && !sensor_ && facts.ranges_frame != facts.base) {
       notes.push_back(phrase("nothing tells where \"{}\" is on the robot: taken to be its origin",
                              facts.ranges_frame));
@@ -167,19 +168,7 @@ class BagRecorder {
 
   std::vector<RangePoint> pointsIn(const FieldReader& fields) const {
     std::vector<RangePoint> points = ros::readPoints(fields, bag_.topics()[*plan_.ranges]).points;
-    if (!sensor_) return points;
-    const Eigen::Isometry3f pose = sensor_->cast<float>();
-    for (RangePoint& p : points) {
-      const Eigen::Vector3f at(p.x, p.y, p.z);
-      const Eigen::Vector3f moved = pose * at;
-      if (isMeasured(p)) {
-        p = {moved.x(), moved.y(), moved.z(), p.w};
-      } else {  // a direction, seen from the robot as from the scanner
-        const Eigen::Vector3f turned = pose.linear() * at;
-        p = notMeasured(std::atan2(turned.y(), turned.x()), moved.z());
-      }
-    }
-    return points;
+    return sensor_ ? placedOn(*sensor_, std::move(points)) : points;
   }
 
   const Bag& bag_;
@@ -228,7 +217,7 @@ ImportedBag importBag(const Bag& bag, const BagPlan& plan, const fs::path& folde
   if (plan.hasCamera()) {
     const bool rectified = bag.topics()[*plan.left].name.find("rect") != std::string::npos;
     try {
-      camera.emplace(facts, rectified, bag.path().string(), notes);
+      camera.emplace(facts, plan, rectified, bag.path().string(), notes);
     } catch (const Error& error) {
       if (!plan.ranges) throw;
       notes.emplace_back(error.what());

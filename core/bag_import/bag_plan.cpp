@@ -8,6 +8,7 @@
 #include "core/bags/ros_messages.h"
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/recording/sensor_place.h"
 
 namespace handmap {
 
@@ -41,6 +42,9 @@ class Planner {
 
   BagPlan plan() const {
     BagPlan plan;
+    if (const auto place = told_.find("sensor"); place != told_.end()) {
+      plan.sensor = parseSensorPlace(place->second);
+    }
     planCamera(plan);
     const auto scan = chosen("scan", ros::isScan, [](const BagTopic&) { return 0; });
     const auto cloud = chosen("points", ros::isPointCloud, [](const BagTopic& topic) {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "core/bags/bag.h"
 
 namespace handmap {
@@ -15,6 +17,9 @@ struct BagPlan {
   std::optional<std::size_t> ranges;  ///< a LaserScan or a PointCloud2
   std::optional<std::size_t> odometry, truth;
   std::optional<std::size_t> frames, fixed_frames;  ///< /tf, /tf_static
+  /// Where the ranges (without any: the camera) are measured from, in the robot's frame, as a
+  /// person says; absent: as the frames tell.
+  std::optional<Eigen::Isometry3d> sensor;
 
   bool hasCamera() const { return left && right && left_info && right_info; }
   bool seesAnything() const { return hasCamera() || ranges; }
@@ -22,13 +27,15 @@ struct BagPlan {
   std::string roleOf(std::size_t topic, const Bag& bag) const;
 };
 
-/// Role (left, right, scan, points, odometry, truth) → topic, or "none".
+/// Role (left, right, scan, points, odometry, truth) → topic, or "none"; "sensor" → its place, as
+/// parseSensorPlace() takes it.
 using ToldTopics = std::map<std::string, std::string>;
 
 /// Whether the type of a topic lets it.
 bool canServe(const BagTopic& topic, const std::string& role);
 
-/// Throws BadInput for a topic that is not there or of a type that cannot serve so.
+/// Throws BadInput for a topic that is not there or of a type that cannot serve so, Usage for a
+/// place that is none.
 BagPlan planOf(const Bag& bag, const ToldTopics& told);
 
 }  // namespace handmap

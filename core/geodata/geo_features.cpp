@@ -26,8 +26,8 @@ namespace handmap {
 namespace {
 
 /// Those of geoFileEndings(): no other one is tried on a file that says it is one of these.
-constexpr const char* kDrivers[] = {"GeoJSON", "OSM",    "GPKG", "ESRI Shapefile",
-                                    "KML",     "LIBKML", "GML",  nullptr};
+constexpr const char* kDrivers[] = {"GeoJSON", "OSM", "GPKG", "ESRI Shapefile", "KML",
+                                    "LIBKML",  "GML", "DXF",  nullptr};
 
 struct CloseDataset {
   void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
@@ -112,6 +112,13 @@ std::vector<Vec2> pointsOf(OGRGeometryH line) {
   return points;
 }
 
+/// A plan has closed lines and, as this program writes it, names in another layer.
+GeoKind kindInPlan(OGRFeatureH feature, OGRwkbGeometryType type, const std::vector<Vec2>& points) {
+  const bool is_closed = points.size() > 3 && (points.front() - points.back()).norm() < 1e-6;
+  if (type != wkbPolygon && !(type == wkbLineString && is_closed)) return GeoKind::Other;
+  return textOf(feature, {"Layer"}) == "BUILDINGS" ? GeoKind::Building : GeoKind::Area;
+}
+
 GeoKind kindOf(OGRFeatureH feature, OGRwkbGeometryType type) {
   const std::string own = textOf(feature, {"kind"});  // what this program exports
   if (own == "landmark" && type == wkbPoint) return GeoKind::Landmark;
@@ -134,7 +141,7 @@ class AnyNumbers {
 
 class Reader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  Reader(std::string file, bool is_plan) : file_(std::move(file)), is_plan_(is_plan) {}
 
   std::vector<GeoFeature> read() {
     const QuietErrors quiet;
@@ -156,7 +163,7 @@ class Reader {
   [[noreturn]] void refuse(const std::string& found) const {
     const std::string details = CPLGetLastErrorMsg();
     throwBadInput(file_, {}, details.empty() ? found : found + " (" + details + ")",
-                  phrase("GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML or GML"));
+                  phrase("GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML or DXF"));
   }
 
   /// To longitude and latitude, in this order whatever the authority says.
@@ -179,8 +186,12 @@ class Reader {
   void take(OGRFeatureH feature, OGRLayerH layer) {
     OGRGeometryH geometry = OGR_F_GetGeometryRef(feature);
     if (geometry == nullptr) return;
-    toDegrees(geometry, layer);
     GeoFeature found;
+    if (is_plan_) {
+      found.name = textOf(feature, {"Text"});
+      return add(feature, geometry, found);
+    }
+    toDegrees(geometry, layer);
     found.id = textOf(feature, {"id", "osm_way_id", "osm_id", "@id"});
     found.name = textOf(feature, {"name"});
     found.tags = publicTagsOf(feature);
@@ -196,11 +207,12 @@ class Reader {
 
   void add(OGRFeatureH feature, OGRGeometryH geometry, GeoFeature found) {
     const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(geometry));
-    found.kind = kindOf(feature, type);
     const bool has_ring = type == wkbPolygon && OGR_G_GetGeometryCount(geometry) > 0;
     if (type == wkbPolygon && !has_ring) return;
     found.points = pointsOf(has_ring ? OGR_G_GetGeometryRef(geometry, 0) : geometry);
+    found.kind = is_plan_ ? kindInPlan(feature, type, found.points) : kindOf(feature, type);
     for (const Vec2& point : found.points) {
+      if (is_plan_) break;
       if (std::abs(point.x()) <= 180.0 && std::abs(point.y()) <= 90.0) continue;
       throwBadInput(file_, {}, phrase("the coordinates {}, {}", point.x(), point.y()),
                     phrase("longitude and latitude in degrees"));
@@ -209,6 +221,7 @@ class Reader {
   }
 
   std::string file_;
+  bool is_plan_;  ///< in metres of nobody knows where
   std::vector<GeoFeature> features_;
   OGRLayerH layer_ = nullptr;
   Transformation transformation_;
@@ -221,7 +234,7 @@ std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
   std::call_once(registered, [] { GDALAllRegister(); });
   if (!std::filesystem::is_regular_file(path))
     throwBadInput(path.string(), {}, phrase("no file"), phrase("a file of geographic data"));
-  std::vector<GeoFeature> features = Reader(path.string()).read();
+  std::vector<GeoFeature> features = Reader(path.string(), isPlan(path)).read();
   if (path.extension() == ".osm") takeAllTags(path, features);
   return features;
 }
@@ -235,5 +248,9 @@ std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
 }
 
 #endif
+
+bool isPlan(const std::filesystem::path& path) {
+  return path.extension() == ".dxf" || path.extension() == ".DXF";
+}
 
 }  // namespace handmap

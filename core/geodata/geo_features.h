@@ -18,10 +18,14 @@ struct GeoFeature {
   GeoKind kind = GeoKind::Other;
   std::string id;
   std::string name;
-  std::vector<Vec2> points;  ///< WGS 84 longitude and latitude, degrees; of an area its outer ring
+  /// WGS 84 longitude and latitude, degrees, of a plan metres; of an area its outer ring.
+  std::vector<Vec2> points;
   std::optional<Uncertainty> uncertainty;
   PublicTags tags;  ///< of a building
 };
+
+/// Whether the name is that of a plan (DXF), which does not say where on earth it is.
+bool isPlan(const std::filesystem::path& path);
 
 /// A feature for each polygon, also of several that belong together. Throws BadInput.
 std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 #include "core/geodata/geo_map.h"
 
 #include <algorithm>
+#include <functional>
 #include <unordered_set>
 
 #include "core/base/error.h"
@@ -16,9 +17,12 @@ namespace {
 /// From a public map: as sure as a plan, true to scale and turned rightly.
 constexpr Uncertainty kPublicUncertainty{0.5, 0.5};
 
-Polygon corners(const TangentPlane& plane, const std::vector<Vec2>& ring) {
+/// From what the file has, degrees or metres.
+using InMap = std::function<Vec2(const Vec2&)>;
+
+Polygon corners(const InMap& in_map, const std::vector<Vec2>& ring) {
   Polygon outline;
-  for (const Vec2& degrees : ring) outline.push_back(plane.inMap(degrees));
+  for (const Vec2& point : ring) outline.push_back(in_map(point));
   if (outline.size() > 1 && (outline.front() - outline.back()).norm() < 1e-6) outline.pop_back();
   if (signedArea(outline) < 0.0) std::ranges::reverse(outline);
   return outline;
@@ -60,8 +64,8 @@ class Ids {
   int next_ = 1;
 };
 
-void addBuilding(GeoMap& geo, const TangentPlane& plane, const GeoFeature& feature, Ids& ids) {
-  Polygon outline = corners(plane, feature.points);
+void addBuilding(GeoMap& geo, const InMap& in_map, const GeoFeature& feature, Ids& ids) {
+  Polygon outline = corners(in_map, feature.points);
   if (!canBeDrawn(outline) || geo.map.buildings.size() == kMaxBuildings) {
     ++geo.left_out;
     return;
@@ -75,11 +79,24 @@ void addBuilding(GeoMap& geo, const TangentPlane& plane, const GeoFeature& featu
   geo.map.buildings.push_back(std::move(building));
 }
 
+/// Of a plan: by the texts in their outlines.
+void nameByTexts(std::vector<GeoFeature>& features) {
+  for (const GeoFeature& text : features) {
+    if (text.kind != GeoKind::Other || text.name.empty()) continue;
+    for (GeoFeature& feature : features) {
+      const bool is_outline = feature.kind == GeoKind::Building || feature.kind == GeoKind::Area;
+      if (is_outline && feature.name.empty() && contains(feature.points, text.points.front())) {
+        feature.name = text.name;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& geoFileEndings() {
   static const std::vector<std::string> kEndings = {"geojson", "json", "osm", "gpkg",
-                                                    "shp",     "kml",  "gml"};
+                                                    "shp",     "kml",  "gml", "dxf"};
   return kEndings;
 }
 
@@ -94,6 +111,8 @@ bool isGeoFile(const std::filesystem::path& path) {
 GeoMap readGeoMap(const std::filesystem::path& path) {
   std::vector<GeoFeature> features = readGeoFeatures(path);
   std::erase_if(features, [](const GeoFeature& feature) { return feature.points.empty(); });
+  const bool is_plan = isPlan(path);
+  if (is_plan) nameByTexts(features);
   const bool tells_kinds = std::ranges::any_of(
       features, [](const GeoFeature& feature) { return feature.kind == GeoKind::Building; });
   if (!tells_kinds)
@@ -109,14 +128,16 @@ GeoMap readGeoMap(const std::filesystem::path& path) {
                   phrase("polygons of buildings"));
   }
   GeoMap geo;
-  geo.map.georeference = middleOf(features);
+  const Georeference middle = middleOf(features);
+  if (!is_plan) geo.map.georeference = middle;
   geo.map.uncertainty = kPublicUncertainty;
   geo.map.whole = {0.0, 0.0};
-  const TangentPlane plane(*geo.map.georeference);
+  const TangentPlane plane(middle);
+  const InMap in_map = [&](const Vec2& point) { return is_plan ? point : plane.inMap(point); };
   Ids ids;
   for (const GeoFeature& feature : features) {
     if (feature.kind == GeoKind::Building) {
-      addBuilding(geo, plane, feature, ids);
+      addBuilding(geo, in_map, feature, ids);
     } else if (feature.kind == GeoKind::Landmark && geo.map.landmarks.size() < kMaxLandmarks) {
       geo.map.landmarks.push_back(
           {ids.take(feature.id, 'L'), feature.name, plane.inMap(feature.points.front())});

@@ -157,6 +157,16 @@ class GdalWriter {
     finish(layer, feature, polygon);
   }
 
+  /// Only what has such a style becomes a text, 2 m high.
+  static std::string labelOf(const std::string& text) {
+    std::string label = "LABEL(f:\"Arial\",s:2g,t:\"";
+    for (const char c : text) {
+      if (c == '"' || c == '\\') label += '\\';
+      label += c;
+    }
+    return label + "\")";
+  }
+
   /// A closed line on a layer, and the name on another.
   void addToPlan(OGRLayerH layer, const Building& building) {
     const auto create = [&](const char* plan_layer) {
@@ -166,8 +176,8 @@ class GdalWriter {
     };
     finish(layer, create("BUILDINGS"), ringOf(building, wkbLineString));
     OGRFeatureH name = create("NAMES");
-    OGR_F_SetFieldString(name, OGR_F_GetFieldIndex(name, "Text"),
-                         (building.name.empty() ? building.id : building.name).c_str());
+    OGR_F_SetStyleString(name,
+                         labelOf(building.name.empty() ? building.id : building.name).c_str());
     OGRGeometryH point = OGR_G_CreateGeometry(wkbPoint);
     const Vec2 centre = building.box().centre;
     OGR_G_AddPoint_2D(point, centre.x(), centre.y());

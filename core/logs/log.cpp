@@ -8,6 +8,7 @@
 #include "core/logs/array_log.h"
 #include "core/logs/table_log.h"
 #include "core/recording/recording.h"
+#include "core/recording/sensor_place.h"
 
 namespace handmap {
 
@@ -59,6 +60,10 @@ Log readLogs(const std::vector<fs::path>& files, const LogOptions& options,
     } else {
       addTable(parseTable(content, file, stop), options, log);
     }
+  }
+  if (options.sensor) {
+    for (LoggedScan& scan : log.scans)
+      scan.points = placedOn(*options.sensor, std::move(scan.points));
   }
   const std::size_t repeated = sortByTime(log.scans) + sortByTime(log.poses);
   if (repeated > 0) {

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "core/base/error.h"
 #include "core/recording/observation.h"
 
@@ -33,8 +35,9 @@ struct LogOptions {
   std::optional<double> seconds = {};  ///< a unit of time
   std::optional<double> radians = {};  ///< a unit of angle
   std::optional<RayAngles> angles = {};
-  std::optional<double> rate_hz = {};       ///< where there are no times
-  std::optional<double> most_range_m = {};  ///< nothing came back from there on
+  std::optional<double> rate_hz = {};            ///< where there are no times
+  std::optional<double> most_range_m = {};       ///< nothing came back from there on
+  std::optional<Eigen::Isometry3d> sensor = {};  ///< on the robot; absent: its origin
 };
 
 /// "time=1,ranges=2-362". Throws Usage.

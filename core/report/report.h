@@ -27,6 +27,9 @@ inline constexpr std::array<double, 3> kTolerances_m = {0.3, 0.6, 1.2};
 /// Of the buildings that have an estimate.
 std::vector<WallTolerance> tolerancesOf(const Map& refined);
 
+/// Of what is printed; the page has both.
+enum class ReportLanguage { English, Japanese };
+
 struct ReportInputs {
   Map drawing;
   Map refined;
@@ -35,11 +38,12 @@ struct ReportInputs {
   std::vector<StampedPose> trajectory = {};
   std::optional<Map> truth = {};
   std::optional<Recording> recording = {};  ///< for pictures on the way
+  ReportLanguage language = ReportLanguage::English;
 };
 
 /// Throws BadInput where the report of the run is none.
 std::string reportHtml(const ReportInputs& inputs);
-/// Pages of A4, in English; throws alike.
+/// Pages of A4; throws alike.
 std::string reportPdf(const ReportInputs& inputs);
 /// A row a wall, with a header.
 std::string tolerancesCsv(const Map& refined);

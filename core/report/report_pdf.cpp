@@ -19,7 +19,8 @@ constexpr double kMargin_mm = 15.0;
 constexpr double kInner_mm = kWidth_mm - 2.0 * kMargin_mm;
 constexpr double kText_mm = 3.2;
 constexpr double kLine_mm = 4.6;
-constexpr std::size_t kLetters = 120;  // of a line, as small as most are
+constexpr double kLetter =
+    0.466;  // of the font's size, as wide as most are; Japanese is as wide as high
 constexpr PdfColour kDrawn = {0.6, 0.6, 0.6};
 constexpr PdfColour kFound = {0.0, 0.0, 0.0};
 constexpr PdfColour kDoubtful = {0.8, 0.4, 0.0};
@@ -39,10 +40,48 @@ double roundLength(double most) {
   return power * (most >= 5.0 * power ? 5.0 : most >= 2.0 * power ? 2.0 : 1.0);
 }
 
+bool isWithin(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }  // a character
+bool isWide(std::string_view text, std::size_t at) {
+  return static_cast<unsigned char>(text[at]) >= 0xE0;
+}
+
+/// In font sizes.
+double widthOf(std::string_view text) {
+  double width = 0.0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!isWithin(text[i])) width += isWide(text, i) ? 1.0 : kLetter;
+  }
+  return width;
+}
+
+/// How much of a text goes into a line: to a blank, or between two wide characters of which the
+/// next does not end a sentence; all of it where there is no such place.
+std::size_t lineOf(std::string_view text, double width) {
+  std::size_t end = text.size();
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (isWithin(text[i])) continue;
+    const std::string_view next = text.substr(i);
+    const bool stays = next.starts_with("。") || next.starts_with("、") || next.starts_with("）");
+    const bool may_end = text[i] == ' ' || (isWide(text, i) && !stays);
+    if (may_end && widthOf(text.substr(0, i)) <= width) end = i;
+    if (widthOf(text.substr(0, i)) > width) {
+      if (end == text.size() && may_end) end = i;
+      if (end < text.size()) return end;
+    }
+  }
+  return widthOf(text) <= width ? text.size() : end;
+}
+
 /// From the top to the bottom, page after page.
 class Pages {
  public:
-  Pages() : pdf_(kWidth_mm, kHeight_mm) { begin(); }
+  explicit Pages(ReportLanguage language) : pdf_(kWidth_mm, kHeight_mm), language_(language) {
+    begin();
+  }
+
+  const char* say(const char* english, const char* japanese) const {
+    return language_ == ReportLanguage::Japanese ? japanese : english;
+  }
 
   PdfDocument& pdf() { return pdf_; }
   std::string bytes() const { return pdf_.bytes(); }
@@ -62,15 +101,13 @@ class Pages {
     take(3.0);
     pdf_.text({kMargin_mm, take(8.0) - 5.0}, 4.5, text);
   }
-  void paragraph(std::string text) {
-    while (text.size() > kLetters) {
-      std::size_t end = text.rfind(' ', kLetters);
-      if (end == std::string::npos || end == 0)
-        end = std::min(text.find(' ', kLetters), text.size());
-      row({{0.0, text.substr(0, end)}});
-      text.erase(0, std::min(end + 1, text.size()));
+  void paragraph(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = lineOf(text, kInner_mm / kText_mm);
+      row({{0.0, std::string(text.substr(0, end))}});
+      text.remove_prefix(std::min(end, text.size()));
+      if (text.starts_with(' ')) text.remove_prefix(1);
     }
-    row({{0.0, text}});
   }
   void row(const std::vector<std::pair<double, std::string>>& cells) {
     const double y = take(kLine_mm) - kText_mm;
@@ -84,6 +121,7 @@ class Pages {
   }
 
   PdfDocument pdf_;
+  ReportLanguage language_;
   double top_ = 0.0;  ///< of what is free
 };
 
@@ -136,15 +174,15 @@ void addPlan(const Json& data, Pages& pages) {
   pdf.line({{kMargin_mm, y}, {kMargin_mm + bar_m * per_metre, y}}, false, 0.8, kFound);
   pdf.text({kMargin_mm + bar_m * per_metre + 2.0, y - 1.0}, kText_mm, fmt::format("{:g} m", bar_m));
   double x = kMargin_mm + 65.0;
-  for (const auto& [word, colour] : {std::pair("drawn", kDrawn),
-                                     {"corrected", kFound},
-                                     {"doubtful", kDoubtful},
-                                     {"way of the robot", kWay},
-                                     {"true", kTrue}}) {
+  for (const auto& [word, colour] : {std::pair(pages.say("drawn", "図面"), kDrawn),
+                                     {pages.say("corrected", "補正後"), kFound},
+                                     {pages.say("doubtful", "疑わしい"), kDoubtful},
+                                     {pages.say("way of the robot", "ロボットの経路"), kWay},
+                                     {pages.say("true", "真値"), kTrue}}) {
     if (colour == kTrue && data["truth"].empty()) continue;
     pdf.line({{x, y}, {x + 5.0, y}}, false, 0.6, colour);
     pdf.text({x + 6.0, y - 1.0}, kText_mm, word);
-    x += 10.0 + 1.6 * static_cast<double>(std::string_view(word).size());
+    x += 10.0 + 1.1 * kText_mm * widthOf(word);
   }
 }
 
@@ -161,7 +199,7 @@ void addCertainty(const Json& data, Pages& pages) {
     sigmas.emplace_back(frame[0].get<double>(), sigma);
     most = std::max(most, sigma);
   }
-  pages.heading("How sure the pose was");
+  pages.heading(pages.say("How sure the pose was", "姿勢の確かさ"));
   const double bottom = pages.take(kChart_mm) - kChart_mm;
   Polygon curve;
   for (const Vec2& at : sigmas) {
@@ -175,26 +213,30 @@ void addCertainty(const Json& data, Pages& pages) {
             {kMargin_mm, bottom + kChart_mm}},
            true, 0.15, kDrawn);
   pdf.line(curve, false, 0.35, kWay);
-  pages.paragraph(fmt::format("One sigma of the place over {:.0f} s; the upper edge is {:.2f} m.",
-                              last_s - first_s, most));
+  pages.paragraph(fmt::format(
+      fmt::runtime(pages.say("One sigma of the place over {:.0f} s; the upper edge is {:.2f} m.",
+                             "位置の 1σ の {:.0f} 秒間の推移。上端は {:.2f} m です。")),
+      last_s - first_s, most));
 }
 
 void addWords(const Json& data, Pages& pages) {
   if (data.contains("common")) {
     const Json& common = data["common"];
     pages.paragraph(fmt::format(
-        "Together the buildings are {:.2f} m ({:.2f}) east and {:.2f} m ({:.2f}) north of where "
-        "they "
-        "are drawn, turned by {:.2f} ({:.2f}) degrees; each is {:.2f} m off of its own. In "
-        "brackets "
-        "one sigma.",
+        fmt::runtime(pages.say(
+            "Together the buildings are {:.2f} m ({:.2f}) east and {:.2f} m ({:.2f}) north of "
+            "where they are drawn, turned by {:.2f} ({:.2f}) degrees; each is {:.2f} m off of its "
+            "own. In brackets one sigma.",
+            "建物は全体として、描かれた位置から東へ {:.2f} m（{:.2f}）、北へ {:.2f} "
+            "m（{:.2f}）ずれ、{:.2f}°（{:.2f}）"
+            "回っています。それぞれの建物のずれは別に {:.2f} m です。かっこ内は 1σ です。")),
         common["x"].get<double>(), common["sigma_x"].get<double>(), common["y"].get<double>(),
         common["sigma_y"].get<double>(), common["turn_deg"].get<double>(),
         common["sigma_turn_deg"].get<double>(), common["own_m"].get<double>()));
   }
   const Json& run = data["run"];
   if (!run.contains("warnings") || !run["warnings"].is_array() || run["warnings"].empty()) return;
-  pages.heading("What went wrong");
+  pages.heading(pages.say("What went wrong", "うまくいかなかったこと"));
   for (const Json& warning : run["warnings"]) {
     if (!warning.is_object()) continue;
     for (const char* key : {"message", "hint"}) {
@@ -205,17 +247,21 @@ void addWords(const Json& data, Pages& pages) {
 }
 
 void addTable(const Json& data, Pages& pages) {
-  pages.heading("Buildings and their walls");
-  pages.paragraph(
+  pages.heading(pages.say("Buildings and their walls", "建物とその壁"));
+  pages.paragraph(pages.say(
       "sigma: across the wall, metres. The last three: probability that the wall is off by no more "
       "than so much, its building being the right one or not. Walls are counted from the one along "
-      "the building's heading, counter-clockwise.");
-  pages.row({{0.0, "building"},
-             {60.0, "moved"},
-             {80.0, "doubt"},
-             {97.0, "wall"},
-             {110.0, "sigma"},
-             {127.0, "seen"},
+      "the building's heading, counter-clockwise.",
+      "σ "
+      "は壁に直交する向きのもの（m）です。右の三列は、その建物が正しい建物でない場合も含めて、壁の"
+      "ずれがその値以内である"
+      "確率です。壁は建物の方位の側から反時計回りに数えます。"));
+  pages.row({{0.0, pages.say("building", "建物")},
+             {60.0, pages.say("moved", "移動")},
+             {80.0, pages.say("doubt", "疑い")},
+             {97.0, pages.say("wall", "壁")},
+             {110.0, pages.say("sigma", "σ")},
+             {127.0, pages.say("seen", "観測")},
              {142.0, "0.3 m"},
              {156.0, "0.6 m"},
              {170.0, "1.2 m"}});
@@ -230,7 +276,8 @@ void addTable(const Json& data, Pages& pages) {
     for (const Json& wall : building["walls"]) {
       cells.emplace_back(97.0, std::to_string(side++));
       cells.emplace_back(110.0, fmt::format("{:.2f}", wall["sigma"].get<double>()));
-      cells.emplace_back(127.0, wall["seen"].get<bool>() ? "yes" : "no");
+      cells.emplace_back(
+          127.0, wall["seen"].get<bool>() ? pages.say("yes", "あり") : pages.say("no", "なし"));
       for (std::size_t k = 0; k < kTolerances_m.size(); ++k) {
         cells.emplace_back(142.0 + 14.0 * static_cast<double>(k),
                            fmt::format("{:.2f}", wall["within"][k].get<double>()));
@@ -253,15 +300,16 @@ void addValues(const std::string& name, const Json& value, Pages& pages) {
 
 std::string reportPdf(const ReportInputs& inputs) {
   const Json data = reportData(inputs);
-  Pages pages;
+  Pages pages(inputs.language);
   pages.pdf().text({kMargin_mm, pages.take(12.0) - 7.0}, 7.0, data["title"].get<std::string>());
-  pages.paragraph("Corrected with " + data["program"].get<std::string>());
+  pages.paragraph(fmt::format(fmt::runtime(pages.say("Corrected with {}", "{} で補正")),
+                              data["program"].get<std::string>()));
   pages.take(3.0);
   addPlan(data, pages);
   addWords(data, pages);
   addCertainty(data, pages);
   addTable(data, pages);
-  pages.heading("Settings");
+  pages.heading(pages.say("Settings", "設定"));
   for (const char* key : {"program", "recording", "wall_s", "skipped"}) {
     if (data["run"].contains(key)) addValues(key, data["run"][key], pages);
   }

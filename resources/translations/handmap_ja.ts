@@ -4737,6 +4737,10 @@
         <source>walls</source>
         <translation>壁</translation>
     </message>
+    <message>
+        <source>--sensor: found &quot;{}&quot;, expected X,Y,Z in metres and perhaps a turn to the left in degrees</source>
+        <translation>--sensor: 「{}」でした。X,Y,Z（メートル）と、必要なら左への向き（度）にしてください</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -4812,6 +4816,18 @@
     <message>
         <source>Nothing in it sees: it has neither scans nor points nor images.</source>
         <translation>見るものがありません。スキャンも点群も画像も入っていません。</translation>
+    </message>
+    <message>
+        <source>as the bag says; else x,y,z, e.g. 0.3,0,1.7</source>
+        <translation>バッグのとおり。なければ x,y,z、例: 0.3,0,1.7</translation>
+    </message>
+    <message>
+        <source>Where on the robot the scanner or camera is: ahead, left, up, metres, and how far it is turned to the left, degrees.</source>
+        <translation>スキャナーまたはカメラがロボットのどこにあるか: 前、左、上（メートル）、左への向き（度）。</translation>
+    </message>
+    <message>
+        <source>Place of the sensor</source>
+        <translation>センサーの位置</translation>
     </message>
 </context>
 <context>
@@ -6245,6 +6261,18 @@ Observations: %4</source>
     <message>
         <source>Such as the poses that belong to the scans.</source>
         <translation>スキャンに対応する姿勢など。</translation>
+    </message>
+    <message>
+        <source>Place of the sensor</source>
+        <translation>センサーの位置</translation>
+    </message>
+    <message>
+        <source>x,y,z, e.g. 0.3,0,1.7</source>
+        <translation>x,y,z、例: 0.3,0,1.7</translation>
+    </message>
+    <message>
+        <source>Where on the robot the scanner is: ahead, left, up, metres, and how far it is turned to the left, degrees.</source>
+        <translation>スキャナーがロボットのどこにあるか: 前、左、上（メートル）、左への向き（度）。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -49,6 +50,14 @@ void BagDialogTest::proposesTopicsAndTakesOthers() {
   QVERIFY(mayImport(dialog));
   scan->setCurrentIndex(2);
   QCOMPARE(dialog.topics().at("scan"), std::string("/rear/scan"));
+  auto* sensor = dialog.findChild<QLineEdit*>("bag_sensor");
+  QVERIFY(!dialog.topics().contains("sensor"));
+  sensor->setText("0.3,0");
+  QVERIFY(!mayImport(dialog));
+  QVERIFY(dialog.findChild<QLabel*>("bag_words")->text().contains("X,Y,Z"));
+  sensor->setText("0.3,0,1.7,90");
+  QVERIFY(mayImport(dialog));
+  QCOMPARE(dialog.topics().at("sensor"), std::string("0.3,0,1.7,90"));
   scan->setCurrentIndex(0);
   QVERIFY(!mayImport(dialog));
   QVERIFY(dialog.findChild<QLabel*>("bag_words")->text().startsWith("Nothing in it sees"));

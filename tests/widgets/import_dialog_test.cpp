@@ -44,6 +44,14 @@ void ImportDialogTest::tellsWhatItHoldsAndReadsAgainWithOtherUnits() {
   QVERIFY(!dialog.log());
   QTRY_VERIFY(dialog.log());
   QCOMPARE(dialog.log()->scans[0].points[0].x, 0.03F);
+  auto* sensor = dialog.findChild<QLineEdit*>("import_sensor");
+  sensor->setText("1,0");
+  Q_EMIT sensor->editingFinished();
+  QVERIFY2(wordsOf(dialog).contains("--sensor"), qPrintable(wordsOf(dialog)));
+  sensor->setText("1,0,0.5");
+  Q_EMIT sensor->editingFinished();
+  QTRY_VERIFY(dialog.log());
+  QCOMPARE(dialog.log()->scans[0].points[0].x, 1.03F);
 }
 
 void ImportDialogTest::asksForWhatCannotBeSeen() {

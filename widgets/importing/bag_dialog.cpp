@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -32,6 +33,7 @@ BagDialog::BagDialog(const QString& file, QWidget* parent)
     : QDialog(parent),
       form_(new QFormLayout),
       words_(new QLabel(tr("Reading…"))),
+      sensor_(new QLineEdit),
       self_(std::make_shared<Lifeline<BagDialog>>(*this)) {
   setObjectName("bag_dialog");
   setWindowTitle(tr("Import a bag of ROS"));
@@ -58,6 +60,13 @@ BagDialog::BagDialog(const QString& file, QWidget* parent)
     form_->addRow(name, choice);
     connect(choice, &QComboBox::currentIndexChanged, this, &BagDialog::judge);
   }
+  sensor_->setObjectName("bag_sensor");
+  sensor_->setPlaceholderText(tr("as the bag says; else x,y,z, e.g. 0.3,0,1.7"));
+  sensor_->setToolTip(
+      tr("Where on the robot the scanner or camera is: ahead, left, up, metres, and "
+         "how far it is turned to the left, degrees."));
+  form_->addRow(tr("Place of the sensor"), sensor_);
+  connect(sensor_, &QLineEdit::textChanged, this, &BagDialog::judge);
   startInBackground([self = self_, file] {
     self->post([answer = openBagInBackground(file)](BagDialog& dialog) {
       if (const auto* failure = std::get_if<Failure>(&answer)) {
@@ -105,6 +114,8 @@ ToldTopics BagDialog::topics() const {
     const std::string topic = choice->currentData().toString().toStdString();
     if (!topic.empty()) told[role] = topic;
   }
+  const QString place = sensor_->text().trimmed();
+  if (!place.isEmpty()) told["sensor"] = place.toStdString();
   return told;
 }
 

@@ -14,6 +14,7 @@
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace handmap {
@@ -27,7 +28,7 @@ class BagDialog : public QDialog {
 
   /// nullptr before it was opened, and where it cannot be.
   const std::shared_ptr<const Bag>& bag() const { return bag_; }
-  /// As chosen.
+  /// As chosen, and where the sensor is.
   ToldTopics topics() const;
 
  private:
@@ -42,6 +43,7 @@ class BagDialog : public QDialog {
   QLabel* words_;
   QPushButton* import_;
   std::map<std::string, QComboBox*> choices_;  ///< by role
+  QLineEdit* sensor_;
   std::shared_ptr<Lifeline<BagDialog>> self_;  ///< shared with the thread that reads
 };
 

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/geometry/pose2.h"
+#include "core/recording/sensor_place.h"
 #include "widgets/background/failure.h"
 #include "widgets/rig/rig_preview.h"
 
@@ -52,6 +53,7 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
       angles_(new QLineEdit),
       rate_(new QLineEdit),
       columns_(new QLineEdit),
+      sensor_(new QLineEdit),
       self_(std::make_shared<Lifeline<ImportDialog>>(*this)) {
   setObjectName("import_dialog");
   setWindowTitle(tr("Import a log"));
@@ -81,13 +83,14 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
   form->addRow(tr("Directions"), angles_);
   form->addRow(tr("Scans a second"), rate_);
   form->addRow(tr("Columns"), columns_);
+  form->addRow(tr("Place of the sensor"), sensor_);
   addFields();
   read();
 }
 
 ImportDialog::~ImportDialog() {
   self_->cut();
-  for (const QLineEdit* field : {angles_, rate_, columns_})
+  for (const QLineEdit* field : {angles_, rate_, columns_, sensor_})
     field->disconnect(this);  // they lose the focus
 }
 
@@ -108,12 +111,17 @@ void ImportDialog::addFields() {
   angles_->setToolTip(tr("Of the ranges of a scan: degrees, 0 ahead, positive to the left."));
   rate_->setPlaceholderText(tr("where there are no times"));
   columns_->setPlaceholderText(tr("e.g. time=1,ranges=2-362"));
+  sensor_->setPlaceholderText(tr("x,y,z, e.g. 0.3,0,1.7"));
+  sensor_->setToolTip(
+      tr("Where on the robot the scanner is: ahead, left, up, metres, and how far it "
+         "is turned to the left, degrees."));
+  sensor_->setObjectName("import_sensor");
   angles_->setObjectName("import_angles");
   metres_->setObjectName("import_metres");
   for (QComboBox* units : {metres_, seconds_, radians_}) {
     connect(units, &QComboBox::currentIndexChanged, this, &ImportDialog::read);
   }
-  for (QLineEdit* field : {angles_, rate_, columns_}) {
+  for (QLineEdit* field : {angles_, rate_, columns_, sensor_}) {
     connect(field, &QLineEdit::editingFinished, this, [this] {
       if (typed() != typed_) read();  // else a click on “Import…” finds it reading
     });
@@ -134,7 +142,7 @@ QLineEdit& ImportDialog::fieldOf(const std::string& option) const {
 }
 
 QStringList ImportDialog::typed() const {
-  return {angles_->text(), rate_->text(), columns_->text()};
+  return {angles_->text(), rate_->text(), columns_->text(), sensor_->text()};
 }
 
 /// Throws Usage.
@@ -146,6 +154,8 @@ LogOptions ImportDialog::options() const {
   const QString angles = angles_->text().trimmed();
   const QString columns = columns_->text().trimmed();
   if (!angles.isEmpty()) setAngles(angles.toStdString(), options);
+  const QString sensor = sensor_->text().trimmed();
+  if (!sensor.isEmpty()) options.sensor = parseSensorPlace(sensor.toStdString());
   if (!columns.isEmpty()) setColumns(columns.toStdString(), options);
   bool is_rate = false;
   const double rate_hz = rate_->text().toDouble(&is_rate);

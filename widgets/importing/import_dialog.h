@@ -54,6 +54,7 @@ class ImportDialog : public QDialog {
   QLineEdit* angles_;
   QLineEdit* rate_;
   QLineEdit* columns_;
+  QLineEdit* sensor_;
   QPushButton* import_;
   std::shared_ptr<Lifeline<ImportDialog>> self_;  ///< shared with the threads that read
 };

@@ -6,6 +6,7 @@
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/run_controller.h"
 #include "app/gui/run/source_actions.h"
+#include "app/gui/shell/language.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
@@ -126,6 +127,9 @@ void RunExports::exportReport() {
   inputs.run = result->report;
   inputs.run_file = "report.json";
   inputs.trajectory = result->last->trajectory.all();
+  if (languageOf(shell_.settings).language() == QLocale::Japanese) {
+    inputs.language = ReportLanguage::Japanese;
+  }
   std::filesystem::path recording;
   if (const auto& robot = sources_.robot()) {
     inputs.truth = robot->truth_map;

@@ -31,10 +31,13 @@ QString chosen(const QSettings& settings) {
 
 }  // namespace
 
-void installLanguage(QCoreApplication& app, const QSettings& settings) {
+QLocale languageOf(const QSettings& settings) {
   const QString choice = chosen(settings);
-  const bool is_system = choice == QLatin1String(kSystem);
-  const QLocale locale = is_system ? QLocale::system() : QLocale(choice);
+  return choice == QLatin1String(kSystem) ? QLocale::system() : QLocale(choice);
+}
+
+void installLanguage(QCoreApplication& app, const QSettings& settings) {
+  const QLocale locale = languageOf(settings);
   const auto install = [&](const QString& name, const QString& folder) {
     auto* translator = new QTranslator(&app);
     if (translator->load(locale, name, QStringLiteral("_"), folder))

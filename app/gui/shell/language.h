@@ -1,6 +1,7 @@
 // English or Japanese: as the system has it, or as somebody has chosen.
 #pragma once
 
+#include <QLocale>
 #include <QObject>
 #include <functional>
 
@@ -9,6 +10,8 @@
 class QCoreApplication;
 
 namespace handmap {
+
+QLocale languageOf(const QSettings& settings);
 
 /// Installs the translators, for core too. Before the first window and the first thread: what is on
 /// the screen keeps its language.

@@ -165,6 +165,25 @@ TEST_F(BagImport, TakesTheTopicsThatAPersonSays) {
   test::expectBadInput(refused, {"--scan", "/odom", "/scan"});
 }
 
+TEST_F(BagImport, PutsTheSensorWhereAPersonSays) {
+  test::writeMcap(folder_.path() / "a.mcap", drive());
+  import(folder_.path() / "a.mcap", {{ "sensor", "-2, 1, 1.5, 180" }});
+  const auto points = readPoints(out() / openRecording(out()).rows[0].points);
+  EXPECT_NEAR(points[0].x, -3.0, 1e-5);  // 1 m ahead of a scanner that looks back
+  EXPECT_NEAR(points[0].y, 1.0, 1e-5);
+  EXPECT_NEAR(points[0].z, 1.5, 1e-5);
+  EXPECT_LT(points[2].x, 0.0F) << "a direction";
+  for (const char* wrong : {"1,2", "1,2,3,4,5", "1,2,x", "1,2,999", "1,2,3,nan", ""}) {
+    try {
+      import(folder_.path() / "a.mcap", {{ "sensor", wrong }});
+      ADD_FAILURE() << wrong;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::Usage);
+      EXPECT_NE(std::string(error.what()).find("X,Y,Z"), std::string::npos);
+    }
+  }
+}
+
 TEST_F(BagImport, PairsImagesAndTakesTheCameraFromItsInfos) {
   auto messages = drive();
   messages.push_back(transform("/tf_static", 10.0, "base_link", "camera", 0.2, 1.0, 0.0));

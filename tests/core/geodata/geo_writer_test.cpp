@@ -118,6 +118,22 @@ TEST_F(GeoWriter, PlansAreInMetresOfTheMap) {
   EXPECT_FALSE(std::filesystem::exists(out("kml")));
 }
 
+TEST_F(GeoWriter, PlansComeBack) {
+  Map map = corrected();
+  writeGeoMap(map, out("dxf"));
+  const Map back = readGeoMap(out("dxf")).map;
+  EXPECT_FALSE(back.georeference);
+  ASSERT_EQ(back.buildings.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(farthest(map.buildings[i].footprint(), back.buildings[i].footprint()), 1e-6);
+  }
+  EXPECT_EQ(back.buildings[0].name, "Library <old> & new");
+  const std::string dxf = readFile(out("dxf"), 1 << 22);
+  const auto cut = folder_.write("cut.dxf", dxf.substr(0, dxf.size() / 4));
+  test::expectBadInput([&] { readGeoMap(cut); }, {"cut.dxf"});
+  test::expectBadInput([&] { readGeoMap(folder_.write("no.dxf", "<html>")); }, {"no.dxf"});
+}
+
 TEST_F(GeoWriter, RobotMapsComeBackWithinACell) {
   const Map map = corrected();
   writeGeoMap(map, out("yaml"));

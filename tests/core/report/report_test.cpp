@@ -134,6 +134,26 @@ TEST(ReportPdf, NamesOfAnyScript) {
   EXPECT_NE(reportPdf(made).find("<99C5> Tj"), std::string::npos);
 }
 
+TEST(ReportPdf, IsInJapaneseToo) {
+  ReportInputs made = inputs();
+  made.language = ReportLanguage::Japanese;
+  const std::string pdf = reportPdf(made);
+  expectWhole(pdf);
+  EXPECT_NE(pdf.find("<8A2D5B9A> Tj"), std::string::npos) << "settings";
+  EXPECT_EQ(pdf.find("(Settings)"), std::string::npos);
+  // No line is wider than the page is between its margins; full stops do not begin one.
+  const std::regex line(R"(Tf ([0-9.]+) [0-9.]+ Td <([0-9A-F]*)> Tj)");
+  for (std::sregex_iterator at(pdf.begin(), pdf.end(), line), end; at != end; ++at) {
+    const std::string hex = (*at)[2];
+    double width_mm = std::stod((*at)[1]);
+    for (std::size_t i = 0; i < hex.size(); i += 4) {
+      width_mm += 3.2 * (hex.compare(i, 2, "00") == 0 ? 0.5 : 1.0);
+    }
+    EXPECT_LT(width_mm, 198.0) << hex;
+    EXPECT_FALSE(hex.starts_with("3002") || hex.starts_with("3001")) << hex;
+  }
+}
+
 TEST(ReportPdf, RefusesWhatIsNoReport) {
   ReportInputs made = inputs();
   made.run = "{}";
