@@ -1,7 +1,10 @@
 // A robot that is not there and drives around a campus for as long as one likes, for long drives of
 // the window and of the command line: emulated_robot FOLDER [SPEED_M_S] writes drawing.handmap and
 // rig.json there (a UST-10LX over TCP, odometry of ROS, told over the same rosbridge), starts when
-// somebody listens to its odometry, and prints once a minute how old the told poses are.
+// somebody listens to its odometry, and prints every ten seconds how old the told poses are and how
+// far off, against what they say of themselves.
+#include <QCborArray>
+#include <QCborMap>
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QTimer>
@@ -136,8 +139,8 @@ class Told {
     fmt::print("{:.0f} s, {:.0f} m driven: {} poses told", round_.now(), round_.driven_m(),
                ages_s_.size());
     if (!ages_s_.empty()) {
-      fmt::print(", {:.3f} s old (nine of ten within {:.3f}, all within {:.3f}), {:.2f} m off",
-                 age(0.5), age(0.9), age(1.0), off_m_);
+      fmt::print(", {:.3f} s old (nine of ten within {:.3f}, all within {:.3f}), {:.2f} m off, told as {:.2f} m",
+                 age(0.5), age(0.9), age(1.0), off_m_, sigma_m_);
     }
     fmt::print("\n");
     std::fflush(stdout);
@@ -148,10 +151,11 @@ class Told {
   void take(const QString& topic, const QCborMap& message) {
     if (topic != QLatin1String("/handmap/pose")) return;
     ages_s_.push_back(kEpoch_s + round_.now() - stampOf(message));
-    const QCborMap at = message[QStringLiteral("pose")]
-                            .toMap()[QStringLiteral("pose")]
-                            .toMap()[QStringLiteral("position")]
-                            .toMap();
+    const QCborMap estimate = message[QStringLiteral("pose")].toMap();
+    const QCborArray covariance = estimate[QStringLiteral("covariance")].toArray();
+    sigma_m_ = std::sqrt(covariance[0].toDouble() + covariance[7].toDouble());
+    const QCborMap at =
+        estimate[QStringLiteral("pose")].toMap()[QStringLiteral("position")].toMap();
     const Vec2 told(at[QStringLiteral("x")].toDouble(), at[QStringLiteral("y")].toDouble());
     off_m_ = (told - round_.pose().position()).norm();
   }
@@ -160,6 +164,7 @@ class Told {
   const Round& round_;
   std::vector<double> ages_s_;
   double off_m_ = 0.0;
+  double sigma_m_ = 0.0;  // of the position, as the last told pose says
 };
 
 void drive(const std::filesystem::path& folder, double speed_m_s) {
@@ -187,9 +192,9 @@ void drive(const std::filesystem::path& folder, double speed_m_s) {
                 emulated::odometry(kEpoch_s + round.now(), wheels.pose(), RosVersion::Ros2));
   });
   odometry.start(20);
-  QTimer minute;
-  QObject::connect(&minute, &QTimer::timeout, &minute, [&told] { told.print(); });
-  minute.start(60'000);
+  QTimer report;
+  QObject::connect(&report, &QTimer::timeout, &report, [&told] { told.print(); });
+  report.start(10'000);
   QCoreApplication::exec();
 }
 
