@@ -23,7 +23,7 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
 
 HandmapEstimator::~HandmapEstimator() = default;
 
-void HandmapEstimator::startFrom(const Pose2& odometry) {
+void HandmapEstimator::startFrom(const Odometry& odometry) {
   state_->addFrame(0.0, odometry, *state_->drawing.start, Scan{});
 }
 
@@ -42,15 +42,16 @@ void HandmapEstimator::reviseOdometry(const std::vector<Pose2>& odometry, double
   state.updateTrajectory();
 }
 
-void HandmapEstimator::step(double time_s, const Pose2& odometry, const Scan& scan,
+void HandmapEstimator::step(double time_s, const Odometry& odometry, const Scan& scan,
                             const std::stop_token& stop,
                             const std::function<void(double)>& progress) {
   State& state = *state_;
   if (state.frames.empty()) startFrom(odometry);
   const Frame& last = state.frames.back();
-  const Pose2 motion = between(last.odometry, odometry);
+  const Pose2 motion = between(last.odometry, odometry.pose);
   const bool moved = std::hypot(motion.x, motion.y) >= state.options.key_step_m ||
-                     std::abs(motion.heading) >= state.options.key_turn;
+                     std::abs(motion.heading) >= state.options.key_turn ||
+                     mayBeFar(guessedOf({last.odometry, last.guessed}, odometry));
   if (moved) state.workToTheEnd(stop);
   state.pose = last.pose * state.smoother.scaled(motion);
   if (!moved && state.observations.empty()) {

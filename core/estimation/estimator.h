@@ -68,12 +68,12 @@ class HandmapEstimator {
 
   /// Odometry of the drawing's start, where the first observation is made later on the way. Before
   /// the first step().
-  void startFrom(const Pose2& odometry);
+  void startFrom(const Odometry& odometry);
   /// Takes other odometry for all observations so far, in the same frame, with so many times the
   /// usual noise: the way is laid along it, and what was found moves with the frames that saw it.
   void reviseOdometry(const std::vector<Pose2>& odometry, double noise);
   /// One observation. Where `stop` is requested it leaves out what only makes the whole run better.
-  void step(double time_s, const Pose2& odometry, const Scan& scan,
+  void step(double time_s, const Odometry& odometry, const Scan& scan,
             const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
   /// Smooths the last frames (`most_kept`) once more and labels anew, after the last observation,
   /// as far as `stop` allows.

@@ -19,7 +19,7 @@ double HandmapEstimator::State::noiseTo(std::size_t frame) const {
   return frame < kFromStart || frames[frame].blind ? 1.0 : odometry_noise;
 }
 
-void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, const Pose2& at,
+void HandmapEstimator::State::addFrame(double time_s, const Odometry& odometry, const Pose2& at,
                                        const Scan& scan) {
   if (!scan.first_looked_at.empty() && !frames.empty()) {
     for (std::size_t i = firstKept(); i < frames.size(); ++i) {
@@ -27,12 +27,14 @@ void HandmapEstimator::State::addFrame(double time_s, const Pose2& odometry, con
     }
     evidence.reinsertAll();
   }
-  frames.push_back(makeFrame(time_s, odometry, at, scan));
+  frames.push_back(makeFrame(time_s, odometry.pose, at, scan));
+  frames.back().guessed = odometry.guessed;
   frames.back().odometry_noise = noiseTo(frames.size() - 1);
   if (frames.size() > 1) {
     const Frame& before = frames[frames.size() - 2];
     frames.back().number = before.number + 1;
-    frames.back().driven_m = before.driven_m + between(before.odometry, odometry).position().norm();
+    frames.back().driven_m =
+        before.driven_m + between(before.odometry, odometry.pose).position().norm();
   }
   frames.back().sightings = compactThings(frames.back().rays, sensor);
   landmarks.associate(frames.back(), sensor.options().noise,

@@ -47,7 +47,7 @@ struct HandmapEstimator::State {
   }
   void updateTrajectory();
   double noiseTo(std::size_t frame) const;
-  void addFrame(double time_s, const Pose2& odometry, const Pose2& at, const Scan& scan);
+  void addFrame(double time_s, const Odometry& odometry, const Pose2& at, const Scan& scan);
   void smoothWindow();
   void layAlong(const std::vector<Pose2>& odometry);
   void carryAlong(const std::vector<Pose2>& before);

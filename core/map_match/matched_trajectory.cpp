@@ -28,9 +28,15 @@ MatchedTrajectory::MatchedTrajectory(const Map& map, const SeenFrames& seen)
   }
 }
 
+Eigen::Matrix3d MatchedTrajectory::guessedBetween(const Keyframe& from, const Keyframe& to) const {
+  return guessedOf({trajectory_[from.observation], from.guessed},
+                   {trajectory_[to.observation], to.guessed});
+}
+
 MotionFactor MatchedTrajectory::motion(const Keyframe& from, const Keyframe& to) const {
   const Pose2 driven = between(trajectory_[from.observation], trajectory_[to.observation]);
-  return {driven, noise_.sigmaOf(driven).cwiseInverse().asDiagonal()};
+  return loosened({driven, noise_.sigmaOf(driven).cwiseInverse().asDiagonal()},
+                  guessedBetween(from, to));
 }
 
 /// Of the pose of `to`, by the odometry since a keyframe.
@@ -40,11 +46,14 @@ Eigen::Matrix3d MatchedTrajectory::carried(const Keyframe& from, const Keyframe&
   slope.topRightCorner<2, 1>() = perpendicular(to.pose.position() - from.pose.position());
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(from.pose.heading).toRotationMatrix();
-  const Eigen::Matrix3d root = turned * noise_.sigmaOf(driven).asDiagonal();
-  return slope * at_keyframe_ * slope.transpose() + root * root.transpose();
+  Eigen::Matrix3d motion = guessedBetween(from, to);
+  motion.diagonal() += noise_.sigmaOf(driven).cwiseAbs2();
+  return slope * at_keyframe_ * slope.transpose() + turned * motion * turned.transpose();
 }
 
-void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise) {
+void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise,
+                            const Eigen::Matrix3d& guessed) {
+  guessed_ = guessed;
   const bool changed =
       !(noise == noise_) ||
       (trajectory_.size() > 1 && trajectory[trajectory_.size() - 1] != trajectory_.back());
@@ -74,14 +83,15 @@ void MatchedTrajectory::lay(const std::vector<Pose2>& trajectory, const Odometry
 
 /// The newest observation; those after it are not looked at.
 void MatchedTrajectory::work(std::size_t observation) {
-  Keyframe now{observation, start_, {}};
+  Keyframe now{observation, start_, guessed_, {}};
   if (keyframes_.empty()) {
     covariance_ = start_sigma_.cwiseAbs2().asDiagonal();
   } else {
     const Keyframe& before = keyframes_.back();
     now.pose = before.pose * between(trajectory_[before.observation], trajectory_[observation]);
     pose_ = now.pose;
-    const bool far = travelled_m_.back() - travelled_m_[before.observation] >= kKeyframe_m;
+    const bool far = travelled_m_.back() - travelled_m_[before.observation] >= kKeyframe_m ||
+                     mayBeFar(guessedBetween(before, now));
     covariance_ = carried(before, now);
     if (!far) return;
   }
@@ -186,7 +196,7 @@ void MatchedTrajectory::optimize() {
   const std::size_t newest = travelled_m_.size() - 1;
   pose_ = last.pose * between(trajectory_[last.observation], trajectory_[newest]);
   at_keyframe_ = poses.covariance(keyframes_.size());
-  covariance_ = carried(last, {newest, pose_, {}});
+  covariance_ = carried(last, {newest, pose_, guessed_, {}});
 }
 
 /// Between two keyframes by both, each the more the nearer it is.

@@ -21,7 +21,9 @@ class MatchedTrajectory {
 
   /// `trajectory`: poses of all observations so far, in any one frame, as told without the map;
   /// those of before may have changed too. One more than before.
-  void add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise);
+  /// `guessed`: of the newest, as Odometry has it.
+  void add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise,
+           const Eigen::Matrix3d& guessed = Eigen::Matrix3d::Zero());
   /// All observations of a way at once, as if they came one by one, and the end; nothing may have
   /// been added yet. Of no use any more where `stop` was requested.
   void lay(const std::vector<Pose2>& trajectory, const OdometryNoise& noise,
@@ -42,6 +44,7 @@ class MatchedTrajectory {
   struct Keyframe {
     std::size_t observation;
     Pose2 pose;  ///< map frame
+    Eigen::Matrix3d guessed;
     std::optional<MotionFactor> on_walls;
   };
   /// Metres of way behind and ahead of a keyframe that are laid on the walls with it.
@@ -51,6 +54,7 @@ class MatchedTrajectory {
   };
 
   void work(std::size_t observation);
+  Eigen::Matrix3d guessedBetween(const Keyframe& from, const Keyframe& to) const;
   MotionFactor motion(const Keyframe& from, const Keyframe& to) const;
   std::vector<ScanPoint> featuresAround(const Keyframe& keyframe, const Window& window) const;
   void layOnWalls(Keyframe& keyframe, const std::vector<ScanPoint>& features,
@@ -67,6 +71,7 @@ class MatchedTrajectory {
   std::vector<Pose2> trajectory_;
   std::vector<double> travelled_m_;
   OdometryNoise noise_ = kWheels;
+  Eigen::Matrix3d guessed_ = Eigen::Matrix3d::Zero();  ///< of the newest observation
   std::vector<Keyframe> keyframes_;
   Pose2 pose_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();

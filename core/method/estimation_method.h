@@ -23,7 +23,7 @@ class EstimationMethod {
 
   /// Works in one observation. Returns false and leaves the state as it was when `stop` was
   /// requested. `progress` may be called from any thread.
-  virtual bool step(double time_s, const Pose2& odometry, const Percept& percept,
+  virtual bool step(double time_s, const Odometry& odometry, const Percept& percept,
                     const LazyLocalMap& local_map, const std::stop_token& stop,
                     const std::function<void(double)>& progress) = 0;
   /// The steps that follow tell it their phases, where the method has any; nullptr: no longer.

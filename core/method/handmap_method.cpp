@@ -50,17 +50,17 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// The page of README.md, a line a step.
-  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+  bool step(double time_s, const Odometry& odometry, const Percept& percept,
             const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
             const std::function<void(double)>& progress) override {
     if (stop.stop_requested()) return false;
     if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
-    if (observations_ == 0) matchToWalls(odometry);
+    if (observations_ == 0) matchToWalls(odometry.pose);
     drive(time_s, odometry, percept, stop);
-    findBuildings(time_s, percept, stop, progress);
-    if (keep(odometry, percept)) look(percept.scan);
+    findBuildings(time_s, odometry.guessed, percept, stop, progress);
+    if (keep(odometry.pose, percept)) look(percept.scan, odometry.guessed);
     if (matched_) {
-      matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels);
+      matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels, odometry.guessed);
     }
     if (concluded_) goOn(time_s);
     if (on_the_way_) conclusions_.begin(driven_m_, [this] { return concluding(); });
@@ -126,22 +126,22 @@ class HandmapMethod : public EstimationMethod {
 
  private:
   /// The way without the drawing.
-  void drive(double time_s, const Pose2& odometry, const Percept& percept,
+  void drive(double time_s, const Odometry& odometry, const Percept& percept,
              const std::stop_token& stop) {
-    const Pose2 before = observations_ == 0 ? odometry : trajectory_.recorded().back();
-    driven_m_ += between(before, odometry).position().norm();
+    const Pose2 before = observations_ == 0 ? odometry.pose : trajectory_.recorded().back();
+    driven_m_ += between(before, odometry.pose).position().norm();
     trajectory_.add(time_s, odometry, percept.points, stop);
     wheels_.add(odometry);
     followTrajectory();
   }
 
   /// Along that way, and what they make of it.
-  void findBuildings(double time_s, const Percept& percept, const std::stop_token& stop,
-                     const std::function<void(double)>& progress) {
+  void findBuildings(double time_s, const Eigen::Matrix3d& guessed, const Percept& percept,
+                     const std::stop_token& stop, const std::function<void(double)>& progress) {
     if (recorder_ != nullptr) {
       estimator_.watch(HandmapPhases(estimator_, drawing_, *recorder_, *this));
     }
-    estimator_.step(time_s, trajectory_.poses().back(), percept.scan, stop, progress);
+    estimator_.step(time_s, {trajectory_.poses().back(), guessed}, percept.scan, stop, progress);
     estimator_.watch({});
   }
 
@@ -159,11 +159,12 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// Which walls rays end on.
-  void look(const Scan& scan) {
+  void look(const Scan& scan, const Eigen::Matrix3d& guessed) {
     std::vector<PlacedOutline> placed;
     for (NearbyBuilding& building : estimator_.nearby())
       placed.push_back({building.building, std::move(building.outline), building.found});
-    recognition_.look(wall_rays_.add(placed, estimator_.pose(), scan), driven_m_ - looked_at_m_);
+    recognition_.look(wall_rays_.add(placed, estimator_.pose(), scan), driven_m_ - looked_at_m_,
+                      guessed);
     shown_rays_ = std::make_shared<const WallRays>(wall_rays_);
     looked_at_m_ = driven_m_;
   }

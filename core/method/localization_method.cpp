@@ -24,7 +24,7 @@ class LocalizationMethod : public EstimationMethod {
     for (PlacedOutline& outline : outlines_) outline.found = true;
   }
 
-  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+  bool step(double time_s, const Odometry& odometry, const Percept& percept,
             const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
             const std::function<void(double)>& /*progress*/) override {
     if (stop.stop_requested()) return false;
@@ -72,15 +72,16 @@ class LocalizationMethod : public EstimationMethod {
     requireReadyToRun(map);
     return map;
   }
-  void add(double time_s, const Pose2& odometry, const Scan& scan,
+  void add(double time_s, const Odometry& odometry, const Scan& scan,
            const std::vector<RangePoint>& points, const std::stop_token& stop) {
-    const Pose2 before = times_.empty() ? odometry : trajectory_.recorded().back();
+    const Pose2 before = times_.empty() ? odometry.pose : trajectory_.recorded().back();
     trajectory_.add(time_s, odometry, points, stop);
-    if (!times_.empty()) seen_.add(times_.size(), odometry, scan, points);
+    if (!times_.empty()) seen_.add(times_.size(), odometry.pose, scan, points);
     times_.push_back(time_s);
-    matched_.add(trajectory_.poses(), trajectory_.usable() ? kMatchedScans : kWheels);
+    matched_.add(trajectory_.poses(), trajectory_.usable() ? kMatchedScans : kWheels,
+                 odometry.guessed);
     recognition_.look(wall_rays_.add(outlines_, matched_.pose(), scan),
-                      between(before, odometry).position().norm());
+                      between(before, odometry.pose).position().norm(), odometry.guessed);
   }
 
   std::shared_ptr<const Map> map_;

@@ -33,17 +33,19 @@ class PaperMethod : public EstimationMethod {
       : drawing_(std::make_shared<const Map>(drawing)),
         slam_(drawing, source.start_odometry, settings.slam, settings.seed) {}
 
-  bool step(double time_s, const Pose2& odometry, const Percept& percept,
+  bool step(double time_s, const Odometry& odometry, const Percept& percept,
             const LazyLocalMap& local_map, const std::stop_token& stop,
             const std::function<void(double)>& progress) override {
     SlamTrace trace;
     const Pose2 before = slam_.best().pose;
-    if (!slam_.step(time_s, odometry, local_map, stop, progress, recorder_ ? &trace : nullptr)) {
+    if (!slam_.step(time_s, odometry.pose, local_map, stop, progress,
+                    recorder_ ? &trace : nullptr)) {
       return false;
     }
     const double driven_m = (slam_.best().pose.position() - before.position()).norm();
     recognition_.look(
-        wall_rays_.add(outlinesOf(slam_.refinedMap()), slam_.best().pose, percept.scan), driven_m);
+        wall_rays_.add(outlinesOf(slam_.refinedMap()), slam_.best().pose, percept.scan), driven_m,
+        odometry.guessed);
     if (recorder_ != nullptr) {
       tellPhases(trace, {slam_, *drawing_, local_map, before}, *recorder_);
     }

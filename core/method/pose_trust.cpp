@@ -8,6 +8,7 @@
 
 #include "core/map/certainty.h"
 #include "core/method/recognition.h"
+#include "core/odometry/odometry_noise.h"
 
 namespace handmap {
 
@@ -74,10 +75,8 @@ Eigen::Matrix3d poseCovariance(const FrameReport& report) {
 }
 
 void stateBlind(double blind_s, FrameReport& report) {
-  constexpr double kWalk = 1.0;  // m/s of one axis: robots among people
-  constexpr double kTurn = 0.5;  // rad/s, as they turn at corners
   if (blind_s <= 0.0) return;
-  const Eigen::Array3d off = blind_s * Eigen::Array3d(kWalk, kWalk, kTurn);
+  const Eigen::Array3d off = blind_s * Eigen::Array3d(kUnheard_m_s, kUnheard_m_s, kUnheard_rad_s);
   Eigen::Matrix3d covariance = poseCovariance(report);
   covariance.diagonal().array() += off.square();
   stateTrust(covariance, report);

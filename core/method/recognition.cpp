@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/method/pose_trust.h"
+#include "core/odometry/odometry_noise.h"
 
 namespace handmap {
 
@@ -43,7 +44,12 @@ constexpr Recognition::Rates kTrue{0.25, -1.0, -0.0156, 12.5, 5.0};
 Recognition::Recognition(Drawing drawing)
     : is_true_(drawing == Drawing::True), rates_(is_true_ ? kTrue : kFromMemory) {}
 
-void Recognition::look(const WallRays::Share& share, double driven_m) {
+void Recognition::look(const WallRays::Share& share, double driven_m,
+                       const Eigen::Matrix3d& guessed) {
+  if (mayBeFar(guessed - guessed_)) {
+    balance_m_ = std::min(balance_m_, 0.0);
+    guessed_ = guessed;
+  }
   if (share.walls < kLeastWalls) return;
   const double least = std::max(static_cast<double>(kLeastMet), kLeastShare * share.walls);
   const bool through = share.through >= least && share.through > share.on;

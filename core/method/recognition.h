@@ -19,16 +19,19 @@ class Recognition {
 
   explicit Recognition(Drawing drawing);
 
-  /// `share`: of what was seen `driven_m` after the look before.
-  void look(const WallRays::Share& share, double driven_m);
+  /// `share`: of what was seen `driven_m` after the look before. `guessed` as Odometry has it:
+  /// after a motion that was, what spoke for the robot before says nothing of where it is.
+  void look(const WallRays::Share& share, double driven_m,
+            const Eigen::Matrix3d& guessed = Eigen::Matrix3d::Zero());
   /// The trust in a pose of this covariance: less sure where more speaks against it than for it.
   void state(Eigen::Matrix3d covariance, FrameReport& report) const;
 
  private:
   bool is_true_;
   const Rates& rates_;
-  double unrecognised_m_ = 0.0;  ///< what sees no walls says nothing
-  double balance_m_ = 0.0;       ///< metres that speak for it, less those that speak against it
+  double unrecognised_m_ = 0.0;                        ///< what sees no walls says nothing
+  Eigen::Matrix3d guessed_ = Eigen::Matrix3d::Zero();  ///< that is counted
+  double balance_m_ = 0.0;  ///< metres that speak for it, less those that speak against it
 };
 
 }  // namespace handmap

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "core/geometry/pose2.h"
+#include "core/recording/odometry.h"
 
 namespace handmap {
 
@@ -15,12 +15,12 @@ Eigen::Matrix3d rotation(double heading_rad);
 class WheelUncertainty {
  public:
   /// The odometry of the next observation.
-  void add(const Pose2& odometry);
+  void add(const Odometry& odometry);
   /// Of the newest pose, (x, y, heading) in the odometry frame, given the first.
   const Eigen::Matrix3d& covariance() const { return covariance_; }
 
  private:
-  std::optional<Pose2> last_;
+  std::optional<Odometry> last_;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
 };
 

@@ -69,9 +69,18 @@ GivenPoses::GivenPoses(const Pose2& start, const Pose2& start_odometry,
     if (piece.back().time_s >= pose.time_s) piece.pop_back();
     piece.push_back({pose.time_s, start_ * *here});
     bend(piece, begin, pose.pose, corrections_);
+    given_s_.push_back(pose.time_s);
     begin = pose.pose;
     piece = {piece.back()};
   }
+}
+
+Eigen::Matrix3d GivenPoses::variance(double time_s) const {
+  // Choice: a person on a map of houses; an arrow that is dragged.
+  const Eigen::Vector3d hand(2.0, 2.0, toRadians(10.0));
+  const auto until = std::upper_bound(given_s_.begin(), given_s_.end(), time_s);
+  const auto count = static_cast<double>(std::distance(given_s_.begin(), until));
+  return (count * hand.cwiseAbs2()).asDiagonal();
 }
 
 Pose2 GivenPoses::operator()(double time_s, const Pose2& odometry) const {

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/recording/trajectory.h"
 
 namespace handmap {
@@ -21,9 +23,12 @@ class GivenPoses {
 
   /// The same odometry frame.
   Pose2 operator()(double time_s, const Pose2& odometry) const;
+  /// Of the poses given until then, as Odometry::guessed has it: a hand is off by some metres.
+  Eigen::Matrix3d variance(double time_s) const;
 
  private:
-  Pose2 start_;                           ///< of the odometry frame, map frame
+  Pose2 start_;  ///< of the odometry frame, map frame
+  std::vector<double> given_s_;
   std::vector<StampedPose> corrections_;  ///< what turns a laid pose into a bent one, map frame
 };
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "core/geometry/pose2.h"
+#include "core/recording/odometry.h"
 
 namespace handmap {
 
@@ -20,6 +20,46 @@ struct OdometryNoise {
   bool operator==(const OdometryNoise&) const = default;
   /// Of (along, aside, heading).
   Eigen::Vector3d sigmaOf(const Pose2& motion) const;
+};
+
+/// Of the motion between two poses: what was guessed of it, beside its noise, in the frame of
+/// `from`: (along, aside, heading).
+Eigen::Matrix3d guessedOf(const Odometry& from, const Odometry& to);
+
+/// Whether what was guessed may be as much as what is driven between two keyframes.
+inline bool mayBeFar(const Eigen::Matrix3d& guessed) {
+  constexpr double kFar_m = 2.0;
+  return guessed.topLeftCorner<2, 2>().trace() > kFar_m * kFar_m;
+}
+
+/// So a robot moves that nothing is heard of, among people.
+inline constexpr double kUnheard_m_s = 1.0;    ///< of one axis
+inline constexpr double kUnheard_rad_s = 0.5;  ///< as they turn at corners
+
+/// What becomes of motions that are guessed, at the speed of before: the longer nothing holds them,
+/// the less that speed says.
+class Guess {
+ public:
+  enum class Of { Along, All };
+
+  /// A motion of so many seconds: along one direction alone (a unit vector of the odometry frame),
+  /// or all of it.
+  void goOn(double elapsed_s, Of what, const Vec2& along = {});
+  /// Measured again: the next guess starts anew from its speed.
+  void hold() {
+    since_s_ = 0.0;
+    knows_speed_ = true;
+  }
+
+  /// As Odometry has it.
+  const Eigen::Matrix3d& variance() const { return variance_; }
+  /// One σ of what was guessed since it was last held, metres.
+  double off_m() const;
+
+ private:
+  double since_s_ = 0.0;
+  bool knows_speed_ = false;
+  Eigen::Matrix3d variance_ = Eigen::Matrix3d::Zero();
 };
 
 /// Wheels on roads: FIELD.md (a), METHOD.md's scenes.

@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/recording/camera.h"
+#include "core/recording/odometry.h"
 #include "core/recording/trajectory.h"
 
 namespace handmap {
@@ -44,11 +45,13 @@ struct Observation {
   int frame = 0;
   double time_s = 0.0;
   bool standing = false;
-  Pose2 odometry;  ///< in the odometry frame
+  Pose2 odometry;                                               ///< in the odometry frame
+  Eigen::Matrix3d odometry_variance = Eigen::Matrix3d::Zero();  ///< see Odometry::guessed
   std::vector<View> views;
-  double read_ms = 0.0;           ///< time it took to get
-  bool odometry_guessed = false;  ///< nothing measured the last motion; the one before went on
-  double blind_s = 0.0;           ///< so long nothing at all told where it drove
+  double read_ms = 0.0;  ///< time it took to get
+  bool odometry_guessed =
+      false;  ///< nothing measured the last motion, or not for long; the speed of before went on
+  double blind_s = 0.0;  ///< so long nothing at all told where it drove
 };
 
 /// False: the sensors were silent, and only the odometry went on.

@@ -11,9 +11,9 @@
 namespace handmap {
 
 struct HistoryLimits {
-  /// One in four seconds of an hour. Each has 20 to 100 kB of its own: the buildings of a map
-  /// change with every key frame.
-  std::size_t snapshots = 1024;
+  /// One in seven to fourteen seconds of an hour. Each has 20 to 100 kB of its own: the buildings
+  /// of a map change with every key frame.
+  std::size_t snapshots = 512;
   std::size_t picture_bytes = 128U << 20U;
 };
 

@@ -178,7 +178,8 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   const auto slam_begin = Clock::now();
   Waiting waiting(progress);
   bool done = false;
-  const Pose2 odometry = state.given(observation.time_s, observation.odometry);
+  const Odometry odometry{state.given(observation.time_s, observation.odometry),
+                          observation.odometry_variance + state.given.variance(observation.time_s)};
   auto phases = state.recorder(*taken, local_map);
   state.method->trace(phases ? &*phases : nullptr);
   state.arena.execute([&] {

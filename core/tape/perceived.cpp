@@ -67,10 +67,12 @@ template <typename Each, typename Of>
 bool forEach(Each& each, Of& of) {
   auto& observation = of.observation;
   auto& odometry = observation.odometry;
+  auto& variance = observation.odometry_variance;
   auto& percept = of.percept;
   return each(observation.frame) && each(observation.time_s) && each(observation.standing) &&
-         each(odometry.x) && each(odometry.y) && each(odometry.heading) &&
-         each(observation.read_ms) && each(observation.odometry_guessed) &&
+         each(odometry.x) && each(odometry.y) && each(odometry.heading) && each(variance(0, 0)) &&
+         each(variance(0, 1)) && each(variance(1, 0)) && each(variance(1, 1)) &&
+         each(variance(2, 2)) && each(observation.read_ms) && each(observation.odometry_guessed) &&
          each(observation.blind_s) && each(percept.walls) && each(percept.points) &&
          each(percept.scan.rays) && each(percept.scan.bias_sigma_per_m) &&
          each(percept.scan.ray_by_ray) && each(percept.scan.first_looked_at) &&

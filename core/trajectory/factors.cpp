@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace handmap {
 
@@ -44,6 +45,13 @@ PointFactor::Value PointFactor::at(const Pose2& pose) const {
   Eigen::Matrix<double, 2, 3> slope;
   slope << Eigen::Matrix2d::Identity(), turned(pose, point);
   return {(pose.toOuter(point) - map) / sigma_m, slope / sigma_m};
+}
+
+MotionFactor loosened(const MotionFactor& motion, const Eigen::Matrix3d& variance) {
+  if (variance.isZero()) return motion;
+  const Eigen::Matrix3d known = motion.root_information.transpose() * motion.root_information;
+  const auto root = rootOf((known.inverse() + variance).inverse());
+  return {motion.motion, root.value_or(motion.root_information)};
 }
 
 std::optional<Eigen::Matrix3d> rootOf(const Eigen::Matrix3d& information) {

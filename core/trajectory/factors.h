@@ -21,6 +21,10 @@ struct MotionFactor {
   Value at(const Pose2& from, const Pose2& to) const;
 };
 
+/// The same motion, so much less sure: variance of (along, aside, heading), in the frame of the
+/// first.
+MotionFactor loosened(const MotionFactor& motion, const Eigen::Matrix3d& variance);
+
 /// A return on the line of a point of the map that has a normal: one residual.
 struct LineFactor {
   Vec2 point;     ///< robot frame

@@ -17,12 +17,14 @@ class LocalMapOdometry {
 
   /// The recorded odometry and what was seen there. Where the match is not to be believed, the
   /// odometry goes on.
-  /// Returns whether the match moved the pose; of guessed motions, whether it held it in every
-  /// direction.
+  /// Returns whether the match moved the pose.
   bool add(const Pose2& recorded, const std::vector<ScanPoint>& scan);
 
   /// Of the newest scan; the first is the first recorded one.
   const Pose2& pose() const { return pose_; }
+  /// The direction, of the same frame, in which nothing held the newest match: there the guess went
+  /// on. Of guessed motions alone.
+  const std::optional<Vec2>& unheld() const { return unheld_; }
   const WheelNoise& noise() const { return noise_; }
 
  private:
@@ -34,13 +36,14 @@ class LocalMapOdometry {
                                    const MotionPrior& prior);
   std::optional<ScanMatch> bestMatch(const std::vector<ScanPoint>& scan,
                                      const MotionPrior& prior) const;
+  Pose2 whereHeld(const ScanMatch& match, const MotionPrior& prior);
   void keep(const std::vector<ScanPoint>& scan);
 
   PointMap map_;
   std::deque<KeptScan> kept_;
   WheelNoise noise_;
   bool guessed_ = false;
-  bool is_held_ = true;  ///< the newest match, in every direction
+  std::optional<Vec2> unheld_;
   Pose2 pose_;
   Pose2 recorded_;
   std::optional<Pose2> kept_at_;

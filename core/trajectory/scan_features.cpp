@@ -36,19 +36,20 @@ class LineSums {
     squares_ += other.squares_;
   }
 
-  /// The normal towards the origin where the points make a straight piece, else zero.
-  Vec2 normal() const {
-    if (count_ < kLeastPoints) return Vec2::Zero();
+  /// A point with the normal towards the origin where the points make a straight piece, else zero.
+  ScanPoint feature(const Vec2& at) const {
+    if (count_ < kLeastPoints) return {at, Vec2::Zero(), 1.0};
     const Vec2 mean = sum_ / count_;
     const Eigen::Matrix2d scatter = squares_ - mean * sum_.transpose();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
     axes.computeDirect(scatter / (count_ - 2));
     const double thickness = std::sqrt(std::max(axes.eigenvalues()(0), 0.0));
     const double length = std::sqrt(12.0 * axes.eigenvalues()(1));
-    if (thickness > kThickness_m + kThicknessPerMetre * mean.norm()) return Vec2::Zero();
-    if (length < kLeastLength * thickness) return Vec2::Zero();
+    if (thickness > kThickness_m + kThicknessPerMetre * mean.norm()) return {at};
+    if (length < kLeastLength * thickness) return {at};
     const Vec2 normal = axes.eigenvectors().col(0);
-    return normal.dot(mean) > 0.0 ? Vec2(-normal) : normal;
+    const double slope = axes.eigenvalues()(0) / axes.eigenvalues()(1);
+    return {at, normal.dot(mean) > 0.0 ? Vec2(-normal) : normal, std::max(0.0, slope) / count_};
   }
 
  private:
@@ -107,7 +108,7 @@ std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points) {
     for (std::size_t j = i + 1; j < scan.size() && j - i <= kNeighbours && !gap(j - 1, j); ++j) {
       sums.add(scan[j].at);
     }
-    features[i] = {scan[i].at, sums.normal()};
+    features[i] = sums.feature(scan[i].at);
   }
   return features;
 }
@@ -135,7 +136,7 @@ std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points) {
         if (found != index.end()) around.add(cells[found->second].sums);
       }
     }
-    features.push_back({cell.first, around.normal()});
+    features.push_back(around.feature(cell.first));
   }
   return features;
 }
@@ -145,7 +146,7 @@ std::vector<ScanPoint> moved(const std::vector<ScanPoint>& points, const Pose2& 
   result.reserve(points.size());
   const ToOuter outer(pose);
   for (const ScanPoint& p : points) {
-    result.push_back({outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal});
+    result.push_back({outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal, p.chance});
   }
   return result;
 }

@@ -11,6 +11,9 @@ namespace handmap {
 struct ScanPoint {
   Vec2 at = Vec2::Zero();
   Vec2 normal = Vec2::Zero();  ///< of its straight piece, towards the sensor; zero: it is on none
+  /// Of what it tells of a place, the share that may be chance: noise turns the normal of a piece,
+  /// and a single return may be of a wall along the way, which is hit elsewhere from everywhere.
+  double chance = 0.0;
 
   bool straight() const { return !normal.isZero(); }
 };

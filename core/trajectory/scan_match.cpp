@@ -1,5 +1,6 @@
 #include "core/trajectory/scan_match.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -24,6 +25,7 @@ constexpr double kStill = 1e-4;  // radians
 struct NormalEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  double chance = 0.0;
   int matched = 0;
 
   template <typename Slope, typename Residual>
@@ -45,16 +47,19 @@ NormalEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& m
     if (!near) continue;
     ++sums.matched;
     const double sigma = p.straight() ? kLine_m : kPoint_m;
+    const double chance = std::max(p.chance, near->chance);
     const double bend = (kKernelGates * gate_m / sigma) * (kKernelGates * gate_m / sigma);
     if (p.straight()) {
       const LineFactor::Value value = LineFactor{p.at, *near, sigma}.at(pose);
       const double weight = cauchyWeight(value.residual * value.residual, bend);
       sums.information += kShared * weight * value.slope.transpose() * value.slope;
       sums.gradient += kShared * weight * value.slope.transpose() * value.residual;
+      sums.chance += kShared * weight * chance / (sigma * sigma);
     } else {
       const PointFactor::Value value = PointFactor{p.at, near->at, sigma}.at(pose);
-      sums.add(value.slope, value.residual,
-               kShared * cauchyWeight(value.residual.squaredNorm(), bend));
+      const double weight = kShared * cauchyWeight(value.residual.squaredNorm(), bend);
+      sums.add(value.slope, value.residual, weight);
+      sums.chance += weight * chance / (sigma * sigma);
     }
   }
   return sums;
@@ -80,6 +85,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
     for (int i = 0; i < kMatchSteps; ++i) {
       NormalEquations sums = linearized(scan, map, match.pose, gate_m);
       match.information = sums.information;
+      match.chance = sums.chance;
       match.matched = sums.matched;
       if (prior) {
         const MotionFactor::Value value = prior->motion.at(prior->from, match.pose);

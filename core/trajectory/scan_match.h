@@ -13,9 +13,10 @@ namespace handmap {
 struct ScanMatch {
   Pose2 pose;
   Eigen::Matrix3d information;  ///< of (x, y, heading) from the returns alone, as if independent
-  int matched = 0;              ///< returns that the last step used
-  int straight = 0;             ///< returns on straight pieces
-  int straight_near = 0;        ///< of those, how many found a line within 0.25 m
+  double chance = 0.0;    ///< what noise that turns the lines would tell of any direction, likewise
+  int matched = 0;        ///< returns that the last step used
+  int straight = 0;       ///< returns on straight pieces
+  int straight_near = 0;  ///< of those, how many found a line within 0.25 m
 };
 
 /// Where the robot was in the last step, and what its odometry says of the motion since.

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/odometry/odometry_noise.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
 
@@ -12,6 +13,7 @@ namespace handmap {
 
 namespace {
 
+constexpr double kWorthAWord_m = 0.5;  // what a guess may be off
 constexpr double kMostOfBefore = 3.0;  // after a gap: a robot does not keep its speed for long
 
 class ScanOdometrySource : public ObservationSource {
@@ -35,11 +37,13 @@ class ScanOdometrySource : public ObservationSource {
     const bool matched = odometry_.add(alone_ ? guessed_ : observation->odometry,
                                        features(usableReturns(points, info_.range_limit_m)));
     // Where it was silent the robot may be anywhere near, until the next scan is recognised.
-    is_blind_ = !seesAnything(*observation) || (is_blind_ && !matched);
+    is_blind_ = !seesAnything(*observation) || (is_blind_ && (!matched || odometry_.unheld()));
     if (!is_blind_ || !any_) seen_s_ = observation->time_s;
     observation->blind_s = is_blind_ ? observation->time_s - seen_s_ : 0.0;
-    observation->odometry_guessed = is_blind_ || (alone_ && any_ && !matched);
+    if (alone_ && any_ && !is_blind_) guess(elapsed_s, matched);
+    observation->odometry_guessed = is_blind_ || guess_.off_m() > kWorthAWord_m;
     observation->odometry = odometry_.pose();
+    observation->odometry_variance = guess_.variance();
     motion_ = between(before, odometry_.pose());
     motion_s_ = any_ ? elapsed_s : 0.0;
     time_s_ = observation->time_s;
@@ -51,6 +55,15 @@ class ScanOdometrySource : public ObservationSource {
   }
 
  private:
+  void guess(double elapsed_s, bool matched) {
+    if (!matched) {
+      guess_.goOn(elapsed_s, Guess::Of::All);
+    } else if (const auto& along = odometry_.unheld()) {
+      guess_.goOn(elapsed_s, Guess::Of::Along, *along);
+    } else {
+      guess_.hold();
+    }
+  }
   /// At the speed of before.
   Pose2 motionIn(double elapsed_s) const {
     if (motion_s_ <= 0.0) return {};
@@ -63,6 +76,7 @@ class ScanOdometrySource : public ObservationSource {
   LocalMapOdometry odometry_;
   bool alone_;
   bool any_ = false;
+  Guess guess_;
   Pose2 guessed_;  ///< all motions as they were guessed
   Pose2 motion_;
   double motion_s_ = 0.0;  ///< that it took

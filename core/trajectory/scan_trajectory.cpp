@@ -105,7 +105,7 @@ ScanTrajectory::~ScanTrajectory() = default;
 ScanTrajectory::ScanTrajectory(ScanTrajectory&&) noexcept = default;
 ScanTrajectory& ScanTrajectory::operator=(ScanTrajectory&&) noexcept = default;
 
-void ScanTrajectory::add(double /*time_s*/, const Pose2& odometry,
+void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
                          const std::vector<RangePoint>& points, const std::stop_token& stop) {
   State& state = *state_;
   const Returns returns = usableReturns(points, state.options.range_limit_m);
@@ -114,12 +114,13 @@ void ScanTrajectory::add(double /*time_s*/, const Pose2& odometry,
   state.returns += static_cast<long>(scan.size());
   state.straight +=
       std::count_if(scan.begin(), scan.end(), [](const ScanPoint& p) { return p.straight(); });
-  const Pose2 motion = state.recorded.empty() ? Pose2{} : between(state.recorded.back(), odometry);
-  const bool matched = state.odometry.add(odometry, scan);
+  const Pose2 motion =
+      state.recorded.empty() ? Pose2{} : between(state.recorded.back(), odometry.pose);
+  const bool matched = state.odometry.add(odometry.pose, scan);
   const Pose2 pose = state.odometry.pose();
-  const bool closed =
-      state.graph.add(pose, scan, state.odometry.noise().sigma(motion), matched, stop);
-  state.recorded.push_back(odometry);
+  const bool closed = state.graph.add({pose, odometry.guessed}, scan,
+                                      state.odometry.noise().sigma(motion), matched, stop);
+  state.recorded.push_back(odometry.pose);
   state.smooth.push_back(pose);
   state.look(returns);
   state.keyframe.push_back(state.graph.keyframes() - 1);

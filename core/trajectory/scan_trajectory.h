@@ -29,7 +29,7 @@ class ScanTrajectory {
   /// One observation: the recorded odometry, and the returns in the robot frame as recorded (empty
   /// where there are none: the odometry alone goes on). Always adds one pose. A stop leaves out the
   /// search for loops and makes the call return soon.
-  void add(double time_s, const Pose2& odometry, const std::vector<RangePoint>& points,
+  void add(double time_s, const Odometry& odometry, const std::vector<RangePoint>& points,
            const std::stop_token& stop = {});
 
   /// Of the newest observation, by matching with the last scans: smooth, does not jump where a loop

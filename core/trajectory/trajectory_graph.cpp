@@ -13,26 +13,30 @@ constexpr int kGraphSteps = 12;
 
 }  // namespace
 
-MotionFactor TrajectoryGraph::edge(const Pose2& motion) const {
+MotionFactor TrajectoryGraph::edge(const Odometry& to) const {
+  const Pose2 motion = between(last_.pose, to.pose);
   const Eigen::Vector3d variance = kMatchedScans.sigmaOf(motion).cwiseAbs2() + unmatched_;
-  return {motion, variance.cwiseSqrt().cwiseInverse().asDiagonal()};
+  return loosened({motion, variance.cwiseSqrt().cwiseInverse().asDiagonal()}, guessedOf(last_, to));
 }
 
-bool TrajectoryGraph::add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
+bool TrajectoryGraph::add(const Odometry& now, const std::vector<ScanPoint>& scan,
                           const Eigen::Vector3d& wheel_sigma, bool matched,
                           const std::stop_token& stop) {
   if (!matched) unmatched_ += wheel_sigma.cwiseAbs2();
+  const Pose2& smooth = now.pose;
   if (smooth_.empty()) {
     graph_.addPose(smooth);
   } else {
     const Pose2 motion = between(smooth_.back(), smooth);
-    if (motion.position().norm() < kKeyframe_m) return false;
+    const bool far = motion.position().norm() >= kKeyframe_m || mayBeFar(guessedOf(last_, now));
+    if (!far) return false;
     const std::size_t last = smooth_.size() - 1;
     graph_.addPose(graph_.poses().back() * motion);
-    graph_.addEdge({last, last + 1, edge(motion), kOdometryKernel});
+    graph_.addEdge({last, last + 1, edge(now), kOdometryKernel});
   }
   unmatched_.setZero();
   smooth_.push_back(smooth);
+  last_ = now;
   search_.add(smooth, scan);
   if (!close_loops_ || smooth_.size() % 2 == 0) return false;  // neighbours tell the same
   const std::vector<Loop> loops = search_.search(graph_.poses(), stop);

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/recording/odometry.h"
 #include "core/trajectory/loop_search.h"
 #include "core/trajectory/pose_graph.h"
 
@@ -17,7 +18,7 @@ class TrajectoryGraph {
   /// Takes the next scan as a keyframe where it is far enough from the last one. `wheel_sigma` is
   /// that of the recorded motion, which alone counts where the scan was not matched. Returns
   /// whether the poses of before have changed.
-  bool add(const Pose2& smooth, const std::vector<ScanPoint>& scan,
+  bool add(const Odometry& smooth, const std::vector<ScanPoint>& scan,
            const Eigen::Vector3d& wheel_sigma, bool matched, const std::stop_token& stop);
 
   /// Where a scan between two keyframes, or after the last, was.
@@ -28,12 +29,13 @@ class TrajectoryGraph {
   int loops() const { return loops_; }
 
  private:
-  MotionFactor edge(const Pose2& motion) const;
+  MotionFactor edge(const Odometry& to) const;
 
   bool close_loops_;
   LoopSearch search_;
   PoseGraph graph_;
   std::vector<Pose2> smooth_;
+  Odometry last_;                                        ///< of smooth_
   Eigen::Vector3d unmatched_ = Eigen::Vector3d::Zero();  ///< variance since the last keyframe
   int loops_ = 0;
 };

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 namespace handmap {
 
 Factor<3, 2 * kPoseSize + 1> odometryFactor(const Frame& from, const Frame& to, double scale,
@@ -18,7 +20,18 @@ Factor<3, 2 * kPoseSize + 1> odometryFactor(const Frame& from, const Frame& to, 
   factor.jacobian << -c, -s, step.y, c, s, 0.0, -counted.x,  //
       s, -c, -step.x, -s, c, 0.0, -counted.y,                //
       0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0;
-  factor.weight = sigma.cwiseInverse().cwiseAbs2();
+  const Eigen::Matrix3d guessed =
+      guessedOf({from.odometry, from.guessed}, {to.odometry, to.guessed});
+  if (guessed.isZero()) {
+    factor.weight = sigma.cwiseInverse().cwiseAbs2();
+    return factor;
+  }
+  Eigen::Matrix3d covariance = guessed;
+  covariance.diagonal() += sigma.cwiseAbs2();
+  const Eigen::LLT<Eigen::Matrix3d> root(covariance);
+  root.matrixL().solveInPlace(factor.residual);
+  root.matrixL().solveInPlace(factor.jacobian);
+  factor.weight.setOnes();
   return factor;
 }
 

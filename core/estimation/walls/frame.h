@@ -33,7 +33,8 @@ struct Frame {
   std::size_t number = 0;  ///< of the frames kept, in order of time
   double driven_m = 0.0;   ///< driven since the first, by the odometry
   double time_s = 0.0;
-  Pose2 odometry;               ///< odometry frame
+  Pose2 odometry;                                     ///< odometry frame
+  Eigen::Matrix3d guessed = Eigen::Matrix3d::Zero();  ///< see Odometry
   double odometry_noise = 1.0;  ///< σ of the motion to it, times that of OdometryNoise
   Pose2 pose;                   ///< map frame, best so far
   std::vector<FrameRay> rays;   ///< by bearing

@@ -55,6 +55,14 @@ TEST(Recognition, AGapWithoutDrawnWallsLosesNobodyWhoWasRight) {
   EXPECT_GT(widened(wrong), 3.0);
 }
 
+TEST(Recognition, WhoIsPlacedByHandStartsAnew) {
+  Recognition recognition(Recognition::Drawing::FromMemory);
+  drive(recognition, kMet, 60);
+  const Eigen::Matrix3d hand = Eigen::Vector3d(4.0, 4.0, 0.03).asDiagonal();
+  for (int i = 0; i < 60; ++i) recognition.look(kSeenThrough, 1.0, hand);
+  EXPECT_GT(widened(recognition), 5.0);
+}
+
 /// Chance lets who is elsewhere meet a wall now and then.
 TEST(Recognition, ATrueMapWhoseWallsAreLookedThroughIsThatOfAnotherPlace) {
   Recognition right(Recognition::Drawing::True);

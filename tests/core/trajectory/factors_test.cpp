@@ -1,5 +1,6 @@
 #include "core/trajectory/factors.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace handmap {
@@ -32,6 +33,17 @@ TEST(Factors, SlopeOfAPointAtAPoint) {
   const PointFactor factor{{4.0, 1.0}, {-1.0, 0.5}, 0.3};
   const auto residual = [&](const Pose2& pose) { return factor.at(pose).residual; };
   EXPECT_TRUE(factor.at(kPose).slope.isApprox(differences<2>(residual, kPose), 1e-6));
+}
+
+TEST(Factors, AMotionIsLoosenedInOneDirection) {
+  const MotionFactor factor{{1.5, 0.2, 0.4}, Eigen::Vector3d(10, 20, 200).asDiagonal()};
+  Eigen::Matrix3d along = Eigen::Matrix3d::Zero();
+  along(0, 0) = 4.0;
+  const Eigen::Matrix3d root = loosened(factor, along).root_information;
+  const Eigen::Vector3d sigma = (root.transpose() * root).inverse().diagonal().cwiseSqrt();
+  EXPECT_NEAR(sigma.x(), std::hypot(0.1, 2.0), 1e-9);
+  EXPECT_NEAR(sigma.y(), 0.05, 1e-9);
+  EXPECT_NEAR(sigma.z(), 0.005, 1e-9);
 }
 
 TEST(Factors, SlopesOfAMotion) {

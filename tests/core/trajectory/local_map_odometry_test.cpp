@@ -9,23 +9,39 @@ namespace handmap {
 namespace {
 
 /// How many of the motions along a street it says that scans alone told.
-int told(const std::vector<Segment>& walls) {
+int told(const std::vector<Segment>& walls, double sigma_m) {
   RandomStream random(5);
   LocalMapOdometry odometry = LocalMapOdometry::ofGuesses();
   int count = 0;
   for (int i = 0; i < 20; ++i) {
     const Pose2 pose{0.15 * i, 0.0, 0.0};
-    const auto points = test::scanFrom(walls, pose, 0.02, random);
-    count += odometry.add(pose, features(usableReturns(points, 40.0))) ? 1 : 0;
+    const auto points = test::scanFrom(walls, pose, sigma_m, random);
+    const bool matched = odometry.add(pose, features(usableReturns(points, 40.0)));
+    count += matched && !odometry.unheld() ? 1 : 0;
+    const Vec2 along = odometry.unheld().value_or(Vec2::UnitX());
+    EXPECT_GT(std::abs(along.x()), 0.95);
   }
   return count;
 }
 
 TEST(LocalMapOdometry, TwoLongWallsDoNotTellHowFarItWent) {
   std::vector<Segment> walls{{{-200.0, 6.0}, {200.0, 6.0}}, {{-200.0, -6.0}, {200.0, -6.0}}};
-  EXPECT_LT(told(walls), 3);
+  for (const double sigma_m : {0.005, 0.02, 0.05}) EXPECT_LT(told(walls, sigma_m), 3) << sigma_m;
   walls.push_back({{15.0, -6.0}, {15.0, 6.0}});
-  EXPECT_GT(told(walls), 16);
+  for (const double sigma_m : {0.005, 0.02, 0.05}) EXPECT_GT(told(walls, sigma_m), 16) << sigma_m;
+}
+
+TEST(LocalMapOdometry, BetweenTwoLongWallsTheGuessGoesOn) {
+  const std::vector<Segment> walls{{{-200.0, 6.0}, {200.0, 6.0}}, {{-200.0, -6.0}, {200.0, -6.0}}};
+  RandomStream random(6);
+  LocalMapOdometry odometry = LocalMapOdometry::ofGuesses();
+  for (int i = 0; i < 40; ++i) {
+    const Pose2 pose{0.15 * i, 0.0, 0.0};
+    const Pose2 guess{0.15 * i, 0.01 * i, 0.0};  // aside the walls hold it
+    odometry.add(guess, features(usableReturns(test::scanFrom(walls, pose, 0.02, random), 40.0)));
+  }
+  EXPECT_NEAR(odometry.pose().x, 0.15 * 39, 0.1);
+  EXPECT_NEAR(odometry.pose().y, 0.0, 0.1);
 }
 
 }  // namespace

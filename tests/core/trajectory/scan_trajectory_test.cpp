@@ -86,7 +86,7 @@ TEST(ScanTrajectory, BadReturnsDoNoHarm) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   for (int i = 0; i < 30; ++i) {
-    trajectory.add(0.0, {0.5 * i, 0, 0},
+    trajectory.add(0.0, Pose2{0.5 * i, 0, 0},
                    {{nan, 1, 0, 1}, {inf, 1, 0, 1}, {1, 1, nan, 1}, {0, 0, 0, 1}});
   }
   EXPECT_NEAR(trajectory.odometry().x, 14.5, 1e-9);
