@@ -35,4 +35,23 @@ inline constexpr std::size_t kAlike = 8;  // keyframes; choice: in a row about a
 inline constexpr int kMostRounds = 4;     // rounds; limit: at the end, of laying all anew
 inline constexpr double kStill_m = 0.02;  // m; choice: no pose moves by more, a laser's noise
 
+// A grid of another program, laid on the drawing.
+inline constexpr double kWallStep_m = 0.5;  // m; choice: of points on the walls, ten cells
+inline constexpr double kMargin_m = 15.0;   // m; choice: around the drawing, a street's width
+inline constexpr double kMostPixels = 8e6;  // cells; limit: of memory, a kilometre at 0.35 m
+inline constexpr double kInside_m = 2.0;    // m; choice: a building from there on, nobody was in it
+inline constexpr double kFaces_m = 6.0;  // m; choice: a wall that was seen has free ground so near
+inline constexpr double kSameNormal = 0.85;        // cosine; choice: 30°, drawings are turned
+inline constexpr std::size_t kMostPieces = 6'000;  // points; limit: more tell the same
+inline constexpr std::size_t kCandidates = 40;     // places; limit: of which the rest is refined
+inline constexpr double kSameByFar_m = 5.0;        // m; choice: nearer ones are one place
+inline constexpr double kSameSigmas =
+    5.0;  // σ; choice: a poor drawing tells no places apart so near
+inline constexpr double kLeastSupported = 0.5;  // share; choice: of the walls, most of them
+inline constexpr double kNearlyAsWell = 0.84;   // share; measured: README, of the best one's score
+inline constexpr double kMostSide = 300.0;      // cells; limit: of the coarsest search
+inline constexpr std::size_t kOfOneTurn = 3;    // places; choice: of one turn, else one takes all
+inline constexpr double kShared = 40.0;   // points; choice: neighbours on a wall are off together
+inline constexpr double kSmall_m = 0.05;  // m; choice: cells are looked at as if they were so small
+
 }  // namespace handmap::map_match

@@ -10,26 +10,14 @@
 
 #include "core/base/parallel.h"
 #include "core/geometry/to_outer.h"
+#include "core/map_match/constants.h"
 #include "core/trajectory/scan_features.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr double kWallStep_m = 0.5;  // of points on the walls
-constexpr double kMargin_m = 15.0;
-constexpr double kMostPixels = 8e6;
-constexpr double kInside_m = 2.0;  // a building from there on: no robot was in it
-constexpr double kFaces_m = 6.0;   // a wall has free ground so near
-constexpr double kSameNormal = 0.85;
-constexpr std::size_t kMostPieces = 6'000;  // more tell the same
-constexpr std::size_t kCandidates = 40;
-constexpr double kSameByFar_m = 5.0;  // one place
-constexpr double kSameSigmas =
-    5.0;  // of a building, of places that a poor drawing cannot tell apart
-constexpr double kLeastSupported = 0.5;
-/// From that share of the best one's score on, another place may be the right one: README.md.
-constexpr double kNearlyAsWell = 0.84;
+using namespace map_match;
 
 /// Metres to the cells of a picture, and back.
 struct Raster {
@@ -203,9 +191,6 @@ class Coarse {
   const Vec2& middle() const { return middle_; }
 
  private:
-  static constexpr double kMostSide = 300.0;
-  static constexpr std::size_t kOfOneTurn = 3;
-
   cv::Mat1f pictureOf(const std::vector<Vec2>& points, double turn) const {
     cv::Mat1f picture(side_, side_, 0.0F);
     const ToOuter turned({0.0, 0.0, turn});
@@ -323,7 +308,6 @@ Similarity laid(const std::vector<ScanPoint>& seen, const Walls& walls, const Ve
     turn += step[2];
     state.scale = std::clamp(state.scale + step[3], 0.7, 1.4);
     // Neighbouring pieces are off together: a building is one look, of some 40 of them.
-    constexpr double kShared = 40.0;
     state.scale_sigma =
         std::sqrt(kShared * squares / weights * Eigen::Matrix4d(normal.inverse())(3, 3));
   }
@@ -381,7 +365,6 @@ Verdict judged(const Pose2& pose, const std::vector<ScanPoint>& seen, const std:
 
 /// Steps from cell to cell are no thickness of a wall: cells are looked at as if they were small.
 std::vector<ScanPoint> straightPieces(const SeenGround& seen) {
-  constexpr double kSmall_m = 0.05;
   const double scale = std::min(1.0, kSmall_m / seen.cell_m);
   std::vector<Vec2> edges = seen.edges;
   for (Vec2& p : edges) p *= scale;

@@ -8,6 +8,8 @@
 #include <QTest>
 #include <fstream>
 
+#include "widgets/rig/rig_preview.h"
+
 namespace handmap {
 
 class ImportDialogTest : public QObject {
@@ -47,11 +49,12 @@ void ImportDialogTest::tellsWhatItHoldsAndReadsAgainWithOtherUnits() {
   auto* sensor = dialog.findChild<QLineEdit*>("import_sensor");
   sensor->setText("1,0");
   Q_EMIT sensor->editingFinished();
-  QVERIFY2(wordsOf(dialog).contains("--sensor"), qPrintable(wordsOf(dialog)));
+  QVERIFY(dialog.findChild<RigPreviewView*>()->accessibleDescription().contains("--sensor"));
+  dialog.findChild<QComboBox*>("import_metres")->setCurrentIndex(0);
   sensor->setText("1,0,0.5");
   Q_EMIT sensor->editingFinished();
   QTRY_VERIFY(dialog.log());
-  QCOMPARE(dialog.log()->scans[0].points[0].x, 1.03F);
+  QCOMPARE(dialog.log()->scans[0].points[0].x, 4.0F);
 }
 
 void ImportDialogTest::asksForWhatCannotBeSeen() {

@@ -28,6 +28,7 @@ void RigPreviewView::show(const RigPreview& preview) {
 }
 
 void RigPreviewView::clear(const QString& words) {
+  setAccessibleDescription(words);  // it is painted
   preview_ = {};
   words_ = words;
   update();
