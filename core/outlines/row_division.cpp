@@ -26,14 +26,15 @@ class Row {
   Row(const std::vector<RowHouse>& houses, double from, double to, const StretchEvidence& evidence)
       : houses_(houses),
         from_(from),
-        cells_(std::max(1, static_cast<int>(std::lround((to - from) / kRowCell_m)))),
-        cell_m_((to - from) / cells_) {
+        cells_(static_cast<std::size_t>(std::max(1L, std::lround((to - from) / kRowCell_m)))),
+        cell_m_((to - from) / static_cast<double>(cells_)) {
     for (const RowHouse& house : houses) {
       mean_width_ += house.width / static_cast<double>(houses.size());
     }
-    evidence_.assign(static_cast<std::size_t>((cells_ + 1) * (cells_ + 1)), 0.0);
-    for (int a = 0; a < cells_; ++a) {
-      for (int b = a + 1; b <= cells_; ++b) at(evidence_, a, b) = evidence(placeOf(a), placeOf(b));
+    evidence_.assign((cells_ + 1) * (cells_ + 1), 0.0);
+    for (std::size_t a = 0; a < cells_; ++a) {
+      for (std::size_t b = a + 1; b <= cells_; ++b)
+        at(evidence_, a, b) = evidence(placeOf(a), placeOf(b));
     }
   }
 
@@ -53,7 +54,7 @@ class Row {
     struct Step {
       double nats = kNever;
       std::size_t houses = 0;
-      int cell = 0;
+      std::size_t cell = 0;
       std::size_t part = kUndrawn;
       bool cut = false;
       bool undrawn_before = false;
@@ -68,7 +69,7 @@ class Row {
       if (other.nats > step.nats) step = other;
     };
     for (std::size_t h = 0; h <= n; ++h) {
-      for (int c = 0; c <= cells_; ++c) {
+      for (std::size_t c = 0; c <= cells_; ++c) {
         if (h > 0) {
           const double skipped = houses_[h - 1].worth_elsewhere;
           for (auto* of : {&drawn, &undrawn}) {
@@ -76,14 +77,14 @@ class Row {
             skip = {skip.nats + skipped, h - 1, c, kUndrawn, false, of == &undrawn};
             better((*of)[h][c], skip);
           }
-          for (int a = 0; a < c; ++a) {
+          for (std::size_t a = 0; a < c; ++a) {
             const double nats = houseNats(h - 1, a, c);
             if (nats == kNever) continue;
             better(drawn[h][c], {drawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, false});
             better(drawn[h][c], {undrawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, true});
           }
         }
-        for (int a = 0; a < c; ++a) {
+        for (std::size_t a = 0; a < c; ++a) {
           better(undrawn[h][c],
                  {drawn[h][a].nats + undrawnNats(a, c), h, a, kUndrawn, true, false});
         }
@@ -95,7 +96,7 @@ class Row {
     division.nats = step->nats;
     if (step->nats == kNever) return division;
     std::size_t h = n;
-    for (int c = cells_; c > 0 || h > 0;) {
+    for (std::size_t c = cells_; c > 0 || h > 0;) {
       if (step->cut) division.parts.push_back(step->part);
       h = step->houses;
       c = step->cell;
@@ -113,16 +114,16 @@ class Row {
     before[0][0] = 0.0;
     after[n][cells_] = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      for (int a = 0; a < cells_; ++a) {
+      for (std::size_t a = 0; a < cells_; ++a) {
         if (before[k][a] == kNever) continue;
-        for (int b = a + 1; b <= cells_; ++b) {
+        for (std::size_t b = a + 1; b <= cells_; ++b) {
           before[k + 1][b] = logAdd(before[k + 1][b], before[k][a] + partNats(parts[k], a, b));
         }
       }
     }
     for (std::size_t k = n; k-- > 0;) {
-      for (int a = 0; a < cells_; ++a) {
-        for (int b = a + 1; b <= cells_; ++b) {
+      for (std::size_t a = 0; a < cells_; ++a) {
+        for (std::size_t b = a + 1; b <= cells_; ++b) {
           if (after[k + 1][b] == kNever) continue;
           after[k][a] = logAdd(after[k][a], after[k + 1][b] + partNats(parts[k], a, b));
         }
@@ -133,13 +134,13 @@ class Row {
     double from_sigma = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
       double sum = 0.0, mean = 0.0, square = 0.0;
-      for (int c = 0; c <= cells_; ++c) {
+      for (std::size_t c = 0; c <= cells_; ++c) {
         const double p = std::exp(before[k + 1][c] + after[k + 1][c] - before[n][cells_]);
         sum += p;
         mean += p * placeOf(c);
       }
       mean /= sum;
-      for (int c = 0; c <= cells_; ++c) {
+      for (std::size_t c = 0; c <= cells_; ++c) {
         const double p = std::exp(before[k + 1][c] + after[k + 1][c] - before[n][cells_]);
         square += p / sum * squared(placeOf(c) - mean);
       }
@@ -152,33 +153,33 @@ class Row {
   }
 
  private:
-  double placeOf(int cell) const { return from_ + cell * cell_m_; }
-  const double& at(const std::vector<double>& of, int a, int b) const {
-    return of[static_cast<std::size_t>(a * (cells_ + 1) + b)];
+  double placeOf(std::size_t cell) const { return from_ + static_cast<double>(cell) * cell_m_; }
+  const double& at(const std::vector<double>& of, std::size_t a, std::size_t b) const {
+    return of[a * (cells_ + 1) + b];
   }
-  double& at(std::vector<double>& of, int a, int b) const {
-    return of[static_cast<std::size_t>(a * (cells_ + 1) + b)];
+  double& at(std::vector<double>& of, std::size_t a, std::size_t b) const {
+    return of[a * (cells_ + 1) + b];
   }
 
-  double houseNats(std::size_t h, int a, int b) const {
+  double houseNats(std::size_t h, std::size_t a, std::size_t b) const {
     const RowHouse& house = houses_[h];
-    const double width = (b - a) * cell_m_;
+    const double width = static_cast<double>(b - a) * cell_m_;
     if (width < house.least_width || width > house.most_width) return kNever;
     const double off = 0.5 * (placeOf(a) + placeOf(b)) - house.centre - shift_;
     return kIsThere + house.nats + at(evidence_, a, b) - 0.5 * squared(off / house.centre_sigma) -
            0.5 * squared(std::log(width / house.width) / house.log_width_sigma);
   }
-  double undrawnNats(int a, int b) const {
-    const double log_width = std::log((b - a) * cell_m_ / mean_width_);
+  double undrawnNats(std::size_t a, std::size_t b) const {
+    const double log_width = std::log(static_cast<double>(b - a) * cell_m_ / mean_width_);
     return -kIsThere + at(evidence_, a, b) - 0.5 * squared(log_width / kUndrawnLogWidth);
   }
-  double partNats(std::size_t part, int a, int b) const {
+  double partNats(std::size_t part, std::size_t a, std::size_t b) const {
     return part == kUndrawn ? undrawnNats(a, b) : houseNats(part, a, b);
   }
 
   const std::vector<RowHouse>& houses_;
   double from_;
-  int cells_;
+  std::size_t cells_;
   double cell_m_;
   double mean_width_ = 0.0;
   double shift_ = 0.0;
