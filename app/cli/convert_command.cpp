@@ -39,9 +39,8 @@ int layOnto(const ConvertArguments& arguments) {
   }
   const Pose2& pose = place->pose;
   fmt::print(
-      "x_m: {:.2f}\ny_m: {:.2f}\nturn_deg: {:.2f}\nfits: {}\nwalls_there: {:.2f}\nmedian_m: "
-      "{:.2f}\n"
-      "ninety_percent_m: {:.2f}\nscale: {:.3f}\nscale_sigma: {:.3f}\n",
+      "x_m: {:.2f}\ny_m: {:.2f}\nturn_deg: {:.2f}\nfits: {}\nwalls_there: {:.2f}\n"
+      "median_m: {:.2f}\nninety_percent_m: {:.2f}\nscale: {:.3f}\nscale_sigma: {:.3f}\n",
       pose.x, pose.y, toDegrees(pose.heading), place->fits ? "yes" : "no", place->supported,
       place->median_m, place->most_m, place->scale, place->scale_sigma);
   if (place->other) {
@@ -93,18 +92,16 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
   command
       ->add_option("in", a.in,
                    "GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML, DXF (metres), a "
-                   "map of map_server "
-                   "(.yaml); or a drawing")
+                   "map of map_server (.yaml); or a drawing")
       ->required()
       ->option_text("IN");
   command
-      ->add_option(
-          "out", a.out,
-          "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
-          "(these need a "
-          "georeference), DXF, a map of map_server (.yaml and .pgm), for fleets Open-RMF's "
-          "NAME.building.yaml and the reference coordinates of the robot's map under it, "
-          "NAME.fleet.yaml")
+      ->add_option("out", a.out,
+                   "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
+                   "(these need a georeference), DXF, a map of map_server (.yaml and .pgm), for "
+                   "fleets Open-RMF's "
+                   "NAME.building.yaml and the reference coordinates of the robot's map under it, "
+                   "NAME.fleet.yaml")
       ->required()
       ->option_text("OUT");
   command

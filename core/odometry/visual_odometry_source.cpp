@@ -1,11 +1,11 @@
 #include "core/odometry/visual_odometry_source.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/base/stopwatch.h"
 #include "core/odometry/stereo_odometry.h"
 
 namespace handmap {
@@ -39,11 +39,9 @@ class VisualOdometrySource : public ObservationSource {
   std::optional<Observation> next() override {
     std::optional<Observation> observation = source_->next();
     if (!observation) return observation;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     move(*observation);
-    const std::chrono::duration<double, std::milli> spent =
-        std::chrono::steady_clock::now() - start;
-    observation->read_ms += spent.count();
+    observation->read_ms += watch.ms();
     return observation;
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace handmap {
 
@@ -33,8 +32,18 @@ class Row {
     }
     evidence_.assign((cells_ + 1) * (cells_ + 1), 0.0);
     for (std::size_t a = 0; a < cells_; ++a) {
-      for (std::size_t b = a + 1; b <= cells_; ++b)
-        at(evidence_, a, b) = evidence(placeOf(a), placeOf(b));
+      for (std::size_t b = a + 1; b <= cells_; ++b) {
+        evidence_[b * (cells_ + 1) + a] = evidence(placeOf(a), placeOf(b));
+      }
+    }
+    for (const RowHouse& house : houses) {
+      of_width_.push_back(widthsOf(house));
+      most_.push_back(static_cast<std::size_t>(std::max(0.0, house.most_width / cell_m_)));
+    }
+    undrawn_of_width_.assign(cells_ + 1, kNever);
+    for (std::size_t n = 1; n <= cells_; ++n) {
+      const double off = std::log(widthOf(n) / mean_width_) / kUndrawnLogWidth;
+      undrawn_of_width_[n] = -kIsThere - 0.5 * squared(off);
     }
   }
 
@@ -77,7 +86,8 @@ class Row {
             skip = {skip.nats + skipped, h - 1, c, kUndrawn, false, of == &undrawn};
             better((*of)[h][c], skip);
           }
-          for (std::size_t a = 0; a < c; ++a) {
+          const std::size_t most = std::min(c, most_[h - 1]);
+          for (std::size_t a = c - most; a < c; ++a) {
             const double nats = houseNats(h - 1, a, c);
             if (nats == kNever) continue;
             better(drawn[h][c], {drawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, false});
@@ -133,20 +143,17 @@ class Row {
     double from = from_;
     double from_sigma = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      double sum = 0.0, mean = 0.0, square = 0.0;
+      double sum = 0.0, off = 0.0, square = 0.0;  // of places from the last one on
       for (std::size_t c = 0; c <= cells_; ++c) {
         const double p = std::exp(before[k + 1][c] + after[k + 1][c] - before[n][cells_]);
         sum += p;
-        mean += p * placeOf(c);
+        off += p * (placeOf(c) - from);
+        square += p * squared(placeOf(c) - from);
       }
-      mean /= sum;
-      for (std::size_t c = 0; c <= cells_; ++c) {
-        const double p = std::exp(before[k + 1][c] + after[k + 1][c] - before[n][cells_]);
-        square += p / sum * squared(placeOf(c) - mean);
-      }
-      const double sigma = std::sqrt(square);
-      placed.push_back({parts[k], from, mean, from_sigma, sigma});
-      from = mean;
+      const double to = from + off / sum;
+      const double sigma = std::sqrt(std::max(0.0, square / sum - squared(off / sum)));
+      placed.push_back({parts[k], from, to, from_sigma, sigma});
+      from = to;
       from_sigma = sigma;
     }
     return placed;
@@ -154,24 +161,30 @@ class Row {
 
  private:
   double placeOf(std::size_t cell) const { return from_ + static_cast<double>(cell) * cell_m_; }
-  const double& at(const std::vector<double>& of, std::size_t a, std::size_t b) const {
-    return of[a * (cells_ + 1) + b];
-  }
-  double& at(std::vector<double>& of, std::size_t a, std::size_t b) const {
-    return of[a * (cells_ + 1) + b];
+  double widthOf(std::size_t cells) const { return static_cast<double>(cells) * cell_m_; }
+  double evidence(std::size_t a, std::size_t b) const { return evidence_[b * (cells_ + 1) + a]; }
+
+  /// What its width alone says, by cells.
+  std::vector<double> widthsOf(const RowHouse& house) const {
+    std::vector<double> nats(cells_ + 1, kNever);
+    for (std::size_t n = 1; n <= cells_; ++n) {
+      const double width = widthOf(n);
+      if (width < house.least_width || width > house.most_width) continue;
+      const double off = std::log(width / house.width) / house.log_width_sigma;
+      nats[n] = kIsThere + house.nats - 0.5 * squared(off);
+    }
+    return nats;
   }
 
   double houseNats(std::size_t h, std::size_t a, std::size_t b) const {
+    const double of_width = of_width_[h][b - a];
+    if (of_width == kNever) return kNever;
     const RowHouse& house = houses_[h];
-    const double width = static_cast<double>(b - a) * cell_m_;
-    if (width < house.least_width || width > house.most_width) return kNever;
     const double off = 0.5 * (placeOf(a) + placeOf(b)) - house.centre - shift_;
-    return kIsThere + house.nats + at(evidence_, a, b) - 0.5 * squared(off / house.centre_sigma) -
-           0.5 * squared(std::log(width / house.width) / house.log_width_sigma);
+    return of_width + evidence(a, b) - 0.5 * squared(off / house.centre_sigma);
   }
   double undrawnNats(std::size_t a, std::size_t b) const {
-    const double log_width = std::log(static_cast<double>(b - a) * cell_m_ / mean_width_);
-    return -kIsThere + at(evidence_, a, b) - 0.5 * squared(log_width / kUndrawnLogWidth);
+    return undrawn_of_width_[b - a] + evidence(a, b);
   }
   double partNats(std::size_t part, std::size_t a, std::size_t b) const {
     return part == kUndrawn ? undrawnNats(a, b) : houseNats(part, a, b);
@@ -183,13 +196,16 @@ class Row {
   double cell_m_;
   double mean_width_ = 0.0;
   double shift_ = 0.0;
-  std::vector<double> evidence_;  ///< of a stretch from cell to cell
+  std::vector<double> evidence_;               ///< of a stretch, by its end
+  std::vector<std::vector<double>> of_width_;  ///< by house
+  std::vector<std::size_t> most_;              ///< cells of a house
+  std::vector<double> undrawn_of_width_;
 };
 
 }  // namespace
 
 std::vector<RowPart> divideRow(const std::vector<RowHouse>& houses, double from, double to,
-                               const StretchEvidence& evidence) {
+                               const StretchEvidence& evidence, const std::stop_token& stop) {
   if (houses.empty() || to - from < kRowCell_m) return {};
   Row row(houses, from, to, evidence);
   double shift_sigma = 0.0;
@@ -199,6 +215,7 @@ std::vector<RowPart> divideRow(const std::vector<RowHouse>& houses, double from,
   Row::Division best;
   double best_shift = 0.0;
   for (double sigmas = -kMostShift; sigmas <= kMostShift; sigmas += kShiftStep) {
+    if (stop.stop_requested()) return {};
     row.shiftBy(sigmas * shift_sigma);
     Row::Division division = row.best();
     division.nats -= 0.5 * squared(sigmas);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 namespace handmap {
@@ -38,10 +39,10 @@ inline constexpr std::size_t kUndrawn = static_cast<std::size_t>(-1);
 using StretchEvidence = std::function<double(double from, double to)>;
 
 /// The row from `from` to `to` divided among some of the houses, in their order, and undrawn
-/// things; all may be drawn off together by as much as
-/// each is. Which is told by the most probable division, where by the mean of all that have the
-/// same parts. Empty where no division is possible.
+/// things; all may be drawn off together by as much as each is. Which is told by the most probable
+/// division, where by the mean of all that have the same parts. Empty where no division is possible
+/// or `stop` was requested.
 std::vector<RowPart> divideRow(const std::vector<RowHouse>& houses, double from, double to,
-                               const StretchEvidence& evidence);
+                               const StretchEvidence& evidence, const std::stop_token& stop = {});
 
 }  // namespace handmap

@@ -97,10 +97,10 @@ RowFaces::Best RowFaces::best(Face face, int from, int to) const {
 }
 
 double& RowFaces::sum(Face face, int depth, int cell) {
-  return sums_[face][static_cast<std::size_t>(depth * (cells_ + 1) + cell)];
+  return sums_[face][static_cast<std::size_t>(cell * depths_ + depth)];
 }
 double RowFaces::sum(Face face, int depth, int cell) const {
-  return sums_[face][static_cast<std::size_t>(depth * (cells_ + 1) + cell)];
+  return sums_[face][static_cast<std::size_t>(cell * depths_ + depth)];
 }
 
 }  // namespace handmap

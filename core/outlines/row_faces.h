@@ -43,7 +43,7 @@ class RowFaces {
   RowBand band_;
   double turn_ = 0.0;
   int cells_, depths_;
-  std::array<std::vector<double>, 2> sums_;  ///< by depth, up to each cell
+  std::array<std::vector<double>, 2> sums_;  ///< up to each cell, by depth
   std::array<std::vector<int>, 2> seen_;     ///< cells that were seen, up to each
   std::array<std::optional<int>, 2> whole_;  ///< depth of the whole row
 };

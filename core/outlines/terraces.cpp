@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include "core/outlines/joint_places.h"
 #include "core/outlines/row_division.h"
@@ -48,7 +48,15 @@ struct Terrace {
   double heading;
   std::vector<std::size_t> houses;
   std::vector<Stretch> places;  ///< of the houses
-  double from = 0.0, to = 0.0;
+  double from = std::numeric_limits<double>::infinity();
+  double to = -std::numeric_limits<double>::infinity();
+
+  void add(std::size_t b, const Stretch& place) {
+    houses.push_back(b);
+    places.push_back(place);
+    from = std::min(from, place.from);
+    to = std::max(to, place.to);
+  }
   bool has(std::size_t b) const { return std::ranges::find(houses, b) != houses.end(); }
   double middle() const {  // across
     double sum = 0.0;
@@ -61,14 +69,10 @@ bool isParallel(const Polygon& outline, double heading) {
   return std::abs(std::remainder(headingOf(outline) - heading, kPi / 2.0)) < kParallel;
 }
 
-Terrace oneHouse(std::size_t b, double heading, const Places& places) {
-  const Stretch place = stretchOf(places[b]->outline, heading);
-  return {heading, {b}, {place}, place.from, place.to};
-}
-
 Terrace terraceAround(std::size_t first, double heading, const Buildings& buildings) {
   const Places& places = buildings.places;
-  Terrace terrace = oneHouse(first, heading, places);
+  Terrace terrace{heading, {}, {}};
+  terrace.add(first, stretchOf(places[first]->outline, heading));
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -80,10 +84,7 @@ Terrace terraceAround(std::size_t first, double heading, const Buildings& buildi
                std::abs(house.middle - other.middle) < 0.25 * (house.depth + other.depth);
       });
       if (!beside) continue;
-      terrace.houses.push_back(k);
-      terrace.places.push_back(other);
-      terrace.from = std::min(terrace.from, other.from);
-      terrace.to = std::max(terrace.to, other.to);
+      terrace.add(k, other);
       grown = true;
     }
   }
@@ -109,8 +110,7 @@ std::vector<std::size_t> drawnOn(const Terrace& terrace, const Buildings& buildi
   const std::vector<OutlineTask>& tasks = buildings.tasks;
   std::vector<std::size_t> others;
   for (std::size_t b = 0; b < tasks.size(); ++b) {
-    if (buildings.done[b]) continue;
-    if (terrace.has(b)) continue;
+    if (buildings.done[b] || terrace.has(b)) continue;
     const Stretch drawn = stretchOf(tasks[b].drawn, terrace.heading);
     const double off = tasks[b].drawn_shift_m;
     if (drawn.from > terrace.to + off || drawn.to < terrace.from - off) continue;
@@ -176,18 +176,16 @@ RowBand bandOf(const Terrace& terrace) {
 
 /// As its faces are turned, which one house may be not.
 Terrace turned(const Terrace& terrace, double by, const Places& places) {
-  Terrace straight{terrace.heading + by, terrace.houses, {}, 1e300, -1e300};
+  Terrace straight{terrace.heading + by, {}, {}};
   for (const std::size_t b : terrace.houses) {
-    straight.places.push_back(stretchOf(places[b]->outline, straight.heading));
-    straight.from = std::min(straight.from, straight.places.back().from);
-    straight.to = std::max(straight.to, straight.places.back().to);
+    straight.add(b, stretchOf(places[b]->outline, straight.heading));
   }
   return straight;
 }
 
 /// Empty where nobody else is of it.
 std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& buildings,
-                                  const PlacedRays& placed) {
+                                  const PlacedRays& placed, const std::stop_token& stop) {
   std::vector<std::size_t> among = drawnOn(terrace, buildings);
   if (among.empty()) return {};
   among.insert(among.end(), terrace.houses.begin(), terrace.houses.end());
@@ -201,7 +199,7 @@ std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& build
   const Vec2 along = unitVector(terrace.heading);
   std::vector<TerraceHouse> houses;
   bool more = false;
-  for (const RowPart& part : divideRow(row, terrace.from, terrace.to, evidence)) {
+  for (const RowPart& part : divideRow(row, terrace.from, terrace.to, evidence, stop)) {
     if (part.house == kUndrawn) continue;
     const std::size_t b = among[part.house];
     const Rectangle box = boxOf(part, terrace, faces);
@@ -234,7 +232,7 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
       Terrace terrace = terraceAround(i, along, buildings);
       if (terrace.houses.size() < kLeastHouses) continue;
       terrace = turned(terrace, RowFaces(placed, bandOf(terrace)).turn(), places);
-      std::vector<TerraceHouse> houses = divided(terrace, buildings, placed);
+      std::vector<TerraceHouse> houses = divided(terrace, buildings, placed, stop);
       if (houses.empty()) continue;
       for (const std::size_t b : terrace.houses) buildings.done[b] = true;
       for (TerraceHouse& house : houses) {

@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/base/stopwatch.h"
 #include "core/perception/stereo_scan.h"
-#include "core/perception/stopwatch.h"
 
 namespace handmap {
 

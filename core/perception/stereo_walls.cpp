@@ -9,9 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/perception/stereo_scan.h"
-#include "core/perception/stopwatch.h"
 #include "core/perception/wall_columns.h"
 #include "core/recording/image_file.h"
 

@@ -45,12 +45,14 @@ struct Observation {
   int frame = 0;
   double time_s = 0.0;
   bool standing = false;
-  Pose2 odometry;                                               ///< in the odometry frame
-  Eigen::Matrix3d odometry_variance = Eigen::Matrix3d::Zero();  ///< see Odometry::guessed
+  Pose2 odometry;  ///< in the odometry frame
+  /// See Odometry::guessed.
+  Eigen::Matrix3d odometry_variance = Eigen::Matrix3d::Zero();
   std::vector<View> views;
   double read_ms = 0.0;  ///< time it took to get
-  bool odometry_guessed =
-      false;  ///< nothing measured the last motion, or not for long; the speed of before went on
+  /// Nothing has measured the motion for so long that it is worth a word; the speed of before went
+  /// on.
+  bool odometry_guessed = false;
   double blind_s = 0.0;  ///< so long nothing at all told where it drove
 };
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <chrono>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/recording/recording.h"
 #include "core/recording/view_reader.h"
@@ -113,7 +113,7 @@ class ReplaySource : public ObservationSource {
   }
 
   Observation read(const RowGroup& group) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Observation observation;
     observation.frame = group.front().frame;
     observation.time_s = group.front().time_s;
@@ -128,9 +128,7 @@ class ReplaySource : public ObservationSource {
         reader_.readPoints(row, view);
       }
     }
-    const std::chrono::duration<double, std::milli> spent =
-        std::chrono::steady_clock::now() - start;
-    observation.read_ms = spent.count();
+    observation.read_ms = watch.ms();
     return observation;
   }
 

@@ -1,7 +1,6 @@
 #include "core/rendering/rendered_source.h"
 
-#include <chrono>
-
+#include "core/base/stopwatch.h"
 #include "core/simulation/drive.h"
 
 namespace handmap {
@@ -33,13 +32,10 @@ class RenderedSource : public ObservationSource {
 
   std::optional<Observation> next() override {
     if (next_ == info_.truth.size()) return std::nullopt;
-    const auto began = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Pose2 pose = info_.truth[next_].pose;
-    Observation observation;
-    observation.frame = static_cast<int>(next_);
-    observation.time_s = info_.truth[next_].time_s;
+    Observation observation = observationAt(next_, info_);
     observation.standing = looking_ == Looking::Around;
-    observation.odometry = info_.odometry[next_].pose;
     const Scene scene = renderer_.sceneAt(world_, pose, observation.time_s);
     for (std::size_t i = 0; i < pans_.size(); ++i) {
       if (stop_.stop_requested()) return std::nullopt;
@@ -49,8 +45,7 @@ class RenderedSource : public ObservationSource {
           {pans_[i], std::move(images.left), std::move(images.right), std::nullopt});
     }
     ++next_;
-    observation.read_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+    observation.read_ms = watch.ms();
     if (listener_) tell(scene, pose, observation);
     return observation;
   }

@@ -19,8 +19,7 @@ constexpr double kMargin_mm = 15.0;
 constexpr double kInner_mm = kWidth_mm - 2.0 * kMargin_mm;
 constexpr double kText_mm = 3.2;
 constexpr double kLine_mm = 4.6;
-constexpr double kLetter =
-    0.466;  // of the font's size, as wide as most are; Japanese is as wide as high
+constexpr double kLetter = 0.5;  // its width at most, of the font's size; Japanese: 1
 constexpr PdfColour kDrawn = {0.6, 0.6, 0.6};
 constexpr PdfColour kFound = {0.0, 0.0, 0.0};
 constexpr PdfColour kDoubtful = {0.8, 0.4, 0.0};

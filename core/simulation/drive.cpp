@@ -84,6 +84,14 @@ SourceInfo infoOf(const World& world, const SimulationOptions& options, std::uin
   return info;
 }
 
+Observation observationAt(std::size_t pose, const SourceInfo& info) {
+  Observation observation;
+  observation.frame = static_cast<int>(pose);
+  observation.time_s = info.truth[pose].time_s;
+  observation.odometry = info.odometry[pose].pose;
+  return observation;
+}
+
 SimulationOptions atStep(SimulationOptions options, double step_m) {
   const double steps = options.step_m / step_m;
   options.step_m = step_m;

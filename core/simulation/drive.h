@@ -20,4 +20,7 @@ Drive driveThrough(const Map& map, const SimulationOptions& options, std::uint64
 /// What a source tells of itself but for its sensor.
 SourceInfo infoOf(const World& world, const SimulationOptions& options, std::uint64_t seed);
 
+/// What it reports at a pose of the drive, but for what its sensor sees there.
+Observation observationAt(std::size_t pose, const SourceInfo& info);
+
 }  // namespace handmap

@@ -1,10 +1,10 @@
 #include "core/simulation/feature_source.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/base/stopwatch.h"
 #include "core/simulation/drive.h"
 #include "core/simulation/joined_looks.h"
 #include "core/simulation/surroundings.h"
@@ -25,8 +25,8 @@ constexpr double kWallShare = 1.0 / 3.0;       // boulevard: 30 % of what is abo
 constexpr double kGroundShare = 0.1;           // boulevard: 13 % below 0.3 m, 17 % below 0.8 m
 constexpr double kNearestBegun_m = 12.0;  // boulevard: 95 % of the first looks are beyond 14.7 m
 constexpr double kNearest_m = 5.0;        // boulevard: no look is nearer than 5.15 m
-constexpr double kLife_m =
-    9.0;  // in view; boulevard: 5.7 frames of 1.14 m, what leaves it included
+// In view; boulevard: 5.7 frames of 1.14 m, what leaves it included.
+constexpr double kLife_m = 9.0;
 constexpr double kStretch_m = 20.0;     // boulevard: correlation of the counts 0.4 after 11 m
 constexpr double kTrackNoise = 0.0006;  // σ of 1/d, 1/m; boulevard: far looks of a track are
                                         // off by 0.0007 d² from its nearest look …
@@ -56,18 +56,14 @@ class FeatureSource : public ObservationSource {
 
   std::optional<Observation> next() override {
     if (next_ == info_.truth.size()) return std::nullopt;
-    const auto began = std::chrono::steady_clock::now();
-    Observation observation;
-    observation.frame = static_cast<int>(next_);
-    observation.time_s = info_.truth[next_].time_s;
-    observation.odometry = info_.odometry[next_].pose;
+    const Stopwatch watch;
+    Observation observation = observationAt(next_, info_);
     observation.views.push_back(look(info_.truth[next_].pose, static_cast<std::uint32_t>(next_)));
     if (features_.joined_m > 0.0) {
       observation.views.front() = joined_.add(observation.views.front(), observation.odometry);
     }
     ++next_;
-    observation.read_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+    observation.read_ms = watch.ms();
     return observation;
   }
 

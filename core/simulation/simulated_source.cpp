@@ -1,8 +1,7 @@
 #include "core/simulation/simulated_source.h"
 
-#include <chrono>
-
 #include "core/base/random.h"
+#include "core/base/stopwatch.h"
 #include "core/simulation/drive.h"
 #include "core/simulation/surroundings.h"
 
@@ -22,17 +21,13 @@ class SimulatedSource : public ObservationSource {
 
   std::optional<Observation> next() override {
     if (next_ == info_.truth.size()) return std::nullopt;
-    const auto began = std::chrono::steady_clock::now();
-    Observation observation;
-    observation.frame = static_cast<int>(next_);
-    observation.time_s = info_.truth[next_].time_s;
+    const Stopwatch watch;
+    Observation observation = observationAt(next_, info_);
     observation.standing = options_.standing;
-    observation.odometry = info_.odometry[next_].pose;
     View& view = observation.views.emplace_back();
     view.points = scan(info_.truth[next_].pose, static_cast<std::uint32_t>(next_));
     ++next_;
-    observation.read_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+    observation.read_ms = watch.ms();
     return observation;
   }
 

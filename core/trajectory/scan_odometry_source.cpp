@@ -1,10 +1,10 @@
 #include "core/trajectory/scan_odometry_source.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/base/stopwatch.h"
 #include "core/odometry/odometry_noise.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
@@ -29,7 +29,7 @@ class ScanOdometrySource : public ObservationSource {
   std::optional<Observation> next() override {
     std::optional<Observation> observation = source_->next();
     if (!observation) return observation;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const auto points = allPoints(*observation);
     const Pose2 before = odometry_.pose();
     const double elapsed_s = observation->time_s - time_s_;
@@ -48,9 +48,7 @@ class ScanOdometrySource : public ObservationSource {
     motion_s_ = any_ ? elapsed_s : 0.0;
     time_s_ = observation->time_s;
     any_ = true;
-    const std::chrono::duration<double, std::milli> spent =
-        std::chrono::steady_clock::now() - start;
-    observation->read_ms += spent.count();
+    observation->read_ms += watch.ms();
     return observation;
   }
 

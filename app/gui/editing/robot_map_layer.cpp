@@ -53,8 +53,9 @@ void RobotMapLayer::lay(const QString& path) {
     try {
       const RobotGrid grid = readRobotGrid(file);
       const auto place = placeOf(grid.ground, drawing, stop.get_token());
-      self->post([stop, name, grid, place](RobotMapLayer& layer) {
-        if (!stop.stop_requested()) layer.found(name, grid, place);
+      const Underlay map = underlayOf(grid, place ? place->pose : Pose2());
+      self->post([stop, name, map, place](RobotMapLayer& layer) {
+        if (!stop.stop_requested()) layer.found(name, map, place);
       });
     } catch (const std::exception& error) {
       const auto* known = dynamic_cast<const Error*>(&error);
@@ -69,10 +70,10 @@ void RobotMapLayer::lay(const QString& path) {
   });
 }
 
-void RobotMapLayer::found(const QString& name, const RobotGrid& grid,
+void RobotMapLayer::found(const QString& name, const Underlay& map,
                           const std::optional<GridPlace>& place) {
   shell_.messages.withdraw(kTopic);
-  add_(underlayOf(grid, place ? place->pose : Pose2()));
+  add_(map);
   if (place) {
     tell(name, *place);
     return;

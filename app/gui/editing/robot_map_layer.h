@@ -31,7 +31,7 @@ class RobotMapLayer : public QObject {
   void lay(const QString& path);
 
  private:
-  void found(const QString& name, const RobotGrid& grid, const std::optional<GridPlace>& place);
+  void found(const QString& name, const Underlay& map, const std::optional<GridPlace>& place);
   void tell(const QString& name, const GridPlace& place);
 
   const Shell& shell_;
