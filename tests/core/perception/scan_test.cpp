@@ -1,9 +1,11 @@
 #include "core/perception/scan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "core/base/random.h"
 #include "core/perception/range_walls.h"
 
 namespace handmap {
@@ -91,6 +93,30 @@ TEST(ScanBuilder, PointsThatAreNoNumbersAreLeftOut) {
   ScanBuilder scans(40.0);
   EXPECT_TRUE(
       scanOf(scans, {{std::nanf(""), 1.0F, 1.0F, 1.0F}, {1.0F, 1e30F, 1.0F, 1.0F}}).rays.empty());
+}
+
+TEST(ScanBuilder, CornersThatAreFollowedSayNothingOfTheDirectionsBetween) {
+  ScanBuilder scanner(40.0);
+  ScanBuilder follower(40.0);
+  RandomStream random(3);
+  Scan scanned;
+  Scan followed;
+  for (int frame = 0; frame < 20; ++frame) {
+    std::vector<RangePoint> sweep;
+    std::vector<RangePoint> corners;
+    const double from = random.uniform(-90.0, 0.0);
+    for (int i = 0; i < 40; ++i) sweep.push_back(pointAt(from + i, 10.0, 1.0, 1.0F));
+    for (int i = 0; i < 40; ++i) {
+      const double bearing = random.uniform(-90.0, 90.0);
+      corners.push_back(pointAt(bearing, 10.0, random.uniform(0.0, 8.0), 1.0F));
+    }
+    scanned = scanOf(scanner, sweep);
+    followed = scanOf(follower, corners);
+  }
+  EXPECT_TRUE(scanned.ray_by_ray);
+  EXPECT_FALSE(std::ranges::all_of(scanned.rays, &Ray::returned)) << "silence beside the sweep";
+  EXPECT_FALSE(followed.ray_by_ray);
+  EXPECT_TRUE(std::ranges::all_of(followed.rays, &Ray::returned));
 }
 
 }  // namespace
