@@ -86,8 +86,12 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
                             seen.looked_through.end());
     } else if (view.points) {
       const Stopwatch stopwatch;
-      found = range_walls_(*view.points, observation.odometry);
-      points.insert(points.end(), view.points->begin(), view.points->end());
+      std::vector<RangePoint> fresh = *view.points;
+      if (observation.views.size() == 1) {
+        fresh = joined_.without(std::move(fresh), observation.odometry);
+      }
+      found = range_walls_(fresh, observation.odometry);
+      points.insert(points.end(), fresh.begin(), fresh.end());
       classify_ms += stopwatch.ms();
     } else {
       throwBadInput(phrase("observation"), phrase("view"), phrase("neither images nor points"),

@@ -6,6 +6,7 @@
 
 #include "core/perception/local_map.h"
 #include "core/perception/range_walls.h"
+#include "core/perception/joined_frames.h"
 #include "core/perception/scan.h"
 #include "core/perception/stereo_walls.h"
 
@@ -44,6 +45,7 @@ class Perception {
   double range_limit_m_;
   double camera_yaw_ = 0.0;  ///< radians
   std::optional<StereoWalls> stereo_;
+  JoinedFrames joined_;
   RangeWalls range_walls_;
   ScanBuilder scans_;
 };

@@ -1,0 +1,35 @@
+// Points that were put together from several frames by the odometry say the same thing again and
+// again, from where it was not looked at, and match themselves.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/geometry/pose2.h"
+#include "core/recording/observation.h"
+
+namespace handmap {
+
+/// Takes out of each frame what frames before had at the same place of the odometry frame, where
+/// the last one had most of it. A sensor never measures a place again to the millimetre.
+class JoinedFrames {
+ public:
+  /// Points of the next frame, robot frame, and where the robot is. Where they are no repeats they
+  /// come back as they are.
+  std::vector<RangePoint> without(std::vector<RangePoint> points, const Pose2& odometry);
+
+ private:
+  bool wasThere(const Eigen::Vector3d& p) const;
+  bool areJoined(const std::vector<Eigen::Vector3d>& placed) const;
+
+  Pose2 last_;
+  std::vector<Eigen::Vector3d> before_;            ///< points of the last frame, odometry frame
+  std::unordered_map<std::int64_t, double> seen_;  ///< places, and how far was driven by then
+  double driven_m_ = 0.0;
+  bool joined_ = false;
+};
+
+}  // namespace handmap
