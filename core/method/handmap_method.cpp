@@ -250,7 +250,7 @@ class HandmapMethod : public EstimationMethod {
     return {{alone, posesBy(alone)},
             {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
             std::move(walls),
-            estimator_.refinedMap(),
+            estimatedMap()(),
             estimator_.drawingMotion(),
             seen_,
             trajectory_.sharpnessLater()};
