@@ -1,7 +1,6 @@
 // What one observation says along every direction of the plane: walls, free space, never seen.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/perception/wall_points.h"
@@ -32,18 +31,16 @@ struct Scan {
   std::vector<float> first_looked_at;
 };
 
-/// A scanner looks along one direction after the other: where something comes back from one, the
-/// next mostly returns as well. Corners that a camera follows lie where they lie, and that there is
-/// none in a direction says nothing.
-class Neighbours {
+/// A scanner looks along one direction after the other, in steps of one width. Corners that a
+/// camera follows lie where they lie, and that there is none in a direction says nothing.
+class Sweeps {
  public:
-  /// Whether directions have returned so until now, with these points.
-  bool returnTogether(const std::vector<RangePoint>& points);
+  /// Whether all until now, and the one with these points, were a scanner's.
+  bool areRegular(const std::vector<RangePoint>& points);
 
  private:
-  std::array<bool, 360> ever_{};  ///< by degree
-  double pairs_ = 0.0;            ///< of which one returned
-  double both_ = 0.0;
+  double steps_ = 0.0;
+  double regular_ = 0.0;  ///< no wider than most
 };
 
 /// Scans from range points. Remembers which directions ever returned anything: elsewhere (the
@@ -63,7 +60,7 @@ class ScanBuilder {
   void addStanding(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
   double range_limit_m_;
-  Neighbours neighbours_;
+  Sweeps sweeps_;
   std::vector<bool> looked_at_;     ///< by direction
   std::vector<bool> not_measured_;  ///< by direction, of this observation
   std::vector<Ray> nearest_;        ///< by direction; range 0: none

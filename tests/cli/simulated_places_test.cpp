@@ -59,6 +59,23 @@ TEST_F(SimulatedPlaces, ARoughCampusWhoseDrawnCornersAreWrong) {
   EXPECT_LT(corrected.way_m, 1.0);
 }
 
+/// What they are joined from counts once, and where none is says nothing.
+TEST_F(SimulatedPlaces, TracksOfCornersAlone) {
+  const std::vector<std::string> made{"simulate", "--scene", "two-rows",   "--clutter",
+                                      "--sigma",  "5",       "--seed",     "1",
+                                      "--out",    "place",   "--features", "50"};
+  std::vector<std::string> joined = made;
+  joined.insert(joined.end(), {"--joined", "40"});
+  for (const auto& arguments : {made, joined}) {
+    std::filesystem::remove_all("place");
+    ASSERT_EQ(run(arguments).status, 0);
+    const Corrected corrected = correct("place/sketch.handmap");
+    EXPECT_LT(corrected.drawn, 0.6);
+    EXPECT_GT(corrected.refined, corrected.drawn + 0.04);
+    EXPECT_LT(corrected.way_m, 1.0);
+  }
+}
+
 struct Verdicts {
   int said = 0;  ///< "it is off by no more than so much", with 95 % at least
   int right = 0;
