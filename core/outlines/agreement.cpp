@@ -8,24 +8,13 @@
 #include <Eigen/LU>
 
 #include "core/map/certainty.h"
+#include "core/outlines/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr int kMostRounds = 50;
-constexpr double kSettled = 1e-6;  // nats
-/// Share of buildings whose outline was fitted to something else (hedges, annexes, neighbours), and
-/// how far its sides are off then, one σ.
-constexpr double kMisfitted = 0.15;
-constexpr double kMisfit_m = 1.5;
-/// What the drawing says of its errors counts as so many sides that were measured.
-constexpr double kStatedSides = 4.0;
-/// What a fitted side is off whatever it says: poses, recesses, and how far maps of real places
-/// are.
-constexpr double kLeastSigma_m = 0.3;
-/// Fewer buildings that are right may be so by chance.
-constexpr std::ptrdiff_t kLeastTogether = 3;
+namespace {
 
 /// How the map lies: shift and turn of the whole about the start, and how far the buildings that
 /// are not drawn right are off together.

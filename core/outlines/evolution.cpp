@@ -7,12 +7,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr int kOffspring = 12;  // choice: the tutorial's default of six parameters is 9
-constexpr int kParents = kOffspring / 2;
+namespace {
 
 /// Names as in the tutorial, table 1 and figure 6.
 class Strategy {
@@ -80,9 +81,8 @@ class Strategy {
  private:
   void decompose() {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_);
-    constexpr double kLeast = 1e-12;  // rounding must not make one negative
     axes_ = solver.eigenvectors();
-    widths_ = solver.eigenvalues().cwiseMax(kLeast).cwiseSqrt();
+    widths_ = solver.eigenvalues().cwiseMax(kLeastEigenvalue).cwiseSqrt();
   }
 
   double n_;

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/outlines/constants.h"
 #include "core/outlines/mode_choice.h"
 
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr double kRivals = 3.0;  // nats that two buildings both want; less is no matter
-constexpr double kSlack_m = 0.15;
+namespace {
 
 using Standing = std::vector<OutlineScorer::Standing>;
 
@@ -89,7 +89,7 @@ class Places {
     for (std::size_t i = 0; i < priors_.size(); ++i) {
       for (const Mode& mode : modes_[i]) worth[i].push_back(mode.place.total());
     }
-    const std::vector<int> chosen = chooseModes(worth, conflicts(kAll));
+    const std::vector<int> chosen = chooseModes(worth, conflicts(kAllModes));
     std::vector<std::optional<FittedOutline>> places(priors_.size());
     for (std::size_t i = 0; i < priors_.size(); ++i) {
       if (chosen[i] != kNoMode) places[i] = modes_[i][static_cast<std::size_t>(chosen[i])].place;
@@ -98,7 +98,6 @@ class Places {
   }
 
  private:
-  static constexpr std::size_t kAll = 1000;
   struct Mode {
     FittedOutline place;
     Standing standing;

@@ -10,11 +10,6 @@
 
 namespace handmap {
 
-/// A building stands for the returns that are so near to its walls.
-inline constexpr double kOwnedWithin_m = 0.5;
-/// Nats for all of a building on another.
-inline constexpr double kOverlap = 400.0;
-
 /// Area that both have, m².
 double sharedArea(const Polygon& outline, const Polygon& other);
 

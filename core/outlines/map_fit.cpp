@@ -5,16 +5,15 @@
 #include <numeric>
 
 #include "core/map/certainty.h"
+#include "core/outlines/constants.h"
 #include "core/outlines/joint_places.h"
 #include "core/outlines/terraces.h"
 
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr double kLeastEvidence = 10.0;  // nats
-constexpr double kLeastGain = 3.0;
-constexpr double kFitSlack_m = 0.15;
+namespace {
 
 double sizeOf(const Polygon& outline) {
   const Bounds bounds = boundsOf(outline);
@@ -39,7 +38,7 @@ class SpreadAlong {
   double operator()(const Vec2& direction) const {
     const double along = direction.dot(ends_.along);
     const double end = along > 0.0 ? ends_.to_sigma : ends_.from_sigma;
-    if (std::abs(along) > std::sqrt(0.5) && end > 0.0) return std::hypot(end, kFitSlack_m);
+    if (std::abs(along) > std::sqrt(0.5) && end > 0.0) return std::hypot(end, kSlack_m);
     return spreadOfSide(outline_, direction, prior_m_, scorer_);
   }
 
@@ -61,7 +60,7 @@ Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScor
     const Vec2 normal = unitVector(heading + static_cast<double>(k) * kPi / 2.0);
     sides[k].sigma = spread(normal);
   }
-  const std::vector<double> returns = scorer.returnsOf(outline, kFitSlack_m);
+  const std::vector<double> returns = scorer.returnsOf(outline, kSlack_m);
   std::array<double, 4> of_side{};
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 along = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
@@ -130,8 +129,8 @@ class Settling {
     if (stop_.stop_requested()) return {};
     OutlineResult result;
     result.evidence = fitted.score - kOverlap * overlap(i, fitted.outline);
-    const double drawn = scorer(task.drawn, kFitSlack_m) - kOverlap * overlap(i, task.drawn);
-    const double start = scorer(task.start, kFitSlack_m) - kOverlap * overlap(i, task.start);
+    const double drawn = scorer(task.drawn, kSlack_m) - kOverlap * overlap(i, task.drawn);
+    const double start = scorer(task.start, kSlack_m) - kOverlap * overlap(i, task.start);
     result.gain = result.evidence + fitted.prior - drawn;
     if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
       result.verdict = Verdict::Moved;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr int kMostPasses = 20;  // choice; three settle what was tried
-constexpr double kLeastWorth = 1e-9;
+namespace {
 
 class Choice {
  public:

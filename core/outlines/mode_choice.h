@@ -12,8 +12,6 @@ struct ModeConflict {
   double cost;  ///< nats
 };
 
-inline constexpr int kNoMode = -1;
-
 /// `worth`: by building, of each of its modes (nats); none is worth 0. Returns the mode of each
 /// building, or kNoMode, so that what all are worth together is as great as changing the modes of
 /// two buildings in conflict can make it, begun with the best of each that is left.

@@ -6,40 +6,23 @@
 #include <numbers>
 #include <set>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr double kStopped = 0.9;  // share of the rays that a wall does not let through
-/// By Likeness: how often a return from a wall looks so, and how many others do along a metre
-/// (measured on a residential drive and a campus at true poses).
-struct Rates {
-  double of_walls;
-  double of_others;
-};
-constexpr std::array<Rates, static_cast<std::size_t>(Likeness::Count)> kRates = {
-    {{0.8, 0.02}, {0.05, 0.1}, {0.2, 0.06}, {0.1, 0.1}, {0.08, 0.1}}};
-constexpr float kParallel = 0.92F;  // cosine of what lies along a wall
-constexpr float kMostSigmas = 4.0F;
-constexpr float kLeastCosine = 0.1F;
-constexpr double kLeastRatio = 0.02;  // of the table
-constexpr double kMostRatio = 2000.0;
-constexpr double kTemper = 0.1;       // looks in one direction from a metre of the way are one
-constexpr double kInside = 20.0;      // a robot in a building
-constexpr double kSilentNear = 0.12;  // share of silence from a wall, and how it grows to the
-constexpr double kSilentFar = 0.35;   // range limit
-
-}  // namespace
+static_assert(kRates.size() == static_cast<std::size_t>(Likeness::Count));
 
 ReturnTable::ReturnTable() {
-  table_.resize(static_cast<std::size_t>(kRatios * kSteps));
-  for (int k = 0; k < kRatios; ++k) {
-    const double ratio = kLeastRatio * std::pow(kMostRatio / kLeastRatio, k / (kRatios - 1.0));
-    for (int i = 0; i < kSteps; ++i) {
-      const double z = static_cast<double>(kMostSigmas) * (2.0 * (i + 0.5) / kSteps - 1.0);
+  table_.resize(static_cast<std::size_t>(kTableRatios * kTableSteps));
+  for (int k = 0; k < kTableRatios; ++k) {
+    const double ratio = kLeastRatio * std::pow(kMostRatio / kLeastRatio, k / (kTableRatios - 1.0));
+    for (int i = 0; i < kTableSteps; ++i) {
+      const double z = static_cast<double>(kMostSigmas) * (2.0 * (i + 0.5) / kTableSteps - 1.0);
       const double behind = 0.5 * std::erfc(-z / std::numbers::sqrt2);
       const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi);
-      table_[static_cast<std::size_t>(k * kSteps + i)] =
+      table_[static_cast<std::size_t>(k * kTableSteps + i)] =
           static_cast<float>(std::log(1.0 - kStopped * behind + ratio * density));
     }
   }
@@ -52,12 +35,13 @@ float ReturnTable::operator()(Likeness likeness, float z, float sigma_m) const {
   const Rates& rates = kRates[static_cast<std::size_t>(likeness)];
   const auto ratio = static_cast<float>(kStopped * rates.of_walls / rates.of_others) / sigma_m;
   static const auto kPerRatio =
-      static_cast<float>((kRatios - 1.0) / std::log2(kMostRatio / kLeastRatio));
+      static_cast<float>((kTableRatios - 1.0) / std::log2(kMostRatio / kLeastRatio));
   static const auto kLow = static_cast<float>(std::log2(kLeastRatio)) - 0.5F / kPerRatio;
-  const int k = std::clamp(static_cast<int>((std::log2(ratio) - kLow) * kPerRatio), 0, kRatios - 1);
-  const int i =
-      std::clamp(static_cast<int>((z / kMostSigmas + 1.0F) * 0.5F * kSteps), 0, kSteps - 1);
-  return table_[static_cast<std::size_t>(k * kSteps + i)];
+  const int k =
+      std::clamp(static_cast<int>((std::log2(ratio) - kLow) * kPerRatio), 0, kTableRatios - 1);
+  const int i = std::clamp(static_cast<int>((z / kMostSigmas + 1.0F) * 0.5F * kTableSteps), 0,
+                           kTableSteps - 1);
+  return table_[static_cast<std::size_t>(k * kTableSteps + i)];
 }
 
 OutlineScorer::OutlineScorer(const PlacedRays& placed, double range_limit_m,

@@ -22,17 +22,11 @@ class ReturnTable {
   float operator()(Likeness likeness, float z, float sigma_m) const;
 
  private:
-  static constexpr int kSteps = 64;
-  static constexpr int kRatios = 40;
   std::vector<float> table_;
 };
 
 /// By ray: which building its return is from, as far as that is settled.
 using RayOwners = std::vector<int>;
-inline constexpr int kNobody = -1;
-
-/// Returns, as returnsOf() counts them, of a side that was seen.
-inline constexpr double kSeenReturns = 1.0;
 
 /// The rays that can tell of an outline near a place.
 class OutlineScorer {

@@ -4,28 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "core/outlines/constants.h"
 #include "core/outlines/evolution.h"
 
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr int kSamples = 1500;
-constexpr std::size_t kAsked = 2500;  // rays that samples are weighed by
-constexpr std::size_t kAskedLater = 8000;
-constexpr double kWidest = 2.5;        // σ
-constexpr double kSlackAtFirst = 1.5;  // metres
-struct Stage {
-  double slack_m;
-  std::size_t tries;
-  double step_m;
-  double least_step_m;
-};
-constexpr Stage kStages[] = {{0.8, 12, 1.0, 0.3}, {0.3, 8, 0.5, 0.15}};
-constexpr Stage kLast = {0.15, 4, 0.25, 0.03};
-constexpr double kLeastWallStep = 0.06;
-constexpr double kAnotherThing = 1e4;  // nats, by the log of how far a size is out of its range
-constexpr double kAnother_m = 1.0;     // places of which no corner is farther apart are the same
+namespace {
 
 using Move = OutlineMove;
 
@@ -160,7 +146,6 @@ Polygon withWallMoved(const Polygon& outline, std::size_t wall, double by) {
   const auto slide = [&](std::size_t corner, std::size_t beyond) {
     const Vec2 side = (outline[corner] - outline[beyond]).normalized();
     const double sine = cross(side, along);
-    constexpr double kSteep = 0.5;
     moved[corner] += std::abs(sine) > kSteep ? Vec2(side * (cross(shift, along) / sine)) : shift;
   };
   slide(a, (a + n - 1) % n);
@@ -216,7 +201,7 @@ std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const Outli
   for (Candidate& candidate : candidates) {
     if (stop.stop_requested()) return {{prior.start}};
     candidate.total =
-        scorer(shape(candidate.move), kSlackAtFirst, coarse) + shape.logPrior(candidate.move);
+        scorer(shape(candidate.move), kSlackAtFirst_m, coarse) + shape.logPrior(candidate.move);
   }
   const Candidate start = candidates.front();
   for (const Stage& stage : kStages) {
@@ -274,10 +259,6 @@ void scorePlace(FittedOutline& place, const OutlineScorer& scorer) {
 
 double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,
                     const OutlineScorer& scorer) {
-  constexpr double kFirst = 0.05;  // metres
-  constexpr double kDrop = 0.5;    // nats
-  // What all rays share: poses, and walls that are not quite straight.
-  constexpr double kSystematic_m = 0.2;
   const std::size_t stride = 1 + scorer.size() / kAskedLater;
   double low = outline.front().dot(direction);
   double high = low;
@@ -293,8 +274,8 @@ double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_
     return scorer(moved, kLast.slack_m, stride) - 0.5 * std::pow(by / prior_sigma_m, 2);
   };
   const double best = value(0.0);
-  double sigma = kFirst;
-  while (sigma < prior_sigma_m && best - std::max(value(sigma), value(-sigma)) < kDrop) {
+  double sigma = kSpreadFirst_m;
+  while (sigma < prior_sigma_m && best - std::max(value(sigma), value(-sigma)) < kSpreadDrop) {
     sigma *= 1.5;
   }
   return std::min(std::hypot(sigma, kSystematic_m), std::max(prior_sigma_m, kSystematic_m));

@@ -4,20 +4,11 @@
 #include <cmath>
 
 #include "core/estimation/drawing/size_range.h"
+#include "core/outlines/constants.h"
 
 namespace handmap {
 
-namespace {
-
-// How people draw what they know: sizes, turns, skews and single walls are off by no more, one σ,
-// however uncertain the drawing says it is; and by so much however certain.
-constexpr double kMostScale = 0.3;
-constexpr double kMostTurn = 0.08;
-constexpr double kMostShear = 0.03;
-constexpr double kMostCorner_m = 1.0;
-constexpr double kLeastShare = 0.01;
-
-}  // namespace
+using namespace outlines;
 
 double headingOf(const Polygon& outline) {
   double longest = 0.0;

@@ -6,23 +6,13 @@
 
 #include "core/map/certainty.h"
 #include "core/outlines/agreement.h"
+#include "core/outlines/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-/// Of the far half of a wall that was seen to its end: 2.4 to 5 where gables stand free, up to 1.7
-/// in gaps between houses of a real street, which look through.
-constexpr double kSeenToEndReturns = 2.0;
-constexpr double kRefinementSlack_m = 0.3;
-/// What found rear walls were off that hardly a return came from, real street and far rows:
-/// FIELD.md, part 2, 1.
-constexpr double kFoundRear_m = 2.7;
-// Of the start as it is drawn, one σ.
-constexpr double kStartTurn = toRadians(1.0);
-constexpr double kStart_m = 0.3;
-constexpr double kLeastStart_m = 0.01;
-constexpr double kLeastStartTurn = toRadians(0.01);
+namespace {
 
 Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
   Polygon outline;
@@ -43,7 +33,7 @@ std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& sco
     halves.push_back(0.5 * (from + outline[i]));
     halves.push_back(outline[i]);
   }
-  const std::vector<double> returns = scorer.returnsOf(halves, kRefinementSlack_m);
+  const std::vector<double> returns = scorer.returnsOf(halves, kDrawnSlack_m);
   std::vector<HalfWall> walls;
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const Vec2& from = halves[(i + halves.size() - 1) % halves.size()];
@@ -58,7 +48,6 @@ std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& sco
 /// worse than even a rear wall is found. The ends of what was seen best are where its returns stop.
 Polygon unseenAsDrawn(const Building& found, const Building& drawn, double size_m,
                       const DrawingMotion& motion, const PlacedRays& placed, double range_limit_m) {
-  constexpr double kFacing = 0.7;  // cosine between a wall and the side that it is of
   Polygon outline = found.footprint();
   const Rectangle box = found.box();
   const double radius = 0.5 * std::hypot(box.width, box.depth);
@@ -121,7 +110,6 @@ double wholeShift(const Map& drawing, const OutlineTask& task) {
 /// A building that was found is looked for where it was found, another one where it was drawn.
 OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundMap>& found,
                    const PlacedRays& placed, double range_limit_m) {
-  constexpr double kLabelled_m = 1.0;  // what found buildings are off, one σ
   const Building& drawn = drawing.buildings[b];
   const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
   // A drawing may be surer of where it is than what is found tells; where outlines cannot be fitted
@@ -225,7 +213,6 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
 
 double supportOf(const Map& drawing, const PlacedRays& placed, double range_limit_m,
                  const std::stop_token& stop) {
-  constexpr double kTells = 3.0;  // nats for or against a building
   double met = 0.0;
   double supported = 0.0;
   for (const Building& building : drawing.buildings) {
@@ -235,7 +222,7 @@ double supportOf(const Map& drawing, const PlacedRays& placed, double range_limi
     const double radius = 0.5 * (bounds.high - bounds.low).norm();
     const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, 0.5 * (bounds.low + bounds.high),
                                radius);
-    const double evidence = scorer(outline, kRefinementSlack_m);
+    const double evidence = scorer(outline, kDrawnSlack_m);
     if (std::abs(evidence) < kTells) continue;
     met += 1.0;
     if (evidence > 0.0) supported += 1.0;

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr double kUndrawnLogWidth = 0.5;  // σ, about the mean of the drawn ones; choice
-constexpr double kMostShift = 3.0;        // σ
-constexpr double kShiftStep = 0.5;
-constexpr double kNever = -std::numeric_limits<double>::infinity();
+namespace {
 
 double logAdd(double a, double b) {
   if (a < b) std::swap(a, b);

@@ -21,19 +21,12 @@ struct RowHouse {
   double worth_elsewhere = 0.0;  ///< where it is not of the row, against not being there at all
 };
 
-/// Between places where a house may end, metres: a wall is as thick.
-inline constexpr double kRowCell_m = 0.25;
-/// For a drawn house that is there, and for a thing that is a drawn house; nats: of twenty one is
-/// not there, or was not drawn. Choice.
-inline constexpr double kIsThere = 3.0;
-
 /// A part of the row.
 struct RowPart {
   std::size_t house;  ///< index, or kUndrawn
   double from, to;
   double from_sigma, to_sigma;  ///< of an end of the row: 0
 };
-inline constexpr std::size_t kUndrawn = static_cast<std::size_t>(-1);
 
 /// What was seen of a stretch from..to says for its being one thing; nats.
 using StretchEvidence = std::function<double(double from, double to)>;

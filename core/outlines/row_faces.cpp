@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/outlines/constants.h"
 #include "core/outlines/row_division.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr double kFaceDepth_m = 0.1;    // across: the cell of the paper's map
-constexpr double kFaceWithin_m = 0.15;  // of a face: recesses, poses
-constexpr double kFaceParallel = 0.92;  // cosine of what lies along the row
-constexpr double kFaceOther = 0.1;      // share of the returns that are from something else
-constexpr double kFaceStep_m = 1.0;     // of a house's face against the row's, one σ; choice
-constexpr double kFaceTemper = 0.5;     // neighbouring cells have one error
-constexpr double kFaceReturns = 2.0;    // of a cell that was seen
-
-}  // namespace
+using namespace outlines;
 
 RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
     : band_(band),
@@ -33,7 +24,7 @@ RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
   for (const PlacedRay& ray : placed.rays) {
     if (ray.echo != Echo::Tall || ray.structure != Structure::Straight) continue;
     const Vec2 normal(static_cast<double>(ray.nx), static_cast<double>(ray.ny));
-    if (std::abs(normal.dot(across)) < kFaceParallel) continue;
+    if (std::abs(normal.dot(across)) < kParallel) continue;
     const Vec2 end = ray.end();
     const double x = along.dot(end);
     const double y = across.dot(end);
@@ -45,7 +36,7 @@ RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
         std::min(cellOf(x), cells_ - 1) + 1) += 1.0;
   }
   if (!direction.isZero()) turn_ = std::atan2(cross(across, direction), across.dot(direction));
-  const int reach = static_cast<int>(std::lround(kFaceWithin_m / kFaceDepth_m));
+  const int reach = static_cast<int>(std::lround(kSlack_m / kFaceDepth_m));
   for (const Face face : {kLow, kHigh}) {
     std::vector<double> counts(static_cast<std::size_t>(depths_));
     for (int cell = 0; cell < cells_; ++cell) {

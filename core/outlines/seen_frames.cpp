@@ -4,19 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr double kTurn = 0.15;        // radians between frames that are kept
-constexpr double kStep_m = 0.5;       // the same, before anything is thinned out
-constexpr double kPerMetre = 1000.0;  // rays, what structure needs; the rest tells the same again
-constexpr double kMost = 4000.0;      // rays of a frame
-constexpr float kTall_m = 1.8F;       // above most cars, hedges and fences
-constexpr float kHighest_m = 9.0F;    // roofs and crowns
-constexpr float kLow_m = 0.5F;
-constexpr float kLeastRange_m = 0.5F;
-constexpr std::size_t kBearings = 360;  // a degree each
+namespace {
 
 std::size_t bearingBin(float bearing) {
   const double share = (static_cast<double>(bearing) + kPi) / (2.0 * kPi);
@@ -49,13 +43,14 @@ void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan&
   }
   const Pose2 motion = between(last_, odometry);
   const double driven = std::hypot(motion.x, motion.y);
-  if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < kTurn) return;
+  if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < kFrameTurn) return;
   SeenFrame frame{observation, {}};
   if (points.empty() || scan.ray_by_ray) {
     addScan(scan, frame);
   } else {
-    const double metres = frames_.empty() ? 1.0 : std::clamp(driven, kStep_m, kMost / kPerMetre);
-    addPoints(points, kPerMetre * metres * kStep_m / step_m_, frame);
+    const double metres =
+        frames_.empty() ? 1.0 : std::clamp(driven, kFrameStep_m, kMostRays / kRaysPerMetre);
+    addPoints(points, kRaysPerMetre * metres * kFrameStep_m / step_m_, frame);
   }
   shareOut(frame.rays);
   last_ = odometry;
@@ -76,7 +71,6 @@ void SeenFrames::thinOut() {
 }
 
 void SeenFrames::addScan(const Scan& scan, SeenFrame& frame) {
-  constexpr double kSilent = 0.99;  // of the range limit
   for (const Ray& ray : scan.rays) {
     const bool silent = static_cast<double>(ray.range) > kSilent * range_limit_m_;
     const Echo echo = ray.returned ? Echo::Tall : silent ? Echo::Silent : Echo::Ground;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
+#include "core/outlines/constants.h"
 #include "core/perception/scan.h"
 
 namespace handmap {
@@ -59,7 +60,7 @@ class SeenFrames {
   double range_limit_m_;
   std::size_t most_rays_;
   std::size_t rays_ = 0;
-  double step_m_ = 0.5;  ///< between frames that are kept
+  double step_m_ = outlines::kFrameStep_m;  ///< between frames that are kept
   std::vector<SeenFrame> frames_;
   Pose2 last_;  ///< odometry of the last frame
 };

@@ -9,22 +9,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-constexpr double kCell_m = 0.25;
-constexpr int kReach = 5;        // cells around that tell the structure of one
-constexpr double kFar_m = 35.0;  // returns from farther away are too vague
-constexpr double kLeastReturns = 12.0;
-constexpr double kLeastLength_m = 0.35;  // one σ along a piece
-// How thick things look beyond what the noise of the returns makes them, one σ, and how much of
-// that noise is left after weighing: recesses and poses; hedges.
-constexpr double kWall_m = 0.11;
-constexpr double kWallNoise = 0.7;
-constexpr double kHedge_m = 0.235;
-constexpr double kHedgeNoise = 1.2;
-constexpr double kPoses = 0.02;  // m², of the poses that returns come from
+namespace {
 
 /// Weighted moments of the returns in a cell.
 struct Moments {
@@ -59,8 +50,9 @@ struct Piece {
 
 /// Orders cells by column, and in it by row.
 std::int64_t keyOf(int column, int row) {
-  constexpr std::uint32_t kZero = 1U << 31U;  // rows below zero come before those above
-  return (static_cast<std::int64_t>(column) << 32) | (static_cast<std::uint32_t>(row) ^ kZero);
+  // Rows below zero come before those above.
+  return (static_cast<std::int64_t>(column) << 32) |
+         (static_cast<std::uint32_t>(row) ^ (1U << 31U));
 }
 int cellOf(double metres) { return static_cast<int>(std::floor(metres / kCell_m)); }
 
@@ -73,7 +65,7 @@ class Cells {
       if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > kFar_m) continue;
       const Vec2 end = ray.end();
       const double variance = std::pow(noise.at(static_cast<double>(ray.range)), 2);
-      const double weight = static_cast<double>(ray.share) / (variance + kPoses);
+      const double weight = static_cast<double>(ray.share) / (variance + kPoses_m2);
       const int column = cellOf(end.x());
       const int row = cellOf(end.y());
       const auto [place, is_new] = places.try_emplace(keyOf(column, row), cells_.size());
@@ -154,31 +146,26 @@ class Cells {
 /// How far returns are off what is straight, by their distance: offset and quadratic term by least
 /// squares over the medians of distance bins.
 RayNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RayNoise noise) {
-  constexpr double kBin_m = 5.0;
-  constexpr std::size_t kBins = 7;
-  constexpr std::size_t kEnough = 100;
-  constexpr double kLeastCosine = 0.4;
-  constexpr double kMad = 1.4826;
-  std::array<std::vector<double>, kBins> errors;
+  std::array<std::vector<double>, kNoiseBins> errors;
   for (const PlacedRay& ray : rays) {
     if (ray.echo != Echo::Tall) continue;
     const Piece* piece = cells.of(ray);
     if (piece == nullptr || piece->structure != Structure::Straight) continue;
     const double cosine =
         std::abs(piece->normal.dot(Vec2(static_cast<double>(ray.dx), static_cast<double>(ray.dy))));
-    const auto bin = static_cast<std::size_t>(static_cast<double>(ray.range) / kBin_m);
-    if (cosine < kLeastCosine || bin >= kBins) continue;
+    const auto bin = static_cast<std::size_t>(static_cast<double>(ray.range) / kNoiseBin_m);
+    if (cosine < kNoiseCosine || bin >= kNoiseBins) continue;
     errors[bin].push_back(std::abs(piece->normal.dot(ray.end() - piece->middle)) / cosine);
   }
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
+  for (std::size_t bin = 0; bin < kNoiseBins; ++bin) {
     std::vector<double>& of_bin = errors[bin];
-    if (of_bin.size() < kEnough) continue;
+    if (of_bin.size() < kLeastInBin) continue;
     const auto middle = of_bin.begin() + static_cast<std::ptrdiff_t>(of_bin.size() / 2);
     std::nth_element(of_bin.begin(), middle, of_bin.end());
     const double sigma = kMad * *middle;
-    const double distance = (static_cast<double>(bin) + 0.5) * kBin_m;
+    const double distance = (static_cast<double>(bin) + 0.5) * kNoiseBin_m;
     const Eigen::Vector2d row(1.0, distance * distance);
     const double weight = 1.0 / (sigma * sigma);
     normal += weight * row * row.transpose();
@@ -212,9 +199,6 @@ class Visits {
   int count(const PlacedRay& ray) { return of(ray).visits; }
 
  private:
-  static constexpr double kPlace_m = 2.0;
-  static constexpr double kAway_m = 20.0;  ///< driven before it comes back
-  static constexpr int kSectors = 24;
   struct Looks {
     int visits = 0;
     double last_m = 0.0;
@@ -222,7 +206,7 @@ class Visits {
 
   Looks& of(const PlacedRay& ray) {
     const auto cell = [](float metres) {
-      return static_cast<int>(std::floor(static_cast<double>(metres) / kPlace_m));
+      return static_cast<int>(std::floor(static_cast<double>(metres) / kStand_m));
     };
     const double turns =
         std::atan2(static_cast<double>(ray.dy), static_cast<double>(ray.dx)) / (2.0 * kPi) + 0.5;
@@ -248,8 +232,6 @@ void shareVisits(PlacedRays& placed) {
 /// What ends at one place is off by what that place and the poses are off: more looks at it tell
 /// ever less.
 void shareOut(std::vector<PlacedRay>& rays) {
-  constexpr double kPlace_m = 0.5;
-  constexpr float kEnough = 30.0F;  // looks
   std::unordered_map<std::int64_t, float> looks;
   const auto place_of = [&](const PlacedRay& ray) {
     const Vec2 end = ray.end() / kPlace_m;
@@ -257,7 +239,7 @@ void shareOut(std::vector<PlacedRay>& rays) {
            static_cast<std::int64_t>(ray.echo);
   };
   for (const PlacedRay& ray : rays) looks[place_of(ray)] += ray.share;
-  for (PlacedRay& ray : rays) ray.share *= std::min(1.0F, kEnough / looks[place_of(ray)]);
+  for (PlacedRay& ray : rays) ray.share *= std::min(1.0F, kEnoughLooks / looks[place_of(ray)]);
 }
 
 }  // namespace
@@ -285,8 +267,7 @@ PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& 
     }
   }
   placed.frame_begin.push_back(placed.rays.size());
-  constexpr int kRounds = 2;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kStructureRounds; ++round) {
     const Cells cells(placed.rays, placed.noise, stop);
     placed.noise = measured(placed.rays, cells, placed.noise);
   }

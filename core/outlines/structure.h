@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
+#include "core/outlines/constants.h"
 #include "core/outlines/seen_frames.h"
 
 namespace handmap {
@@ -45,7 +46,7 @@ struct PlacedRays {
   double straight = 0.0;  ///< share of the tall returns that are from straight things
 
   /// Whether walls can be told from the rest: not from few or very noisy returns.
-  bool showsStructure() const { return straight > 0.1; }
+  bool showsStructure() const { return straight > outlines::kStructured; }
 };
 
 /// `poses`: of all observations. Tells structure and noise from each other: what is straight shows

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "core/outlines/constants.h"
 #include "core/outlines/joint_places.h"
 #include "core/outlines/row_division.h"
 #include "core/outlines/row_faces.h"
 
 namespace handmap {
 
-namespace {
+using namespace outlines;
 
-/// One house alone is one, whatever else is drawn on it.
-constexpr std::size_t kLeastHouses = 2;
-constexpr double kFaceOff_m = 1.5;             // of a face of a house from that of another; choice
-constexpr double kWallToWall_m = 1.0;          // between places, along the terrace. Choice
-constexpr double kParallel = toRadians(10.0);  // choice
+namespace {
 
 using Places = std::vector<std::optional<FittedOutline>>;
 
@@ -66,7 +63,7 @@ struct Terrace {
 };
 
 bool isParallel(const Polygon& outline, double heading) {
-  return std::abs(std::remainder(headingOf(outline) - heading, kPi / 2.0)) < kParallel;
+  return std::abs(std::remainder(headingOf(outline) - heading, kPi / 2.0)) < kRowTurn;
 }
 
 Terrace terraceAround(std::size_t first, double heading, const Buildings& buildings) {

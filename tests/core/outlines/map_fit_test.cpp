@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outlines/constants.h"
 #include "tests/core/outlines/drive.h"
 
 namespace handmap {
 namespace {
+
+using namespace outlines;
 
 const Polygon kFittedHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.1}.corners();
 const Polygon kEll = {{35, 8}, {50, 8}, {50, 20}, {44, 20}, {44, 13}, {35, 13}};

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 namespace {
+
+using namespace outlines;
 
 using Modes = std::vector<int>;
 

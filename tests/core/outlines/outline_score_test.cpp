@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outlines/constants.h"
 #include "tests/core/outlines/drive.h"
 
 namespace handmap {
 namespace {
+
+using namespace outlines;
 
 const Polygon kScoredHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.0}.corners();
 

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outlines/constants.h"
+
 namespace handmap {
 namespace {
+
+using namespace outlines;
 
 double nothing(double, double) { return 0.0; }
 
