@@ -5,6 +5,7 @@
 
 #include "core/bag_import/bag_facts.h"
 #include "core/recording/camera.h"
+#include "core/recording/rectifier.h"
 
 namespace handmap {
 
@@ -15,24 +16,18 @@ class BagCamera {
   BagCamera(const BagFacts& facts, const BagPlan& plan, bool rectified, const std::string& file,
             std::vector<std::string>& notes);
 
-  const StereoCamera& camera() const { return camera_; }
+  StereoCamera camera() const { return rectifier_.camera(mount_); }
   /// Throws BadInput for an image of another size.
-  cv::Mat left(const cv::Mat& image) const { return remapped(image, left_); }
-  cv::Mat right(const cv::Mat& image) const { return remapped(image, right_); }
+  cv::Mat left(const cv::Mat& image) const;
+  cv::Mat right(const cv::Mat& image) const;
 
  private:
-  struct Maps {
-    cv::Mat pixels;
-    cv::Mat fractions;
-  };
-  static Maps mapsOf(const ros::CameraInfo& info);
-  cv::Mat remapped(const cv::Mat& image, const Maps& maps) const;
+  static Rectifier rectifierOf(const BagFacts& facts, bool rectified, const std::string& file);
+  void check(const cv::Mat& image) const;
 
   std::string file_;
-  cv::Size size_;
-  StereoCamera camera_;
-  Maps left_;  ///< empty where the images are rectified
-  Maps right_;
+  Rectifier rectifier_;
+  CameraMount mount_;
 };
 
 /// The pose of a camera (z ahead, x right, y down; or x ahead, z up) as a mount.

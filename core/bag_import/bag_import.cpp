@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/bag_import/bag_camera.h"
+#include "core/bags/ros_camera.h"
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
@@ -215,7 +216,7 @@ ImportedBag importBag(const Bag& bag, const BagPlan& plan, const fs::path& folde
   const BagFacts facts = factsOf(bag, plan, notes, stop);
   std::optional<BagCamera> camera;
   if (plan.hasCamera()) {
-    const bool rectified = bag.topics()[*plan.left].name.find("rect") != std::string::npos;
+    const bool rectified = ros::namesRectified(bag.topics()[*plan.left].name);
     try {
       camera.emplace(facts, plan, rectified, bag.path().string(), notes);
     } catch (const Error& error) {

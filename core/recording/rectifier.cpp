@@ -53,6 +53,7 @@ StereoCamera Rectifier::camera(const CameraMount& mount) const {
 }
 
 cv::Mat Rectifier::remapped(const cv::Mat& image, const Maps& maps) {
+  if (maps.pixels.empty()) return image;
   cv::Mat result;
   cv::remap(image, result, maps.pixels, maps.fractions, cv::INTER_LINEAR);
   return result;

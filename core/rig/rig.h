@@ -10,7 +10,8 @@
 //                 "left": "…", "right": "…",         two devices; each also a file or a URL
 //                 "ros": "ws://host:9090",           left and right are topics: CompressedImage,
 //                                                    of a Foxglove bridge Image too
-//                 "calibration": "calib.yml",        of OpenCV, or calib.txt of KITTI: rectified
+//                 "calibration": "calib.yml",        of OpenCV, or calib.txt of KITTI: rectified;
+//                                                    of "ros" absent: camera_info beside the topics
 //                 "width": 1280, "height": 480,      what to ask the device for
 //                 "rate_hz": 15,
 //                 "right_delay_ms": 0,               the right image is taken so much later
@@ -54,7 +55,8 @@ struct CameraRig {
   std::string left;                   ///< device, file or URL
   std::string right;                  ///< empty: `left` gives both images side by side
   std::string ros;                    ///< a bridge: `left` and `right` are topics behind it
-  std::filesystem::path calibration;  ///< absolute, or relative to the working folder
+  std::filesystem::path calibration;  ///< absolute, or relative to the working folder; of `ros`
+                                      ///< empty: the robot tells it
   CameraMount mount{0.0, 0.0, kDefaultCameraHeight, 0.0, 0.0};
   int width = 0;  ///< of the image as the device gives it; 0: as it likes
   int height = 0;

@@ -99,7 +99,10 @@ CameraRig readCamera(const JsonValue& json, const fs::path& folder) {
   if (camera.kind == CameraKind::FireWire && !side_by_side) {
     json.fail(phrase("no \"device\""), phrase("one: a stereo head that sends both images in one"));
   }
-  camera.calibration = pathFrom(json.at("calibration"), folder);
+  // Over ROS the robot may tell it.
+  if (camera.ros.empty() || json.find("calibration")) {
+    camera.calibration = pathFrom(json.at("calibration"), folder);
+  }
   const auto pixels = [&](const char* key, int& value) {
     if (const auto found = json.find(key)) value = static_cast<int>(found->integer(1, kMaxPixels));
   };

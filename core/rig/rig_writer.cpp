@@ -48,7 +48,7 @@ Json cameraJson(const CameraRig& camera, const fs::path& folder) {
     json["right"] = camera.right;
   }
   if (!camera.ros.empty()) json["ros"] = camera.ros;
-  json["calibration"] = pathText(camera.calibration, folder);
+  if (!camera.calibration.empty()) json["calibration"] = pathText(camera.calibration, folder);
   if (camera.width > 0) json["width"] = camera.width;
   if (camera.height > 0) json["height"] = camera.height;
   if (camera.rate_hz > 0.0) json["rate_hz"] = camera.rate_hz;

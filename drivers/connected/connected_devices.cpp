@@ -32,7 +32,10 @@ class Maker {
     if (!rig_.camera) return nullptr;
     if (!rig_.camera->ros.empty()) {
       return std::make_unique<RosCamera>(ros(rig_.camera->ros), topic(rig_.camera->left),
-                                         topic(rig_.camera->right), monitor_.clock());
+                                         topic(rig_.camera->right), monitor_.clock(),
+                                         rig_.camera->calibration.empty()
+                                             ? RosCamera::Calibration::OfRobot
+                                             : RosCamera::Calibration::OfRig);
     }
     return std::make_unique<VideoCamera>(
         *rig_.camera, monitor_.clock(),

@@ -4,12 +4,14 @@
 
 #include <QObject>
 #include <QString>
+#include <memory>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 #include "core/geometry/pose2.h"
 #include "core/recording/observation.h"
+#include "core/recording/rectifier.h"
 #include "core/rig/device_state.h"
 #include "core/rig/odometry_frames.h"
 
@@ -64,6 +66,8 @@ class PairCamera : public Device {
  public:
   using Device::Device;
  Q_SIGNALS:
+  /// By its own word, once and maybe late: how its pairs are rectified, and the camera behind them.
+  void described(const std::shared_ptr<const handmap::Rectifier>& rectifier);
   /// Taken at the same moment; as the camera gives them, before any rectification.
   void pairTaken(double time_s, const cv::Mat& left, const cv::Mat& right);
 };

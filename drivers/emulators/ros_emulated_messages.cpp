@@ -94,4 +94,23 @@ QCborMap image(double stamp_s, const cv::Mat& grey, RosVersion version) {
                  {"data", data}});
 }
 
+QCborMap cameraInfo(const cv::Size& size, const StereoCamera& camera, double baseline,
+                    RosVersion version) {
+  const auto list = [](std::initializer_list<double> numbers) {
+    QCborArray array;
+    for (const double number : numbers) array.append(number);
+    return array;
+  };
+  const auto& [fx, fy, cx, cy, its_own, mount] = camera;
+  const bool ros1 = version == RosVersion::Ros1;
+  return object({{"header", header(0.0, version)},
+                 {"height", size.height},
+                 {"width", size.width},
+                 {"distortion_model", QStringLiteral("plumb_bob")},
+                 {ros1 ? "D" : "d", list({0, 0, 0, 0, 0})},
+                 {ros1 ? "K" : "k", list({fx, 0, cx, 0, fy, cy, 0, 0, 1})},
+                 {ros1 ? "R" : "r", list({1, 0, 0, 0, 1, 0, 0, 0, 1})},
+                 {ros1 ? "P" : "p", list({fx, 0, cx, -fx * baseline, 0, fy, cy, 0, 0, 0, 1, 0})}});
+}
+
 }  // namespace handmap::emulated

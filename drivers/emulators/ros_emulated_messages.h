@@ -9,6 +9,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/geometry/pose2.h"
+#include "core/recording/camera.h"
 #include "core/recording/observation.h"
 #include "drivers/rosbridge/ros_client.h"
 
@@ -21,5 +22,9 @@ QCborMap pointCloud(double stamp_s, std::span<const RangePoint> points, RosVersi
 QCborMap compressedImage(double stamp_s, const QByteArray& file, RosVersion version);
 /// Grey, a byte a pixel.
 QCborMap image(double stamp_s, const cv::Mat& grey, RosVersion version);
+/// Of one camera of a rectified pair; `baseline`: metres that it stands to the right of the left
+/// one.
+QCborMap cameraInfo(const cv::Size& size, const StereoCamera& camera, double baseline,
+                    RosVersion version);
 
 }  // namespace handmap::emulated

@@ -27,16 +27,18 @@ constexpr double kLeastReach_m = 1.0;  // as of a recording
 /// The camera behind the images that the run gets, and how they are made.
 struct Optics {
   StereoCamera camera;
-  std::optional<Rectifier> rectifier;  ///< none: they come rectified
+  std::shared_ptr<const Rectifier> rectifier;  ///< none: they come rectified
 };
 
-Optics opticsOf(const CameraRig& rig) {
-  if (rig.optics) return {*rig.optics, {}};
+/// nullopt: the rig does not say.
+std::optional<Optics> opticsOf(const CameraRig& rig) {
+  if (rig.optics) return Optics{*rig.optics, {}};
+  if (rig.calibration.empty()) return std::nullopt;
   const std::string ending = rig.calibration.extension().string();
-  if (ending == ".txt") return {readCalibration(rig.calibration, "P0", "P1", rig.mount), {}};
-  Rectifier rectifier(readStereoCalibration(rig.calibration), rig.calibration.string());
-  const StereoCamera camera = rectifier.camera(rig.mount);
-  return {camera, std::move(rectifier)};
+  if (ending == ".txt") return Optics{readCalibration(rig.calibration, "P0", "P1", rig.mount), {}};
+  const auto rectifier = std::make_shared<const Rectifier>(readStereoCalibration(rig.calibration),
+                                                           rig.calibration.string());
+  return Optics{rectifier->camera(rig.mount), rectifier};
 }
 
 class LiveSource : public ObservationSource {
@@ -47,8 +49,9 @@ class LiveSource : public ObservationSource {
     info_.range_limit_m = job.rig.range_limit_m;
     info_.speed = 1.0;
     if (job.rig.camera) {
+      mount_ = job.rig.camera->mount;
       optics_ = opticsOf(*job.rig.camera);
-      info_.camera = optics_->camera;
+      if (optics_) info_.camera = optics_->camera;
     }
     host_ = std::make_unique<RigHost>(job.rig, job.make, monitor_);
   }
@@ -99,6 +102,7 @@ class LiveSource : public ObservationSource {
   void prepare(View& view, int frame, bool closely) {
     if (view.left.empty()) return;
     const std::string name = phrase("live frame {}", frame);
+    if (!optics_) askOptics(name);
     if (optics_->rectifier && view.left.size() != optics_->rectifier->size()) {
       const cv::Size expected = optics_->rectifier->size();
       throwBadInput(name, "", phrase("{} × {} pixels", view.left.cols, view.left.rows),
@@ -113,9 +117,20 @@ class LiveSource : public ObservationSource {
     if (closely) SwapCheck()(view.left, view.right, name);
   }
 
+  /// The robot tells what the rig does not say. Before the first observation is given.
+  void askOptics(const std::string& name) {
+    const auto rectifier = host_->rectifier();
+    if (!rectifier) {
+      throwBadInput(name, "", phrase("no calibration"), phrase("that of the rig or of the robot"));
+    }
+    optics_ = Optics{rectifier->camera(mount_), rectifier};
+    info_.camera = optics_->camera;
+  }
+
   std::shared_ptr<RigMonitor> monitor_;
   std::stop_token stop_;
   SourceInfo info_;
+  CameraMount mount_;
   std::optional<Optics> optics_;
   double look_closely_s_ = -std::numeric_limits<double>::infinity();
   std::unique_ptr<RigHost> host_;

@@ -21,11 +21,13 @@ constexpr int kRest_ms = 200;
 /// What lives in the thread.
 class RigHost::Hosting {
  public:
+  using Describe = std::function<void(const std::shared_ptr<const Rectifier>&)>;
   Hosting(const Rig& rig, const MakeDevices& make, RigMonitor& monitor, Inbox& inbox,
-          std::atomic<double>& reach_m)
+          std::atomic<double>& reach_m, Describe describe)
       : monitor_(monitor),
         inbox_(inbox),
         reach_m_(reach_m),
+        describe_(std::move(describe)),
         mount_(rig.scanner ? rig.scanner->mount : ScannerMount{}),
         assembler_(rig,
                    {[this](Observation observation) { whole_.push_back(std::move(observation)); },
@@ -116,6 +118,7 @@ class RigHost::Hosting {
     }
     if (devices_.camera) {
       watch(*devices_.camera, DeviceRole::Camera);
+      QObject::connect(devices_.camera.get(), &PairCamera::described, &context_, describe_);
       QObject::connect(
           devices_.camera.get(), &PairCamera::pairTaken, &context_,
           [this](double time_s, const cv::Mat& left, const cv::Mat& right) {
@@ -151,6 +154,7 @@ class RigHost::Hosting {
   RigMonitor& monitor_;
   Inbox& inbox_;
   std::atomic<double>& reach_m_;
+  Describe describe_;
   const ScannerMount mount_;
   QObject context_;
   QTimer ticking_;
@@ -191,7 +195,8 @@ void RigHost::work(const Rig& rig, const MakeDevices& make, std::promise<void> o
   QEventLoop loop;
   std::optional<Hosting> hosting;
   try {
-    hosting.emplace(rig, make, *monitor_, inbox_, reach_m_);
+    hosting.emplace(rig, make, *monitor_, inbox_, reach_m_,
+                    [this](const auto& rectifier) { describe(rectifier); });
     hosting->open();
   } catch (...) {
     opened.set_exception(std::current_exception());
@@ -222,6 +227,16 @@ void RigHost::turn(QEventLoop& loop) {
       monitor_->refused(phrase("unexpected error"), error.what());
     }
   }
+}
+
+void RigHost::describe(const std::shared_ptr<const Rectifier>& rectifier) {
+  const std::scoped_lock lock(mutex_);
+  rectifier_ = rectifier;
+}
+
+std::shared_ptr<const Rectifier> RigHost::rectifier() {
+  const std::scoped_lock lock(mutex_);
+  return rectifier_;
 }
 
 std::optional<Observation> RigHost::next(const std::stop_token& stop) { return inbox_.take(stop); }

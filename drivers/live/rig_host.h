@@ -35,10 +35,13 @@ class RigHost {
   /// The rig measures nothing farther, by the word of its scanner; infinite before the first
   /// observation, and where the scanner says nothing.
   double reach_m() const { return reach_m_; }
+  /// As the camera describes itself; nullptr before that, and where it never does.
+  std::shared_ptr<const Rectifier> rectifier();
 
  private:
   class Hosting;
   void end();
+  void describe(const std::shared_ptr<const Rectifier>& rectifier);
   void turn(QEventLoop& loop);
   void work(const Rig& rig, const MakeDevices& make, std::promise<void> opened);
 
@@ -46,7 +49,8 @@ class RigHost {
   Inbox inbox_;
   std::atomic<double> reach_m_ = std::numeric_limits<double>::infinity();
   std::mutex mutex_;
-  QEventLoop* loop_ = nullptr;  ///< while it turns; under mutex_
+  std::shared_ptr<const Rectifier> rectifier_;  ///< under mutex_
+  QEventLoop* loop_ = nullptr;                  ///< while it turns; under mutex_
   std::optional<std::stop_callback<std::function<void()>>> on_end_;
   std::thread thread_;
 };

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/bags/ros_camera.h"
 #include "drivers/device/q_phrase.h"
 
 namespace handmap {
@@ -17,6 +18,10 @@ RosType scanType(RosScanner::Kind kind) {
   return {QStringLiteral("sensor_msgs"), kind == RosScanner::Kind::LaserScan
                                              ? QStringLiteral("LaserScan")
                                              : QStringLiteral("PointCloud2")};
+}
+
+QString cameraInfoTopic(const QString& images) {
+  return QString::fromStdString(ros::cameraInfoTopic(images.toStdString()));
 }
 
 }  // namespace
@@ -84,8 +89,12 @@ RosScanner::RosScanner(std::shared_ptr<RosClient> client, const QString& topic, 
 }
 
 RosCamera::RosCamera(std::shared_ptr<RosClient> client, const QString& left, const QString& right,
-                     RigClock clock)
-    : left_(client, left, {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")}, clock,
+                     RigClock clock, Calibration calibration)
+    : client_(client),
+      infos_{{{cameraInfoTopic(left), {}, {}}, {cameraInfoTopic(right), {}, {}}}},
+      are_rectified_(ros::namesRectified(left.toStdString())),
+      is_described_(calibration == Calibration::OfRig),
+      left_(client, left, {QStringLiteral("sensor_msgs"), QStringLiteral("CompressedImage")}, clock,
             [this](const RosValue& message, double arrival_s) {
               return take(left_images_, right_images_, message, arrival_s);
             }),
@@ -104,16 +113,61 @@ RosCamera::RosCamera(std::shared_ptr<RosClient> client, const QString& left, con
     right_detail_ = detail;
     tell();
   });
+  connect(client_.get(), &RosClient::troubled, this,
+          [this](const QString& about, const QString& why) {
+            for (Info& info : infos_) {
+              if (info.topic == about) info.trouble = why;
+            }
+          });
 }
 
+RosCamera::~RosCamera() { askNoMore(); }
+
 void RosCamera::open() {
+  if (!is_described_) askInfos();
   left_.open();
   right_.open();
 }
 
 void RosCamera::close() {
+  askNoMore();
   left_.close();
   right_.close();
+}
+
+void RosCamera::askInfos() {
+  for (Info& info : infos_) {
+    client_->subscribe(info.topic, {QStringLiteral("sensor_msgs"), QStringLiteral("CameraInfo")},
+                       [this, &info](const RosValue& message) {
+                         info.told = readCameraInfo(message);
+                         describe();
+                       });
+  }
+}
+
+void RosCamera::askNoMore() {
+  for (const Info& info : infos_) client_->unsubscribe(info.topic);
+}
+
+void RosCamera::describe() {
+  if (is_described_ || !infos_[0].told || !infos_[1].told) return;
+  const auto rectifier = std::make_shared<const Rectifier>(ros::rectifierOf(
+      *infos_[0].told, *infos_[1].told, are_rectified_, infos_[0].topic.toStdString()));
+  is_described_ = true;
+  askNoMore();
+  Q_EMIT described(rectifier);
+}
+
+/// What is not known of the cameras; empty where all is.
+QString RosCamera::lacking() const {
+  if (is_described_) return {};
+  for (const Info& info : infos_) {
+    if (!info.trouble.isEmpty()) return info.trouble;
+    if (info.told) continue;
+    return qPhrase("nothing has come of {}, and the rig names no calibration",
+                   info.topic.toStdString());
+  }
+  return {};
 }
 
 QString RosCamera::take(Images& own, Images& other, const RosValue& message, double arrival_s) {
@@ -124,7 +178,7 @@ QString RosCamera::take(Images& own, Images& other, const RosValue& message, dou
   }
   if (other.empty() || other.front().stamp_s > image.stamp_s + kSameMoment_s) {
     own.push_back(std::move(image));
-    if (own.size() <= kMostWaiting) return {};
+    if (own.size() <= kMostWaiting) return lacking();
     own.pop_front();
     ++unpaired_;
     return qPhrase("the images of one camera find no partner of the same moment");
@@ -138,7 +192,7 @@ QString RosCamera::take(Images& own, Images& other, const RosValue& message, dou
     Q_EMIT stamped(*time_s, left.stamp_s);
     Q_EMIT pairTaken(*time_s, left.image, right.image);
   }
-  return {};
+  return lacking();
 }
 
 // As bad as the worse of the two.

@@ -1,6 +1,7 @@
 // Devices of a rig whose data come by a bridge of ROS.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 
@@ -50,18 +51,36 @@ class RosScanner : public RangeSensor {
 /// Two sensor_msgs/CompressedImage whose stamps are at most 5 ms apart.
 class RosCamera : public PairCamera {
   Q_OBJECT
+  Q_DISABLE_COPY_MOVE(RosCamera)
  public:
+  /// How they are calibrated: the rig says it, or a sensor_msgs/CameraInfo beside each topic.
+  enum class Calibration { OfRig, OfRobot };
   RosCamera(std::shared_ptr<RosClient> client, const QString& left, const QString& right,
-            RigClock clock);
+            RigClock clock, Calibration calibration = Calibration::OfRig);
+  ~RosCamera() override;
   void open() override;
   void close() override;
   int unpaired() const { return unpaired_; }  ///< images whose partner never came
 
  private:
   using Images = std::deque<RosImageMessage>;
+  /// What one of the two says of itself, until both are known.
+  struct Info {
+    QString topic;
+    std::optional<ros::CameraInfo> told;
+    QString trouble;
+  };
   QString take(Images& own, Images& other, const RosValue& message, double arrival_s);
+  void askInfos();
+  void askNoMore();
+  void describe();
+  QString lacking() const;
   void tell();
 
+  std::shared_ptr<RosClient> client_;
+  std::array<Info, 2> infos_;  ///< left, right
+  bool are_rectified_ = false;
+  bool is_described_ = true;
   ClockOffset offset_;
   Images left_images_;
   Images right_images_;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "core/bags/ros_messages.h"
 #include "core/base/phrase.h"
 #include "core/recording/image_file.h"
 #include "core/recording/laser_scan.h"
@@ -21,7 +20,10 @@ constexpr std::size_t kMostRays = 100'000;
 constexpr std::int64_t kMostPoints = 2'000'000;
 constexpr std::int64_t kMostPointBytes = 1024;
 constexpr std::size_t kMostBytes = 32 << 20;
-constexpr std::size_t kMostName = 300;  // bytes
+constexpr std::size_t kMostName = 300;       // bytes
+constexpr std::int64_t kMostSide = 100'000;  // pixels
+constexpr std::size_t kMostDistortion = 14;  // OpenCV knows no more
+constexpr double kLargestOfCamera = 1e9;
 constexpr std::int64_t kFloat32 = 7;
 constexpr std::int64_t kFloat64 = 8;
 
@@ -78,6 +80,30 @@ PackedField fieldOf(const RosValue& message, const std::string& name, std::int64
             type == kFloat64};
   }
   fields.fail(phrase("no field {}", name), phrase("x, y and z"));
+}
+
+/// D, K, R and P of a CameraInfo: ROS 2 writes them small.
+std::vector<double> calibrationOf(const RosValue& message, const char* ros2, const char* ros1,
+                                  std::size_t least, std::size_t most) {
+  const RosValue list = message.at(message.find(ros1) ? ros1 : ros2);
+  std::vector<double> numbers = list.numbers(most);
+  if (numbers.size() < least) {
+    list.fail(phrase("{} values", numbers.size()), fmt::format("{}", least));
+  }
+  for (const double number : numbers) {
+    if (std::abs(number) <= kLargestOfCamera) continue;
+    list.fail(fmt::format("{:g}", number),
+              phrase("a number from {:g} to {:g}", -kLargestOfCamera, kLargestOfCamera));
+  }
+  return numbers;
+}
+
+template <int rows, int columns>
+void readMatrix(const RosValue& message, const char* ros2, const char* ros1,
+                cv::Matx<double, rows, columns>& matrix) {
+  constexpr std::size_t kCount = std::size_t{rows} * columns;
+  const std::vector<double> numbers = calibrationOf(message, ros2, ros1, kCount, kCount);
+  std::copy(numbers.begin(), numbers.end(), matrix.val);
 }
 
 }  // namespace
@@ -145,6 +171,18 @@ RosImageMessage readImage(const RosValue& message) {
   return {stampOf(message),
           ros::imageOf({count("height"), count("width"), encoding->text(100), count("step"), bytes},
                        source)};
+}
+
+ros::CameraInfo readCameraInfo(const RosValue& message) {
+  ros::CameraInfo info;
+  info.size = {static_cast<int>(message.at("width").integer(0, kMostSide)),
+               static_cast<int>(message.at("height").integer(0, kMostSide))};
+  info.model = message.at("distortion_model").text(kMostName);
+  info.distortion = calibrationOf(message, "d", "D", 0, kMostDistortion);
+  readMatrix(message, "k", "K", info.matrix);
+  readMatrix(message, "r", "R", info.rectification);
+  readMatrix(message, "p", "P", info.projection);
+  return info;
 }
 
 }  // namespace handmap

@@ -8,6 +8,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "core/bags/ros_messages.h"
 #include "core/geometry/pose2.h"
 #include "core/recording/observation.h"
 #include "drivers/rosbridge/ros_value.h"
@@ -50,5 +51,8 @@ struct RosImageMessage {
   cv::Mat image;
 };
 RosImageMessage readImage(const RosValue& message);
+
+/// sensor_msgs/CameraInfo, without its header.
+ros::CameraInfo readCameraInfo(const RosValue& message);
 
 }  // namespace handmap

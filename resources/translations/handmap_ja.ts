@@ -4242,10 +4242,6 @@
         <translation>壊れた地理データ</translation>
     </message>
     <message>
-        <source>GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML or GML</source>
-        <translation>GeoJSON、OpenStreetMap の XML、GeoPackage、Shapefile、KML、GML のいずれか</translation>
-    </message>
-    <message>
         <source>coordinates that lie nowhere on earth</source>
         <translation>地球上にない座標</translation>
     </message>
@@ -4740,6 +4736,22 @@
     <message>
         <source>--sensor: found &quot;{}&quot;, expected X,Y,Z in metres and perhaps a turn to the left in degrees</source>
         <translation>--sensor: 「{}」でした。X,Y,Z（メートル）と、必要なら左への向き（度）にしてください</translation>
+    </message>
+    <message>
+        <source>at most {} pixels</source>
+        <translation>多くても {} ピクセル</translation>
+    </message>
+    <message>
+        <source>GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML or DXF</source>
+        <translation>GeoJSON、OpenStreetMap XML、GeoPackage、Shapefile、KML、GML、または DXF</translation>
+    </message>
+    <message>
+        <source>that of the rig or of the robot</source>
+        <translation>リグまたはロボットの校正</translation>
+    </message>
+    <message>
+        <source>nothing has come of {}, and the rig names no calibration</source>
+        <translation>{} から何も届いておらず、リグに校正の指定もありません</translation>
     </message>
 </context>
 <context>
@@ -8565,6 +8577,10 @@ Corrected by a run.</source>
     <message>
         <source>/dev/ttyUSB0, or an address</source>
         <translation>/dev/ttyUSB0、またはアドレス</translation>
+    </message>
+    <message>
+        <source>empty: as the robot says (camera_info)</source>
+        <translation>空欄: ロボットの camera_info に従います</translation>
     </message>
 </context>
 <context>

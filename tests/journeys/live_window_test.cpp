@@ -220,6 +220,9 @@ TEST_F(LiveWindow, ARigOverRosIsEnteredAsAnyOther) {
   rig.publish = {"ws://rover:9090", 8765, true, {"https://viewer.example"}};
   dialog->form().setRig(rig);
   EXPECT_EQ(dialog->form().rig(), rig);
+  rig.camera->calibration.clear();  // the robot tells it
+  dialog->form().setRig(rig);
+  EXPECT_EQ(dialog->form().rig(), rig);
   dialog->reject();
 }
 

@@ -306,6 +306,8 @@ void RigForm::showRows() {
   form_->setRowVisible(left_, camera && !over_ros);
   form_->setRowVisible(right_, seesWithTwo());
   form_->setRowVisible(calibration_row_, camera);
+  calibration_->setPlaceholderText(over_ros ? tr("empty: as the robot says (camera_info)")
+                                            : QString());
   for (QWidget* row : {camera_ros_, left_topic_, right_topic_}) {
     form_->setRowVisible(row, over_ros);
   }

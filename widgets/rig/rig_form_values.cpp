@@ -55,7 +55,8 @@ void RigForm::checkEntered() const {
   needBridge(camera_ros_);
   need(left_topic_, tr("Enter the topic of the left images."));
   need(right_topic_, tr("Enter the topic of the right images."));
-  need(calibration_, tr("Choose the calibration of the camera: calib.yml."));
+  if (sees() != Sees::RosCameras)
+    need(calibration_, tr("Choose the calibration of the camera: calib.yml."));
   need(scanner_port_, tr("Choose where the scanner is connected."));
   need(scanner_topic_, tr("Enter the topic of the scanner."));
   need(head_port_, tr("Choose where the head is connected."));

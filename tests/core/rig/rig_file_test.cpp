@@ -99,6 +99,14 @@ TEST(RigFile, CamerasOverRosAndWhoIsToldAreWrittenToo) {
             std::string::npos);
 }
 
+TEST(RigFile, OfCamerasOverRosTheRobotMayTellTheCalibration) {
+  const Rig rig = parsed(R"("camera": {"ros": "foxglove://robot", "left": "/l", "right": "/r"})");
+  EXPECT_TRUE(rig.camera->calibration.empty());
+  EXPECT_EQ(parseRig(formatRig(rig, "/robots"), "rig.json", "/robots"), rig);
+  EXPECT_EQ(refusal(R"("camera": {"left": "a", "right": "b"})"),
+            "rig.json: camera.calibration: found nothing, expected this key");
+}
+
 TEST(RigFile, AStereoHeadOnFireWireAndAPairOfVisionCameras) {
   const Rig head = parsed(R"("camera": {"kind": "firewire", "device": "first",
       "right_first": true, "calibration": "c.yml"})");

@@ -95,6 +95,97 @@ TEST(ConnectedDevices, ARobotOverRosKeepsItsTime) {
   EXPECT_NEAR(monitor->robotTime(observation->time_s), then, 1e-6);
 }
 
+/// A pair of cameras behind a Foxglove bridge, in a rig that says nothing of their calibration.
+class CamerasOfARobot : public testing::Test {
+ protected:
+  CamerasOfARobot() {
+    for (const char* side : {"/left", "/right"}) {
+      ros_.offer(QLatin1String(side) + "/image_raw", "sensor_msgs/msg/Image");
+    }
+    ros_.offer("/odom", "nav_msgs/msg/Odometry");
+    const std::string url = ros_.url().toString().toStdString();
+    live_.rig = parseRig(fmt::format(R"({{"format": "handmap-rig", "version": 1,
+          "camera": {{"ros": "{}", "left": "/left/image_raw", "right": "/right/image_raw",
+                      "mount": {{"z_m": 0.5}}}},
+          "odometry": {{"kind": "ros", "port": "{}", "topic": "/odom"}}}})",
+                                     url, url),
+                         "rig.json", "/");
+    live_.make = connectedDevices();
+    live_.monitor = std::make_shared<RigMonitor>();
+    cv::randu(picture_, 0, 255);
+  }
+  ~CamerasOfARobot() override { live_.monitor->end(); }
+
+  void send() {
+    const double now_s = 1.5e9 + live_.monitor->now();
+    ros_.publish("/odom", emulated::odometry(now_s, {}, RosVersion::Ros2));
+    for (const char* side : {"/left", "/right"}) {
+      ros_.publish(QLatin1String(side) + "/image_raw",
+                   emulated::image(now_s, picture_, RosVersion::Ros2));
+    }
+  }
+  void tellCalibration(double baseline_m) {
+    for (const auto& [topic, right_m] :
+         {std::pair("/left/camera_info", 0.0), std::pair("/right/camera_info", baseline_m)}) {
+      ros_.offer(topic, "sensor_msgs/msg/CameraInfo");
+      ros_.publish(topic,
+                   emulated::cameraInfo(picture_.size(), camera_, right_m, RosVersion::Ros2));
+    }
+  }
+  std::string cameraSays() const {
+    for (const DeviceStatus& device : live_.monitor->status().devices) {
+      if (device.role == DeviceRole::Camera) return device.detail;
+    }
+    return "no camera";
+  }
+
+  FoxgloveBridgeEmulator ros_;
+  LiveJob live_;
+  const StereoCamera camera_{90, 91, 63, 47, 0, {}};
+  cv::Mat picture_ = cv::Mat(96, 128, CV_8UC1);
+};
+
+TEST_F(CamerasOfARobot, TheirCalibrationIsWhatTheRobotTells) {
+  std::optional<StereoCamera> camera;
+  std::atomic<bool> done = false;
+  std::thread run([&] {
+    if (const auto source = openLive(live_, {})) camera = source->info().camera;
+    done = true;
+  });
+  EXPECT_TRUE(test::waitUntil([&] {
+    send();
+    tellCalibration(0.12);
+    return done.load();
+  }));
+  live_.monitor->end();
+  run.join();
+  ASSERT_TRUE(camera);
+  EXPECT_NEAR(camera->fx, 90.0, 1e-9);
+  EXPECT_NEAR(camera->cy, 47.0, 1e-9);
+  EXPECT_NEAR(camera->baseline, 0.12, 1e-9);
+  EXPECT_EQ(camera->mount.z, 0.5);
+  EXPECT_EQ(cameraSays(), "");
+}
+
+TEST_F(CamerasOfARobot, WhereNobodyTellsItItIsSaid) {
+  const RigHost host(live_.rig, live_.make, live_.monitor);
+  const auto says = [&](const std::string& words) {
+    return test::waitUntil([&] {
+      send();
+      return cameraSays() == words;
+    });
+  };
+  EXPECT_TRUE(says("nothing has come of /left/camera_info, and the rig names no calibration"))
+      << cameraSays();
+  tellCalibration(-0.12);
+  const auto is_refused = [&] {
+    send();
+    tellCalibration(-0.12);
+    return cameraSays().find("found a baseline of -0.12 m") != std::string::npos;
+  };
+  EXPECT_TRUE(test::waitUntil(is_refused)) << cameraSays();
+}
+
 /// A drive of a laser behind a Foxglove bridge, run as it comes and again from its recording.
 TEST(ConnectedDevices, ADriveOverAFoxgloveBridgeReplaysTheSame) {
   FoxgloveBridgeEmulator ros;

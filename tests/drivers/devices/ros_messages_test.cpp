@@ -31,8 +31,31 @@ TEST_P(RosMessagesOf, StampsOfBothFormsAreRead) {
   EXPECT_EQ(read.pose.y, -4.0);
 }
 
+TEST_P(RosMessagesOf, TheCalibrationOfACameraIsRead) {
+  const auto read = readCameraInfo(
+      RosValue(emulated::cameraInfo({640, 480}, {500, 501, 320, 240, 0, {}}, 0.12, GetParam()),
+               "/camera_info"));
+  EXPECT_EQ(read.size, cv::Size(640, 480));
+  EXPECT_EQ(read.distortion.size(), 5U);
+  EXPECT_EQ(read.matrix(1, 1), 501.0);
+  EXPECT_EQ(read.rectification, cv::Matx33d::eye());
+  EXPECT_NEAR(read.projection(0, 3), -60.0, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Versions, RosMessagesOf,
                          testing::Values(RosVersion::Ros1, RosVersion::Ros2));
+
+TEST(RosMessages, ACalibrationThatCannotBeIsRefused) {
+  const QCborMap good =
+      emulated::cameraInfo({640, 480}, {500, 500, 320, 240, 0, {}}, 0.0, RosVersion::Ros2);
+  const QCborArray eight = {1, 0, 0, 0, 1, 0, 0, 0};
+  for (const QCborMap& bad :
+       {with(good, "k", eight), with(good, "k", QCborArray{"1"}), with(good, "width", -1),
+        with(good, "width", 1'000'000), with(good, "d", QCborArray{std::nan("")}),
+        with(good, "d", QCborArray{1e300}), with(good, "p", QCborValue())}) {
+    EXPECT_THROW(readCameraInfo(RosValue(bad, "/camera_info")), Error);
+  }
+}
 
 TEST(RosMessages, OdometryThatCannotBeIsRefused) {
   const char* const good = R"({"header":{"stamp":{"sec":1,"nanosec":0}},"pose":{"pose":{
