@@ -1,11 +1,12 @@
 #include "core/geodata/geo_features.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/geodata/osm_tags.h"
 
 #ifdef HANDMAP_GDAL
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <mutex>
@@ -28,6 +29,9 @@ namespace {
 /// Those of geoFileEndings(): no other one is tried on a file that says it is one of these.
 constexpr const char* kDrivers[] = {"GeoJSON", "OSM", "GPKG", "ESRI Shapefile", "KML",
                                     "LIBKML",  "GML", "DXF",  nullptr};
+
+/// Nothing is left beside what is read, and nothing fetched for it.
+constexpr const char* kAloneGml[] = {"WRITE_GFS=NO", "DOWNLOAD_SCHEMA=NO", nullptr};
 
 struct CloseDataset {
   void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
@@ -147,8 +151,9 @@ class Reader {
     const QuietErrors quiet;
     CPLErrorReset();
     const AnyNumbers any_numbers;
-    const Dataset dataset(
-        GDALOpenEx(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers, nullptr, nullptr));
+    const bool is_gml = lowerEnding(file_) == "gml";
+    const Dataset dataset(GDALOpenEx(file_.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers,
+                                     is_gml ? kAloneGml : nullptr, nullptr));
     if (!dataset) refuse(phrase("no geographic data"));
     GDALDatasetResetReading(dataset.get());
     OGRLayerH layer = nullptr;
@@ -235,7 +240,7 @@ std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     throwBadInput(path.string(), {}, phrase("no file"), phrase("a file of geographic data"));
   std::vector<GeoFeature> features = Reader(path.string(), isPlan(path)).read();
-  if (path.extension() == ".osm") takeAllTags(path, features);
+  if (lowerEnding(path) == "osm") takeAllTags(path, features);
   return features;
 }
 
@@ -249,8 +254,15 @@ std::vector<GeoFeature> readGeoFeatures(const std::filesystem::path& path) {
 
 #endif
 
-bool isPlan(const std::filesystem::path& path) {
-  return path.extension() == ".dxf" || path.extension() == ".DXF";
+std::string lowerEnding(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::ranges::transform(ending, ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return ending;
 }
+
+bool isPlan(const std::filesystem::path& path) { return lowerEnding(path) == "dxf"; }
 
 }  // namespace handmap

@@ -24,6 +24,9 @@ struct GeoFeature {
   PublicTags tags;  ///< of a building
 };
 
+/// "osm" of "Town.OSM".
+std::string lowerEnding(const std::filesystem::path& path);
+
 /// Whether the name is that of a plan (DXF), which does not say where on earth it is.
 bool isPlan(const std::filesystem::path& path);
 

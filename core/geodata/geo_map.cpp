@@ -36,8 +36,8 @@ bool canBeDrawn(const Polygon& outline) {
          signedArea(outline) > kMinPolygonArea && isSimple(outline);
 }
 
-/// The middle of what is there, degrees.
-Georeference middleOf(const std::vector<GeoFeature>& features) {
+/// The middle of what is there, as the file has it.
+Vec2 middleOf(const std::vector<GeoFeature>& features) {
   Vec2 low = features.front().points.front();
   Vec2 high = low;
   for (const GeoFeature& feature : features) {
@@ -46,8 +46,14 @@ Georeference middleOf(const std::vector<GeoFeature>& features) {
       high = high.cwiseMax(point);
     }
   }
-  const Vec2 middle = 0.5 * (low + high);
-  return {std::clamp(middle.y(), -kMaxLatitudeDeg, kMaxLatitudeDeg), middle.x(), 0.0, {}};
+  return 0.5 * (low + high);
+}
+
+/// Plans have an origin of their own, or count from that of a country: then they are moved by whole
+/// metres to where a drawing can lie.
+Vec2 originOf(const Vec2& middle) {
+  const bool is_far = middle.cwiseAbs().maxCoeff() > 0.1 * kMaxCoordinate;
+  return is_far ? Vec2(middle.array().round()) : Vec2(0.0, 0.0);
 }
 
 class Ids {
@@ -101,11 +107,7 @@ const std::vector<std::string>& geoFileEndings() {
 }
 
 bool isGeoFile(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  std::ranges::transform(ending, ending.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return std::ranges::find(geoFileEndings(), ending) != geoFileEndings().end();
+  return std::ranges::find(geoFileEndings(), lowerEnding(path)) != geoFileEndings().end();
 }
 
 GeoMap readGeoMap(const std::filesystem::path& path) {
@@ -128,12 +130,17 @@ GeoMap readGeoMap(const std::filesystem::path& path) {
                   phrase("polygons of buildings"));
   }
   GeoMap geo;
-  const Georeference middle = middleOf(features);
-  if (!is_plan) geo.map.georeference = middle;
+  const Vec2 middle = middleOf(features);
+  const Georeference on_earth{
+      std::clamp(middle.y(), -kMaxLatitudeDeg, kMaxLatitudeDeg), middle.x(), 0.0, {}};
+  if (!is_plan) geo.map.georeference = on_earth;
   geo.map.uncertainty = kPublicUncertainty;
   geo.map.whole = {0.0, 0.0};
-  const TangentPlane plane(middle);
-  const InMap in_map = [&](const Vec2& point) { return is_plan ? point : plane.inMap(point); };
+  const TangentPlane plane(on_earth);
+  const Vec2 origin = originOf(middle);
+  const InMap in_map = [&](const Vec2& point) {
+    return is_plan ? Vec2(point - origin) : plane.inMap(point);
+  };
   Ids ids;
   for (const GeoFeature& feature : features) {
     if (feature.kind == GeoKind::Building) {
@@ -146,7 +153,8 @@ GeoMap readGeoMap(const std::filesystem::path& path) {
     }
   }
   if (geo.map.buildings.empty())
-    throwBadInput(path.string(), {}, phrase("{} outlines that cross themselves", geo.left_out),
+    throwBadInput(path.string(), {},
+                  phrase("{} outlines that cross themselves or are too large", geo.left_out),
                   phrase("polygons of buildings"));
   return geo;
 }

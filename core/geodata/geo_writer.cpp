@@ -8,6 +8,7 @@
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/geodata/fleet_map.h"
+#include "core/geodata/geo_features.h"
 #include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
 #include "core/map/tangent_plane.h"
@@ -26,15 +27,6 @@
 namespace handmap {
 
 namespace {
-
-std::string lowerEnding(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  std::ranges::transform(ending, ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return ending;
-}
 
 constexpr std::string_view kBuildingEnding = ".building.yaml";
 constexpr std::string_view kFleetEnding = ".fleet.yaml";

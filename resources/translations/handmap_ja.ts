@@ -4270,8 +4270,8 @@
         <translation>建物の多角形</translation>
     </message>
     <message>
-        <source>{} outlines that cross themselves</source>
-        <translation>自分自身と交わる {} 個の輪郭</translation>
+        <source>{} outlines that cross themselves or are too large</source>
+        <translation>自分自身と交わるか、大きすぎる {} 個の輪郭</translation>
     </message>
     <message>
         <source>the other side closed the connection</source>

@@ -121,6 +121,32 @@ TEST_F(GeoMapTest, TakesEveryPolygonWhereNoKindIsTold) {
   EXPECT_EQ(geo.left_out, 1u) << "it crosses itself";
 }
 
+TEST_F(GeoMapTest, LeavesNothingBesideWhatItReads) {
+  const GeoMap geo = readGeoMap(write("town.GML", R"(<?xml version="1.0"?>
+<ogr:FeatureCollection xmlns:ogr="http://ogr.maptools.org/" xmlns:gml="http://www.opengis.net/gml">
+<gml:featureMember><ogr:b fid="b.0"><ogr:geometryProperty><gml:Polygon srsName="EPSG:4326">
+<gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>9,45 9.001,45 9.001,45.001 9,45
+</gml:coordinates></gml:LinearRing></gml:outerBoundaryIs></gml:Polygon></ogr:geometryProperty>
+</ogr:b></gml:featureMember></ogr:FeatureCollection>)"));
+  EXPECT_EQ(geo.map.buildings.size(), 1u);
+  const std::filesystem::directory_iterator files(folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+/// In the metres of a country, far from its origin.
+TEST_F(GeoMapTest, APlanOfAFarPlaceIsMoved) {
+  const GeoMap geo =
+      readGeoMap(write("plan.dxf",
+                       "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nWALLS\n90\n4\n70\n1\n"
+                       "10\n4512000.5\n20\n5401000\n10\n4512020.5\n20\n5401000\n"
+                       "10\n4512020.5\n20\n5401010\n10\n4512000.5\n20\n5401010\n"
+                       "0\nENDSEC\n0\nEOF\n"));
+  ASSERT_EQ(geo.map.buildings.size(), 1u);
+  const Rectangle box = geo.map.buildings[0].box();
+  EXPECT_NEAR(box.width * box.depth, 200.0, 1e-6);
+  EXPECT_LT(box.centre.norm(), 1.0);
+}
+
 TEST_F(GeoMapTest, SaysWhatIsWrong) {
   EXPECT_NE(complaintOf(write("torn.geojson", "{\"type\": \"Featu")).find("torn.geojson"),
             std::string::npos);
