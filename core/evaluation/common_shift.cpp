@@ -18,7 +18,7 @@ constexpr double kMostOwn_m = 100.0;
 using State = Eigen::Matrix<double, 6, 1>;
 using Information = Eigen::Matrix<double, 6, 6>;
 
-/// One coordinate of the centre of one building.
+/// One coordinate of the centres of all buildings, along what varies apart from all else.
 struct Residual {
   State slope;
   double moved = 0.0;
@@ -90,6 +90,43 @@ std::vector<Moved> withoutMistaken(std::vector<Moved> pairs) {
   return pairs;
 }
 
+/// By what σ grows along the way, the way is off there, and with it all that is seen from there on:
+/// two buildings share the smaller variance, less the least of all.
+Eigen::MatrixXd covarianceOf(const Eigen::VectorXd& sigmas) {
+  const Eigen::ArrayXd variances = sigmas.array().square();
+  const Eigen::ArrayXd of_way = variances - variances.minCoeff();
+  const Eigen::Index count = sigmas.size();
+  const Eigen::MatrixXd rows = of_way.matrix().replicate(1, count);
+  Eigen::MatrixXd covariance = rows.cwiseMin(rows.transpose());
+  covariance.diagonal() = variances;
+  return covariance;
+}
+
+void addResiduals(const std::vector<Moved>& pairs, int axis, const Vec2& middle, const Vec2& start,
+                  std::vector<Residual>& residuals) {
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(count, 6);
+  Eigen::VectorXd moved(count);
+  Eigen::VectorXd sigmas(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Moved& pair = pairs[static_cast<std::size_t>(i)];
+    const Vec2 arm = pair.from - middle;
+    const Vec2 far = pair.from - start;
+    slopes(i, axis) = slopes(i, 3 + axis) = 1.0;
+    slopes(i, 2) = axis == 0 ? -arm.y() : arm.x();
+    slopes(i, 5) = axis == 0 ? -far.y() : far.x();
+    moved[i] = pair.moved[axis];
+    sigmas[i] = pair.sigma[axis];
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> apart(covarianceOf(sigmas));
+  slopes = apart.eigenvectors().transpose() * slopes;
+  moved = apart.eigenvectors().transpose() * moved;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    residuals.push_back(
+        {slopes.row(i), moved[i], std::sqrt(std::max(apart.eigenvalues()[i], 0.0))});
+  }
+}
+
 }  // namespace
 
 std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined) {
@@ -109,12 +146,7 @@ std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined)
   const Vec2 start = drawing.start ? drawing.start->position() : middle;
   const Information stated = statedBy(drawing);
   std::vector<Residual> residuals;
-  for (const Moved& pair : pairs) {
-    const Vec2 arm = pair.from - middle;
-    const Vec2 far = pair.from - start;
-    residuals.push_back({{1.0, 0.0, -arm.y(), 1.0, 0.0, -far.y()}, pair.moved.x(), pair.sigma.x()});
-    residuals.push_back({{0.0, 1.0, arm.x(), 0.0, 1.0, far.x()}, pair.moved.y(), pair.sigma.y()});
-  }
+  for (const int axis : {0, 1}) addResiduals(pairs, axis, middle, start, residuals);
   // As large that what is left is as large as it should be.
   const auto freedom = static_cast<double>(residuals.size() - 3);
   double low = 0.0;

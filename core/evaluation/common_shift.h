@@ -21,8 +21,8 @@ struct CommonShift {
 /// By the centres of the buildings that were observed, without those that moved as no other did
 /// (they were taken for something else), weighed by their σ and by what buildings are
 /// off of their own, which is found with it (Paule & Mandel 1982). What the drawing says of its
-/// turn and of the robot's start holds here too: as far as that is off, all buildings are found
-/// off. nullopt for less than three.
+/// turn and of the robot's start holds here too, and by what σ grows on the way, the way is off: as
+/// far as they are off, all buildings are found off. nullopt for less than three.
 std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined);
 
 }  // namespace handmap
