@@ -113,10 +113,11 @@ class GdalWriter {
     }
   }
 
-  OGRGeometryH ringOf(const Building& building, OGRwkbGeometryType type) const {
-    OGRGeometryH ring = OGR_G_CreateGeometry(type);
+  /// A plan has a word for being closed in place of the first corner once more.
+  OGRGeometryH ringOf(const Building& building) const {
+    OGRGeometryH ring = OGR_G_CreateGeometry(wkbLinearRing);
     Polygon outline = building.footprint();
-    outline.push_back(outline.front());
+    if (!is_plan_) outline.push_back(outline.front());
     for (const Vec2& corner : outline) {
       const Vec2 at = plane_ ? plane_->longitudeLatitude(corner) : corner;
       OGR_G_AddPoint_2D(ring, at.x(), at.y());
@@ -145,7 +146,7 @@ class GdalWriter {
     }
     if (building.doubt) set("doubt", *building.doubt);
     OGRGeometryH polygon = OGR_G_CreateGeometry(wkbPolygon);
-    OGR_G_AddGeometryDirectly(polygon, ringOf(building, wkbLinearRing));
+    OGR_G_AddGeometryDirectly(polygon, ringOf(building));
     finish(layer, feature, polygon);
   }
 
@@ -166,7 +167,7 @@ class GdalWriter {
       OGR_F_SetFieldString(feature, OGR_F_GetFieldIndex(feature, "Layer"), plan_layer);
       return feature;
     };
-    finish(layer, create("BUILDINGS"), ringOf(building, wkbLineString));
+    finish(layer, create("BUILDINGS"), ringOf(building));
     OGRFeatureH name = create("NAMES");
     OGR_F_SetStyleString(name,
                          labelOf(building.name.empty() ? building.id : building.name).c_str());
