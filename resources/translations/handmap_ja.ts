@@ -4654,10 +4654,6 @@
         <translation>空ではありません</translation>
     </message>
     <message>
-        <source>nothing came of it</source>
-        <translation>何も書けませんでした</translation>
-    </message>
-    <message>
         <source>no printed sheet under the map</source>
         <translation>地図の下に印刷した用紙がありません</translation>
     </message>
@@ -4752,6 +4748,10 @@
     <message>
         <source>nothing has come of {}, and the rig names no calibration</source>
         <translation>{} から何も届いておらず、リグに校正の指定もありません</translation>
+    </message>
+    <message>
+        <source>the disk took but a part of it</source>
+        <translation>ディスクに一部しか書けませんでした</translation>
     </message>
 </context>
 <context>
@@ -9214,8 +9214,12 @@ Corrected by a run.</source>
         <translation>取り込みについて：</translation>
     </message>
     <message>
-        <source>Logs and bags (*.log *.clf *.csv *.tum *.txt *.npy *.npz *.bag *.mcap *.db3);;All files (*)</source>
-        <translation>ログとバッグ (*.log *.clf *.csv *.tum *.txt *.npy *.npz *.bag *.mcap *.db3);;すべてのファイル (*)</translation>
+        <source>Logs and bags (%1)</source>
+        <translation>ログとバッグ (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
     </message>
 </context>
 <context>

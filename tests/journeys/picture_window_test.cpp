@@ -9,11 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/files/file_actions.h"
+#include "app/gui/run/source_actions.h"
 #include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
+#include "widgets/importing/bag_dialog.h"
+#include "widgets/importing/import_dialog.h"
 #include "widgets/tools/picture_tool.h"
 #include "widgets/tools/toolbox.h"
 
@@ -193,6 +196,65 @@ TEST_F(PictureWindow, ThePropertiesScaleItByALength) {
   EXPECT_NEAR(document_.map().underlays[0].metres_per_pixel, 2.5 * before, 1e-9);
   EXPECT_FALSE(length->isEnabled());
 }
+
+/// Named on the command line, chosen at Open or dropped: the same is offered.
+class AnyFile : public PictureWindow, public testing::WithParamInterface<bool> {
+ protected:
+  void open(const QString& name) {
+    GetParam() ? drop(name) : void(window_->files().open(path(name)));
+  }
+  void write(const QString& name, const QByteArray& text) const {
+    QFile file(path(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+};
+
+TEST_P(AnyFile, ATableIsImported) {
+  write("drive.csv", "time_s,x_m,y_m,heading_rad\n0,0,0,0\n1,1,0,0\n");
+  open("drive.csv");
+  auto* dialog = window_->findChild<ImportDialog*>();
+  ASSERT_NE(dialog, nullptr) << newest().toStdString();
+  dialog->reject();
+}
+
+TEST_P(AnyFile, ABagIsImported) {
+  write("drive.bag", "#ROSBAG V2.0\n");
+  open("drive.bag");
+  auto* dialog = window_->findChild<BagDialog*>();
+  ASSERT_NE(dialog, nullptr) << newest().toStdString();
+  dialog->reject();
+}
+
+TEST_P(AnyFile, ARobotIsConnected) {
+  write("cart.json", R"({"format": "handmap-rig", "version": 1, "name": "Cart",
+      "scanner": {"kind": "hokuyo", "port": "tcp://127.0.0.1:9"}})");
+  open("cart.json");
+  EXPECT_TRUE(newest().contains("Cart")) << newest().toStdString();
+  ASSERT_TRUE(window_->sources().robot());
+  EXPECT_TRUE(window_->sources().robot()->live);
+}
+
+TEST_P(AnyFile, AFolderIsARecordingOrADriveToBeImported) {
+  QDir(folder_.path()).mkdir("rec");
+  write("rec/recording.json", R"({"format":"handmap-recording","version":1})");
+  open("rec");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return newest().contains("frames.csv"); }, kPatienceMs))
+      << newest().toStdString();
+  QDir(folder_.path()).mkpath("drive/image_00/data");
+  write("drive/image_00/timestamps.txt", "2011-09-26 13:04:34.977012964\n");
+  dialogs_->paths = {path("made")};
+  open("drive");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return newest().contains("drive"); }, kPatienceMs))
+      << newest().toStdString();
+}
+
+TEST_P(AnyFile, APictureLiesUnderTheDrawing) {
+  open("elsewhere/photo.png");
+  EXPECT_EQ(document_.map().underlays.size(), 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, AnyFile, testing::Bool());
 
 }  // namespace
 }  // namespace handmap

@@ -104,6 +104,7 @@ bool FileActions::mayLeave() {
 }
 
 bool FileActions::open(const QString& path) {
+  if (open_other_(path)) return true;
   if (!mayLeave()) return false;
   const QString absolute = QFileInfo(path).absoluteFilePath();
   const bool is_geographic = isGeoFile(QFile::encodeName(absolute).toStdString());
@@ -277,14 +278,14 @@ void FileActions::refuseWhatIsRead(const QString& path) const {
 
 QString FileActions::mapFilter() { return tr("Handmap drawings (*.handmap)"); }
 
-QString FileActions::openFilter() {
+QString FileActions::openFilter() const {
   QStringList endings;
   for (const std::string& ending : geoFileEndings())
     endings << QStringLiteral("*.") + QString::fromStdString(ending);
   const QString geographic = endings.join(u' ');
   return tr("Drawings and public maps (*.handmap %1)").arg(geographic) + QStringLiteral(";;") +
          mapFilter() + QStringLiteral(";;") +
-         tr("OpenStreetMap, GeoJSON and others (%1)").arg(geographic);
+         tr("OpenStreetMap, GeoJSON and others (%1)").arg(geographic) + other_filter_;
 }
 
 /// In every form that there is; first those that need nothing that the map has not.

@@ -38,8 +38,13 @@ class FileActions : public QObject {
   void setMayLeaveRun(std::function<bool(bool coming_back)> may) {
     may_leave_run_ = std::move(may);
   }
-  /// Opens after mayLeave(); errors go to the message bar.
+  /// Opens after mayLeave(); errors go to the message bar. What is no drawing goes to who opens it.
   bool open(const QString& path);
+  /// Opens what is none; false: it may be one. `filter` is for *Open*.
+  void setOthers(const QString& filter, std::function<bool(const QString& path)> open) {
+    other_filter_ = filter;
+    open_other_ = std::move(open);
+  }
   bool save();
   bool saveAs();
   /// The file as it is now on disk, whatever is unsaved.
@@ -89,7 +94,7 @@ class FileActions : public QObject {
   /// Asks while something is still written. False: the user wants to stay.
   bool mayClose();
   static QString mapFilter();
-  static QString openFilter();
+  QString openFilter() const;
   QMenu& recentMenu() { return *recent_; }
 
  Q_SIGNALS:
@@ -128,6 +133,8 @@ class FileActions : public QObject {
   std::function<QList<std::pair<QPixmap, QString>>()> legend_ = [] {
     return QList<std::pair<QPixmap, QString>>();
   };
+  QString other_filter_;
+  std::function<bool(const QString& path)> open_other_ = [](const QString&) { return false; };
   std::size_t left_out_ = 0;  ///< of what was imported last
   std::function<void(const QString& path)> before_save_ = [](const QString&) {};
   std::function<std::optional<Map>()> corrected_ = [] { return std::nullopt; };

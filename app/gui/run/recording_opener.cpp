@@ -2,6 +2,7 @@
 
 #include "app/gui/run/demonstration.h"
 #include "core/bag_import/bag_import.h"
+#include "core/kitti_raw/kitti_raw.h"
 #include "core/plausibility/plausibility.h"
 
 namespace handmap {
@@ -67,24 +68,31 @@ void RecordingOpener::open(const QString& folder) {
 }
 
 void RecordingOpener::import(const std::shared_ptr<const Log>& log, const QString& folder) {
-  forget();
-  begin([stop = stop_.get_token(), log,
-         path = std::filesystem::path(folder.toStdString())]() -> Answer {
-    std::vector<std::string> notes;  // those of the log itself stand in the dialog
-    writeLog(*log, path, path.filename().string(), notes);
-    auto recording = std::make_shared<const Recording>(openRecording(path, stop));
-    Doubts doubts = doubtsOf(*recording, stop);
-    return Opened{std::move(recording), {}, std::move(doubts), std::move(notes)};
-  });
+  // The notes of the log itself stand in the dialog.
+  make(folder,
+       [log](const Making& making) { writeLog(*log, making.folder, making.name, making.notes); });
 }
 
 void RecordingOpener::import(const std::shared_ptr<const Bag>& bag, const ToldTopics& topics,
                              const QString& folder) {
+  make(folder, [bag, topics](const Making& making) {
+    importBag(*bag, planOf(*bag, topics), making.folder, making.name, making.notes, {},
+              making.stop);
+  });
+}
+
+void RecordingOpener::importDrive(const QString& drive, const QString& folder) {
+  make(folder, [from = std::filesystem::path(drive.toStdString())](const Making& making) {
+    importKittiRaw(from, making.folder, making.name, making.notes, {}, making.stop);
+  });
+}
+
+void RecordingOpener::make(const QString& folder, std::function<void(const Making& making)> write) {
   forget();
-  begin([stop = stop_.get_token(), bag, topics,
+  begin([stop = stop_.get_token(), write = std::move(write),
          path = std::filesystem::path(folder.toStdString())]() -> Answer {
     std::vector<std::string> notes;
-    importBag(*bag, planOf(*bag, topics), path, path.filename().string(), notes, {}, stop);
+    write({path, path.filename().string(), notes, stop});
     auto recording = std::make_shared<const Recording>(openRecording(path, stop));
     Doubts doubts = doubtsOf(*recording, stop);
     return Opened{std::move(recording), {}, std::move(doubts), std::move(notes)};

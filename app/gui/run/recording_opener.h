@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -36,6 +37,8 @@ class RecordingOpener : public QObject {
   /// The same of a bag, whose topics serve as told.
   void import(const std::shared_ptr<const Bag>& bag, const ToldTopics& topics,
               const QString& folder);
+  /// The same of a drive of KITTI's raw data.
+  void importDrive(const QString& drive, const QString& folder);
   void openPoses(const QString& tum_file);
   /// See simulationOfDrawing().
   void simulate(const Map& drawing, std::uint64_t seed);
@@ -63,6 +66,14 @@ class RecordingOpener : public QObject {
   using Poses = std::vector<StampedPose>;
   using Answer = std::variant<Opened, Poses, Robot, Failure>;
 
+  /// Of a recording that is made of something else.
+  struct Making {
+    std::filesystem::path folder;
+    std::string name;
+    std::vector<std::string>& notes;
+    std::stop_token stop;
+  };
+  void make(const QString& folder, std::function<void(const Making& making)> write);
   void begin(std::function<Answer()> open);
 
   bool simulates_ = false;                           ///< the latest request

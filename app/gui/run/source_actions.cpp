@@ -8,6 +8,7 @@
 #include "app/gui/files/file_actions.h"
 #include "app/gui/run/recording_settings.h"
 #include "app/gui/run/run_controller.h"
+#include "core/kitti_raw/kitti_raw.h"
 #include "core/map/places.h"
 #include "core/session/redone_acts.h"
 #include "widgets/actions/action_set.h"
@@ -153,11 +154,22 @@ void SourceActions::askForRecording() {
   openRecording(folder);
 }
 
+const QStringList& SourceActions::logEndings() {
+  static const QStringList kEndings = {"log", "clf", "csv", "tum",  "txt",
+                                       "npy", "npz", "bag", "mcap", "db3"};
+  return kEndings;
+}
+
+QString SourceActions::logFilter() {
+  return tr("Logs and bags (%1)")
+             .arg(QStringLiteral("*.") + logEndings().join(QLatin1String(" *."))) +
+         QStringLiteral(";;") + tr("All files (*)");
+}
+
 QString SourceActions::chosenLog() {
   return shell_.dialogs.fileToOpen({tr("Import a log"),
                                     shell_.settings.value(kRecordingFolderKey).toString(),
-                                    tr("Logs and bags (*.log *.clf *.csv *.tum *.txt *.npy *.npz "
-                                       "*.bag *.mcap *.db3);;All files (*)"),
+                                    logFilter(),
                                     {},
                                     {}});
 }
@@ -172,11 +184,18 @@ void SourceActions::importBag(const QString& file) {
   dialog->open();
 }
 
+void SourceActions::importDrive(const QString& drive) {
+  const QString folder = folderForImport(drive);
+  if (!folder.isEmpty()) opener_.importDrive(drive, folder);
+}
+
 /// Empty: the user does not want to any more. What is made in it takes the place of the run.
 QString SourceActions::folderForImport(const QString& file) {
   const QFileInfo info(file);
-  QString folder = shell_.dialogs.fileToSave(
-      {tr("A new folder for the recording"), info.path(), {}, info.baseName(), {}});
+  const QString name =
+      info.isDir() ? info.baseName() + QStringLiteral("-recording") : info.baseName();
+  QString folder =
+      shell_.dialogs.fileToSave({tr("A new folder for the recording"), info.path(), {}, name, {}});
   if (folder.isEmpty() || !files_.mayLeaveRun()) return {};
   shell_.messages.show(MessageBar::Kind::Info,
                        tr("A recording is being made of “%1”…").arg(info.fileName()), {},
@@ -185,6 +204,7 @@ QString SourceActions::folderForImport(const QString& file) {
 }
 
 void SourceActions::importLog(const QString& file) {
+  if (isKittiRaw(file.toStdString())) return importDrive(file);
   if (isBag(file.toStdString())) return importBag(file);
   auto* dialog = new ImportDialog({file}, &shell_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

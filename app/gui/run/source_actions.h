@@ -34,8 +34,12 @@ class SourceActions : public QObject {
   /// A live robot that is simulated, among two rows of buildings; it starts when the run does.
   bool openVirtualRig(VirtualRigKind kind = VirtualRigKind::Laser);
   void askForRecording();
-  /// Shows what the log of another program holds; once it is right, makes a recording of it.
+  /// Shows what the log of another program holds; once it is right, makes a recording of it. Also
+  /// of the folder of a bag or of a drive of KITTI's raw data.
   void importLog(const QString& file);
+  /// Of the names of logs, without dots.
+  static const QStringList& logEndings();
+  static QString logFilter();
   void setRobot(Robot robot);
   /// The same of a live one, and says what is to be done.
   void useLive(Robot robot);
@@ -84,6 +88,7 @@ class SourceActions : public QObject {
   void simulateDrawing();
   QString chosenLog();
   void importBag(const QString& file);
+  void importDrive(const QString& folder);
   QString folderForImport(const QString& file);
   void askForPoses();
   void usePoses(const std::vector<StampedPose>& poses);

@@ -1,8 +1,6 @@
 #include "app/gui/window/main_window.h"
 
 #include <QCloseEvent>
-#include <QDir>
-#include <QFile>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
@@ -17,7 +15,6 @@
 #include "app/gui/editing/georeference_actions.h"
 #include "app/gui/editing/paper_actions.h"
 #include "app/gui/editing/picture_actions.h"
-#include "app/gui/editing/robot_map_layer.h"
 #include "app/gui/files/disk_watch.h"
 #include "app/gui/files/file_actions.h"
 #include "app/gui/files/map_model.h"
@@ -36,14 +33,13 @@
 #include "app/gui/shell/docks.h"
 #include "app/gui/shell/welcome_strip.h"
 #include "app/gui/window/comfort.h"
+#include "app/gui/window/file_kinds.h"
 #include "app/gui/window/welcome.h"
-#include "core/geodata/geo_map.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/messages/message_bar.h"
 #include "widgets/panels/issues_panel.h"
 #include "widgets/panels/objects_panel.h"
 #include "widgets/panels/property_panel.h"
-#include "widgets/pictures/picture_file.h"
 #include "widgets/run/overlays/run_overlays.h"
 #include "widgets/run/panels/layers_panel.h"
 #include "widgets/run/panels/log_panel.h"
@@ -65,17 +61,6 @@ constexpr auto kInspectorKey = "window/inspector";
 constexpr auto kInspectorWidthKey = "window/inspector_width";
 constexpr int kStateVersion = 8;  // of the set of docks and bars
 constexpr QSize kFirstSize(1280, 900);
-
-/// The file or folder that is dragged; empty for anything else.
-QString draggedPath(const QMimeData& data) {
-  const QList<QUrl> urls = data.urls();
-  if (urls.size() != 1 || !urls.front().isLocalFile()) return {};
-  const QString path = urls.front().toLocalFile();
-  const bool is_known = path.endsWith(QLatin1String(".handmap")) || isPictureName(path) ||
-                        RobotMapLayer::isRobotMap(path) ||
-                        isGeoFile(QFile::encodeName(path).toStdString()) || QDir(path).exists();
-  return is_known ? path : QString();
-}
 
 }  // namespace
 
@@ -121,6 +106,9 @@ MainWindow::MainWindow(MapDocument& document, QSettings& settings, std::unique_p
   connectView();
   new Welcome(shell_, *welcome_,
               {document_, *canvas_, *files_, *sources_, *runs_, *rigs_, *comfort_}, this);
+  files_->setOthers(QStringLiteral(";;") + SourceActions::logFilter(), [this](const QString& path) {
+    return openOther(path, canvas_->viewport()->rect().center());
+  });
   setAcceptDrops(true);
   nameInputs(*this);
   restoreState();
@@ -478,14 +466,29 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = draggedPath(*event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  if (QDir(path).exists()) {
-    sources_->openRecording(path);
-  } else if (isPictureName(path) || RobotMapLayer::isRobotMap(path)) {
-    const QPoint on_canvas = canvas_->viewport()->mapFrom(this, event->position().toPoint());
-    pictures_->add(path, canvas_->mapToScene(on_canvas));
-  } else {
-    files_->open(path);
+  const QPoint on_canvas = canvas_->viewport()->mapFrom(this, event->position().toPoint());
+  if (!openOther(path, on_canvas)) files_->open(path);
+}
+
+bool MainWindow::openOther(const QString& path, const QPoint& on_canvas) {
+  switch (fileKindOf(path)) {
+    case FileKind::Drawing:
+    case FileKind::Unknown:
+      return false;
+    case FileKind::Recording:
+      sources_->openRecording(path);
+      break;
+    case FileKind::Log:
+      sources_->importLog(path);
+      break;
+    case FileKind::Rig:
+      rigs_->openRig(path);
+      break;
+    case FileKind::Picture:
+      pictures_->add(path, canvas_->mapToScene(on_canvas));
+      break;
   }
+  return true;
 }
 
 }  // namespace handmap

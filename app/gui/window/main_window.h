@@ -81,6 +81,8 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  /// What is no drawing; a picture lies there then. False: it is one, or nothing that is known.
+  bool openOther(const QString& path, const QPoint& on_canvas);
   QWidget* makeCentre();
   void makeRun();
   void makeBars();

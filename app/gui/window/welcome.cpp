@@ -8,6 +8,7 @@
 #include "app/gui/run/transport_actions.h"
 #include "app/gui/shell/welcome_strip.h"
 #include "app/gui/window/comfort.h"
+#include "widgets/actions/action_set.h"
 #include "widgets/canvas/map_canvas.h"
 
 namespace handmap {
