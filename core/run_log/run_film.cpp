@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/recording/image_file.h"
+#include "core/run_log/run_part.h"
 
 namespace handmap {
 
@@ -148,7 +149,7 @@ RunFilm::RunFilm(const fs::path& path, const Map& drawing)
     const int code = ending == ".webm"  ? cv::VideoWriter::fourcc('V', 'P', '8', '0')
                      : ending == ".mp4" ? cv::VideoWriter::fourcc('m', 'p', '4', 'v')
                                         : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
-    camera_->video.open(path.string(), code, kPictures_hz, {kWidth, kHeight});
+    camera_->video.open(runPartOf(path).string(), code, kPictures_hz, {kWidth, kHeight});
     if (!camera_->video.isOpened()) camera_->fail(phrase("no such video can be made here"));
     return;
   }
@@ -173,14 +174,20 @@ void RunFilm::add(const Snapshot& snapshot) {
   ++camera.pictures;
 }
 
+/// A full disk is told by nobody: whether all is there shows what can be read again.
 void RunFilm::finish() {
   if (!camera_->video.isOpened()) return;
   camera_->video.release();
-  std::error_code error;
-  // A full disk is told by nobody but the size.
-  if (camera_->pictures > 0 && fs::file_size(camera_->path, error) < 1000) {
-    camera_->fail(phrase("nothing came of it"));
+  const fs::path part = runPartOf(camera_->path);
+  cv::VideoCapture written(part.string());
+  int read = 0;
+  while (written.isOpened() && written.grab()) ++read;
+  if (read < camera_->pictures) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    camera_->fail(phrase("the disk took but a part of it"));
   }
+  takePlace(camera_->path);
 }
 
 }  // namespace handmap

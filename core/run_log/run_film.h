@@ -12,7 +12,8 @@ class RunFilm {
  public:
   /// An ending of videos (.mp4, .avi, .mkv, .webm), 10 pictures a second; another path is a folder
   /// for 000000.png and so on, which may not be there or is to be empty. What is shown does not
-  /// move: the drawing, and a little around. Throws RunFailed, as add() does.
+  /// move: the drawing, and a little around. A video is runPartOf(path) until finish(). Throws
+  /// RunFailed, as add() does.
   RunFilm(const std::filesystem::path& path, const Map& drawing);
   ~RunFilm();
   RunFilm(const RunFilm&) = delete;
@@ -20,7 +21,7 @@ class RunFilm {
 
   /// Of each frame once: what comes again is passed over.
   void add(const Snapshot& snapshot);
-  /// Throws RunFailed where the video was not written.
+  /// Throws RunFailed where the video was not written whole.
   void finish();
 
   static bool isVideo(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include "core/bags/ros_definitions.h"
 #include "core/map/map_io.h"
 #include "core/run_log/ros_writing.h"
+#include "core/run_log/run_part.h"
 
 namespace handmap {
 
@@ -20,8 +21,9 @@ constexpr int kWarning = 30;
 }  // namespace
 
 struct RunLog::Topics {
-  Topics(const std::filesystem::path& path, const SourceInfo& its_source)
-      : writer(path),
+  Topics(const std::filesystem::path& its_path, const SourceInfo& its_source)
+      : path(its_path),
+        writer(runPartOf(its_path)),
         source(its_source),
         frames(add("/tf", "tf2_msgs/msg/TFMessage")),
         pose(add("/pose", "geometry_msgs/msg/PoseStamped")),
@@ -51,6 +53,7 @@ struct RunLog::Topics {
     write(buildings, ros::markers(in(kMapFrame), map));
   }
 
+  std::filesystem::path path;
   McapWriter writer;
   SourceInfo source;
   std::uint16_t frames, pose, sure_pose, odometry, truth, particles, drawn, corrected, buildings,
@@ -121,6 +124,7 @@ void RunLog::finish(const Map& refined, const std::vector<StampedPose>& trajecto
                              {"recording", to.source.name},
                              {"refinement", refined.refinement}});
   to.writer.finish();
+  takePlace(to.path);
 }
 
 }  // namespace handmap

@@ -16,7 +16,8 @@ namespace handmap {
 
 class RunLog {
  public:
-  /// Throws RunFailed, as the others do.
+  /// It is runPartOf(path) until finish(), and whole at any time. Throws RunFailed, as the others
+  /// do.
   RunLog(const std::filesystem::path& path, const Map& drawing, const SourceInfo& source);
   ~RunLog();
   RunLog(const RunLog&) = delete;

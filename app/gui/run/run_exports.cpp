@@ -13,6 +13,7 @@
 #include "core/report/report.h"
 #include "core/run_log/run_film.h"
 #include "core/run_log/run_log.h"
+#include "core/run_log/run_part.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/document/map_document.h"
 
@@ -20,31 +21,27 @@ namespace handmap {
 
 namespace {
 
-/// The moments that the history has kept, by `open` (a path: a RunLog or RunFilm) and `finish`.
+/// The moments that the history has kept, by `open` (a RunLog or RunFilm) and `finish`.
 /// What cannot be written whole leaves an older file as it was. False: stopped.
 template <typename Open, typename Finish>
 bool writeMoments(const RunHistory& history, const std::filesystem::path& path,
                   const std::stop_token& stop, const Open& open, const Finish& finish) {
-  std::filesystem::path part = path;
-  part.replace_extension(".part");
-  part += path.extension();  // which tells how a film is written
+  const auto remove_part = [&path] {
+    std::error_code ignored;
+    std::filesystem::remove(runPartOf(path), ignored);
+  };
   try {
     {
-      auto moments = open(part);
+      auto moments = open();
       for (int i = history.first(); i <= history.newest() && !stop.stop_requested(); ++i) {
         moments.add(*history.at(i));
       }
       if (!stop.stop_requested()) finish(moments);
     }
-    if (stop.stop_requested()) {
-      std::filesystem::remove(part);
-      return false;
-    }
-    std::filesystem::rename(part, path);
-    return true;
+    if (stop.stop_requested()) remove_part();
+    return !stop.stop_requested();
   } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
+    remove_part();
     throw;
   }
 }
@@ -162,7 +159,7 @@ void RunExports::exportMcap() {
                                                         const std::stop_token& stop) {
         return writeMoments(
             *history, path.toStdString(), stop,
-            [&](const std::filesystem::path& part) { return RunLog(part, drawing, tape->info()); },
+            [&] { return RunLog(path.toStdString(), drawing, tape->info()); },
             [&](RunLog& log) {
               log.finish(result->map(), result->last->trajectory.all(), result->warnings);
             });
@@ -178,7 +175,7 @@ void RunExports::exportFilm() {
       [history, drawing = run_.drawing()](const QString& path, const std::stop_token& stop) {
         return writeMoments(
             *history, path.toStdString(), stop,
-            [&](const std::filesystem::path& part) { return RunFilm(part, drawing); },
+            [&] { return RunFilm(path.toStdString(), drawing); },
             [](RunFilm& film) { film.finish(); });
       });
 }

@@ -1,13 +1,16 @@
 #include "core/run_log/run_film.h"
 
+#include <csignal>
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
+#include <sys/resource.h>
 
 #include "core/base/error.h"
 #include "core/recording/image_file.h"
+#include "core/run_log/run_part.h"
 #include "core/session/run_session.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/world.h"
@@ -65,6 +68,42 @@ TEST_F(RunFilms, AreVideos) {
   int pictures = 0;
   while (video.read(picture)) ++pictures;
   EXPECT_EQ(pictures, 3);
+}
+
+/// As a disk that is full: no file may grow beyond so many bytes.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit now = before_;
+    now.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_)(int);
+};
+
+TEST_F(RunFilms, OnAFullDiskTheOldOneStays) {
+  for (const char* name : {"film.mp4", "film.avi", "film.mkv"}) {
+    const fs::path path = folder_.path() / name;
+    std::ofstream(path) << "the old one";
+    {
+      const FullDisk disk(12'000);
+      EXPECT_THROW(film(path), Error) << name;
+    }
+    EXPECT_EQ(fs::file_size(path), 11U) << name;
+    EXPECT_FALSE(fs::exists(runPartOf(path))) << name;
+    film(path);
+    EXPECT_GT(fs::file_size(path), 12'000U) << name;
+  }
 }
 
 TEST_F(RunFilms, OverwriteNoFolderThatHoldsSomething) {

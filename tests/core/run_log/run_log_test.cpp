@@ -4,6 +4,7 @@
 
 #include "core/bags/ros_definitions.h"
 #include "core/bags/ros_messages.h"
+#include "core/run_log/run_part.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/world.h"
 #include "tests/core/base/temporary_folder.h"
@@ -37,6 +38,8 @@ TEST(RunLog, HoldsTheRun) {
     log.add(*snapshot);  // the same again
     last = snapshot->report.pose;
   }
+  EXPECT_FALSE(exists(path)) << "an older one stays until this one is whole";
+  EXPECT_TRUE(openBag(runPartOf(path))->notes().empty()) << "it can be read at any time";
   log.finish(session.refinedMap(), session.trajectory(), session.warnings());
 
   const auto bag = openBag(path);
