@@ -14,9 +14,12 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
+#include <nlohmann/json.hpp>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
+#include "core/base/json.h"
+#include "core/base/text.h"
 #include "core/map/map_limits.h"
 #endif
 
@@ -50,6 +53,7 @@ using Transformation =
     std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, DestroyTransformation>;
 
 constexpr std::size_t kMostTags = 1000;
+constexpr std::uintmax_t kMostJsonBytes = 64u << 20;
 
 /// What GDAL says is part of our message, and nothing for the terminal.
 class QuietErrors {
@@ -166,9 +170,20 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const std::string& found) const {
-    const std::string details = CPLGetLastErrorMsg();
+    std::string details = CPLGetLastErrorMsg();
+    if (details.starts_with("./")) details.erase(0, details.find(": ") + 2);  // where in GDAL
+    namePlaceInJson();
     throwBadInput(file_, {}, details.empty() ? found : found + " (" + details + ")",
                   phrase("GeoJSON, OpenStreetMap XML, GeoPackage, Shapefile, KML, GML or DXF"));
+  }
+
+  /// GDAL does not say where a GeoJSON is damaged: who reads JSON here does.
+  void namePlaceInJson() const {
+    const std::string ending = lowerEnding(file_);
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file_, error);
+    if ((ending != "geojson" && ending != "json") || error || bytes > kMostJsonBytes) return;
+    parseJson(readFile(file_, kMostJsonBytes), file_);
   }
 
   /// To longitude and latitude, in this order whatever the authority says.

@@ -148,8 +148,8 @@ TEST_F(GeoMapTest, APlanOfAFarPlaceIsMoved) {
 }
 
 TEST_F(GeoMapTest, SaysWhatIsWrong) {
-  EXPECT_NE(complaintOf(write("torn.geojson", "{\"type\": \"Featu")).find("torn.geojson"),
-            std::string::npos);
+  const std::string torn = complaintOf(write("torn.geojson", "{\n\"type\": \"Featu"));
+  EXPECT_NE(torn.find("torn.geojson: line 2"), std::string::npos) << torn;
   const std::string none = complaintOf(
       write("points.geojson",
             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},
