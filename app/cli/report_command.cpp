@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/run_folder.h"
+#include "core/bags/ros_messages.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/map/map_io.h"
@@ -23,6 +24,27 @@ struct ReportArguments {
   ReportLanguage language = ReportLanguage::English;
 };
 
+/// As the run's MCAP has them; none where there is no such file.
+std::vector<ReportedParticles> particlesIn(const std::string& mcap) {
+  std::vector<ReportedParticles> all;
+  if (!std::filesystem::is_regular_file(mcap)) return all;
+  const auto bag = openBag(mcap);
+  std::vector<bool> wanted;
+  for (const BagTopic& topic : bag->topics()) {
+    wanted.push_back(topic.name == "/particles" && ros::isPointCloud(topic));
+  }
+  bag->read(wanted,
+            [&](const BagMessage& message) {
+              const ros::Points cloud =
+                  ros::readPoints(bag->fieldsOf(message), bag->topics()[message.topic]);
+              ReportedParticles& particles = all.emplace_back();
+              particles.time_s = cloud.header.stamp_s;
+              for (const RangePoint& p : cloud.points) particles.points.emplace_back(p.x, p.y);
+            },
+            {});
+  return all;
+}
+
 ReportInputs inputsOf(const RunFolder& kept, const ReportArguments& arguments) {
   ReportInputs inputs;
   inputs.drawing = readMap(kept.drawing());
@@ -30,6 +52,7 @@ ReportInputs inputsOf(const RunFolder& kept, const ReportArguments& arguments) {
   inputs.run = readFile(kept.report(), kMostReportBytes);
   inputs.run_file = kept.report();
   inputs.trajectory = readTum(kept.trajectory()).poses();
+  inputs.particles = particlesIn(kept.mcap());
   inputs.language = arguments.language;
   if (!arguments.truth.empty()) inputs.truth = readMap(arguments.truth);
   if (!arguments.recording.empty()) inputs.recording = openRecording(arguments.recording);

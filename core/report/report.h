@@ -30,12 +30,19 @@ std::vector<WallTolerance> tolerancesOf(const Map& refined);
 /// Of what is printed; the page has both.
 enum class ReportLanguage { English, Japanese };
 
+/// Where the robot may have been at a time.
+struct ReportedParticles {
+  double time_s = 0.0;
+  std::vector<Vec2> points;
+};
+
 struct ReportInputs {
   Map drawing;
   Map refined;
   std::string run;       ///< what run --report wrote
   std::string run_file;  ///< its name, for messages
   std::vector<StampedPose> trajectory = {};
+  std::vector<ReportedParticles> particles = {};  ///< in the order of their times
   std::optional<Map> truth = {};
   std::optional<Recording> recording = {};  ///< for pictures on the way
   ReportLanguage language = ReportLanguage::English;

@@ -21,6 +21,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPictures = 40;
 constexpr int kPictureWidth = 240;
+constexpr std::size_t kMostClouds = 400;
+constexpr std::size_t kMostParticles = 100;  // of a cloud
 constexpr std::size_t kMostFrames = 1'000'000;
 
 double rounded(double value, double unit) { return std::round(value / unit) * unit; }
@@ -68,6 +70,23 @@ Json framesJson(const JsonValue& run) {
   }
   if (frames.empty()) run.at("frames").fail("[]", "[{…}, …]");
   return frames;
+}
+
+/// time x y x y …, evenly of the run and of each cloud.
+Json particlesJson(const std::vector<ReportedParticles>& particles) {
+  Json clouds = Json::array();
+  const std::size_t step = particles.size() / kMostClouds + 1;
+  for (std::size_t i = 0; i < particles.size(); i += step) {
+    Json row = {particles[i].time_s};
+    const std::vector<Vec2>& points = particles[i].points;
+    const std::size_t each = points.size() / kMostParticles + 1;
+    for (std::size_t k = 0; k < points.size(); k += each) {
+      row.push_back(rounded(points[k].x(), 1e-2));
+      row.push_back(rounded(points[k].y(), 1e-2));
+    }
+    clouds.push_back(std::move(row));
+  }
+  return clouds;
 }
 
 std::string base64(const std::vector<unsigned char>& bytes) {
@@ -131,6 +150,7 @@ nlohmann::ordered_json reportData(const ReportInputs& inputs) {
                       {"own_m", common->own},
                       {"buildings", common->buildings}};
   }
+  data["particles"] = particlesJson(inputs.particles);
   data["truth"] = Json::array();
   if (inputs.truth) {
     for (const Building& building : inputs.truth->buildings) {

@@ -167,6 +167,8 @@ TEST_F(OthersOfARun, ShowThePage) {
         << building["id"];
   }
   EXPECT_NE(shown.find("<polygon"), std::string::npos);
+  EXPECT_NE(shown.find("class=\"swarm\" d=\"M"), std::string::npos)
+      << "particles of the first frame";
 }
 
 TEST_F(OthersOfARun, RerunShowsIt) {

@@ -46,6 +46,21 @@ bool writeMoments(const RunHistory& history, const std::filesystem::path& path,
   }
 }
 
+std::vector<ReportedParticles> particlesOf(const RunHistory& history) {
+  std::vector<ReportedParticles> all;
+  for (int i = history.first(); i <= history.newest(); ++i) {
+    const auto snapshot = history.at(i);
+    if (snapshot->particles.empty()) continue;
+    const double time_s = snapshot->report.time_s;
+    if (all.empty() || all.back().time_s < time_s) all.push_back({time_s, {}});
+    all.back().points.clear();
+    for (const ParticleView& particle : snapshot->particles) {
+      all.back().points.push_back(particle.pose.position());
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 RunExports::RunExports(const Shell& shell, MapDocument& document, FileActions& files,
@@ -135,8 +150,10 @@ void RunExports::exportReport() {
   files_.exportInBackground(
       {tr("Export a report"), nameOf(tr("-report")) + QStringLiteral(".html"),
        tr("Pages (*.html *.pdf)"), QStringLiteral("html"), tr("The report of the run")},
-      [inputs = std::move(inputs), recording](const QString& path, const std::stop_token& stop) {
+      [inputs = std::move(inputs), recording, history = run_.history()](
+          const QString& path, const std::stop_token& stop) {
         ReportInputs all = inputs;
+        if (history) all.particles = particlesOf(*history);
         if (is_directory(recording)) all.recording = openRecording(recording);  // for its pictures
         if (stop.stop_requested()) return false;
         const std::string page =

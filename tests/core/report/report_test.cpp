@@ -71,6 +71,18 @@ TEST(Report, HoldsWhatItShowsAndTheData) {
   EXPECT_EQ(data["files"]["report.json"], inputs().run);
 }
 
+TEST(Report, HoldsParticlesAndNotTooMany) {
+  ReportInputs made = inputs();
+  made.particles = {{0.0, {{1.234, 5.0}}}, {1.0, std::vector<Vec2>(1000, Vec2(2.0, 3.0))}};
+  const auto clouds = dataOf(reportHtml(made))["particles"];
+  ASSERT_EQ(clouds.size(), 2U);
+  EXPECT_EQ(clouds[0][0], 0.0);
+  EXPECT_NEAR(clouds[0][1].get<double>(), 1.23, 1e-9);
+  EXPECT_LE(clouds[1].size(), 201U);
+  made.particles.resize(5000);
+  EXPECT_LE(dataOf(reportHtml(made))["particles"].size(), 400U);
+}
+
 TEST(Report, RefersToNothingOutside) {
   const std::string page = reportHtml(inputs());
   const std::regex outside(R"((src|href)\s*=\s*["']?(https?:|//)|@import|url\()");
