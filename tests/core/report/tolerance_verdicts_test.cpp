@@ -1,0 +1,69 @@
+// Whether walls are where the class says that they surely are.
+#include <gtest/gtest.h>
+
+#include "core/report/report.h"
+#include "core/session/run_session.h"
+#include "core/simulation/simulated_source.h"
+#include "core/simulation/world.h"
+
+namespace handmap {
+namespace {
+
+constexpr double kSure = 0.95;
+
+/// Of the smallest class in which a wall surely is; nullopt: it is in none.
+std::optional<double> classOf(const WallTolerance& wall) {
+  for (std::size_t i = 0; i < kTolerances_m.size(); ++i) {
+    if (wall.within[i] >= kSure) return kTolerances_m[i];
+  }
+  return std::nullopt;
+}
+
+/// Of the middle of a wall, across the true one.
+double offBy(const Building& found, const Building& truth, int side) {
+  const auto ends = [side](const Building& building) {
+    const Polygon corners = building.box().corners();
+    const auto at = static_cast<std::size_t>(side);
+    return std::pair(corners[at], corners[(at + 1) % corners.size()]);
+  };
+  const auto [a, b] = ends(truth);
+  const auto [c, d] = ends(found);
+  const Vec2 along = (b - a).normalized();
+  const Vec2 off = 0.5 * (c + d) - 0.5 * (a + b);
+  return std::abs(along.x() * off.y() - along.y() * off.x());
+}
+
+TEST(Tolerances, AreRightInNineteenOfTwentyWalls) {
+  int walls = 0;
+  int seen = 0;
+  int right = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const World world = twoRowWorld(seed);
+    constexpr double kSigma_m = 5.0;  // as handmap-cli simulate has it
+    Map drawing = perturbed(world.map, kSigma_m, seed);
+    drawing.uncertainty = {kSigma_m, kSigma_m};
+    RunSettings settings;
+    settings.seed = seed;
+    RunSession session(drawing, simulate(world, {}, seed), settings);
+    while (session.step()) {
+    }
+    const Map refined = session.refinedMap();
+    for (const WallTolerance& wall : tolerancesOf(refined)) {
+      seen += wall.seen ? 1 : 0;
+      const auto within = classOf(wall);
+      if (!wall.seen || !within) continue;
+      ++walls;
+      const double off =
+          offBy(*refined.find(wall.building), *world.map.find(wall.building), wall.side);
+      right += off <= *within ? 1 : 0;
+    }
+  }
+  EXPECT_GT(walls, 200);
+  EXPECT_GT(walls, 0.8 * seen) << "most of what was seen has a class";
+  EXPECT_GE(right, 0.95 * walls) << right << " of " << walls;
+  RecordProperty("right", right);
+  RecordProperty("walls", walls);
+}
+
+}  // namespace
+}  // namespace handmap
