@@ -20,7 +20,7 @@ namespace {
 
 constexpr QSize kLargest(560, 380);
 constexpr int kBelowTop = 40;
-constexpr int kDisabled = -100;  // after those that can be done
+constexpr int kDisabled = -1;  // after those that can be done and match as well
 
 constexpr int kKeysRole = Qt::UserRole + 1;
 
