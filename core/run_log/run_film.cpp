@@ -1,6 +1,7 @@
 #include "core/run_log/run_film.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -106,6 +107,16 @@ struct RunFilm::Camera {
     throw Error(ErrorCode::RunFailed, phrase("{}: cannot be written: {}", path.string(), why));
   }
 
+  /// OpenCV does not tell why.
+  [[noreturn]] void failOrFull(const std::string& why) const {
+    constexpr std::uintmax_t kFull = 1 << 20;  // bytes that are left
+    std::error_code error;
+    const auto space =
+        fs::space(path.has_parent_path() ? path.parent_path() : fs::path("."), error);
+    const bool is_full = !error && space.available < kFull;
+    fail(is_full ? std::generic_category().message(ENOSPC) : why);
+  }
+
   cv::Mat pictureOf(const Snapshot& snapshot) const {
     cv::Mat picture(kHeight, kWidth, CV_8UC3, kPaper);
     for (const Building& building : drawing.buildings) {
@@ -150,7 +161,7 @@ RunFilm::RunFilm(const fs::path& path, const Map& drawing)
                      : ending == ".mp4" ? cv::VideoWriter::fourcc('m', 'p', '4', 'v')
                                         : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
     camera_->video.open(runPartOf(path).string(), code, kPictures_hz, {kWidth, kHeight});
-    if (!camera_->video.isOpened()) camera_->fail(phrase("no such video can be made here"));
+    if (!camera_->video.isOpened()) camera_->failOrFull(phrase("no such video can be made here"));
     return;
   }
   std::error_code error;
@@ -185,7 +196,7 @@ void RunFilm::finish() {
   if (read < camera_->pictures) {
     std::error_code ignored;
     fs::remove(part, ignored);
-    camera_->fail(phrase("the disk took but a part of it"));
+    camera_->failOrFull(phrase("the disk took but a part of it"));
   }
   takePlace(camera_->path);
 }
