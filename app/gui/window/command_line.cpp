@@ -55,7 +55,9 @@ CommandLine parseCommandLine(const QStringList& arguments) {
       "Draw the map you remember; Handmap finds the robot on it and corrects the drawing.");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("MAP", "What to open: a drawing (.handmap), or whatever else can be dropped on the window.", "[MAP]");
+  parser.addPositionalArgument(
+      "MAP", "What to open: a drawing (.handmap), or whatever else can be dropped on the window.",
+      "[MAP]");
   parser.addOptions({
       {"recording", "Take the robot's observations from this folder.", "DIR"},
       {"rig", "Connect the live robot that this file describes.", "FILE"},
