@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "app/gui/files/file_actions.h"
 #include "app/gui/rig/rig_actions.h"
@@ -48,6 +49,14 @@ bool choosePlatform() {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   default_handler = qInstallMessageHandler(dropNoise);
   return false;
+}
+
+/// A drive of hours is concluded again and again, each time from a thread of its own and with a lot
+/// of memory for a moment. Pools of few threads, and large pieces outside of them, give it back.
+void keepMemoryLevel() {
+  mallopt(M_ARENA_MAX, 2);
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }
 
 void applySetup(MainWindow& window, const CommandLine& line) {
@@ -131,6 +140,7 @@ int ended(int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepMemoryLevel();
   try {
     const bool visible = choosePlatform();
     Application app(argc, argv);

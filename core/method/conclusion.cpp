@@ -62,15 +62,15 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   if (stop.stop_requested()) return std::nullopt;
   const double alone = known.sharpness(known.alone.poses);
   if (stop.stop_requested()) return std::nullopt;
-  PlacedRays placed = placeRays(known.seen, known.alone.poses, stop);
-  if (!known.walls && placed.showsStructure()) {
+  // One placing at a time: it is what needs most memory.
+  if (!known.walls && placeRays(known.seen, known.alone.poses, stop).showsStructure()) {
     if (auto conclusion = asDrawn(drawing, known, alone, seed, stop)) return conclusion;
   }
   TrajectoryHypothesis trajectory = believed(known, alone);
   std::optional<FoundMap> found;
   if (trajectory.by == TrajectoryHypothesis::By::Buildings)
     found.emplace(FoundMap{known.found, known.motion});
-  if (trajectory.by != known.alone.by) placed = placeRays(known.seen, trajectory.poses, stop);
+  const PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
   if (stop.stop_requested()) return std::nullopt;
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
   if (!refined) return std::nullopt;

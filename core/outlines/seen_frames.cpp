@@ -33,30 +33,62 @@ void shareOut(std::vector<SeenRay>& rays) {
   }
 }
 
+std::vector<SeenRay> raysOf(const Scan& scan, double range_limit_m) {
+  std::vector<SeenRay> rays;
+  rays.reserve(scan.rays.size());
+  for (const Ray& ray : scan.rays) {
+    const bool silent = static_cast<double>(ray.range) > kSilent * range_limit_m;
+    const Echo echo = ray.returned ? Echo::Tall : silent ? Echo::Silent : Echo::Ground;
+    rays.push_back({ray.bearing, ray.range, 1.0F, echo});
+  }
+  return rays;
+}
+
+/// At most so many of what was measured.
+std::vector<SeenRay> raysOf(const std::vector<RangePoint>& points, double most) {
+  const auto stride =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(points.size()) / most)));
+  std::vector<SeenRay> rays;
+  rays.reserve(points.size() / stride + 1);
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    const RangePoint& p = points[i];
+    const float range = std::hypot(p.x, p.y);
+    if (!std::isfinite(p.z) || !std::isfinite(range) || range < kLeastRange_m) continue;
+    rays.push_back({std::atan2(p.y, p.x), range, 1.0F, echoAt(p.z)});
+  }
+  return rays;
+}
+
 }  // namespace
 
 void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan& scan,
                      const std::vector<RangePoint>& points) {
-  for (const float bearing : scan.first_looked_at) {
-    const auto limit = static_cast<float>(range_limit_m_);
-    for (SeenFrame& frame : frames_) frame.rays.push_back({bearing, limit, 1.0F, Echo::Silent});
-  }
+  if (!scan.first_looked_at.empty()) addSilent(scan.first_looked_at);
   const Pose2 motion = between(last_, odometry);
   const double driven = std::hypot(motion.x, motion.y);
   if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < kFrameTurn) return;
-  SeenFrame frame{observation, {}};
+  std::vector<SeenRay> rays;
   if (points.empty() || scan.ray_by_ray) {
-    addScan(scan, frame);
+    rays = raysOf(scan, range_limit_m_);
   } else {
     const double metres =
         frames_.empty() ? 1.0 : std::clamp(driven, kFrameStep_m, kMostRays / kRaysPerMetre);
-    addPoints(points, kRaysPerMetre * metres * kFrameStep_m / step_m_, frame);
+    rays = raysOf(points, kRaysPerMetre * metres * kFrameStep_m / step_m_);
   }
-  shareOut(frame.rays);
+  shareOut(rays);
   last_ = odometry;
-  rays_ += frame.rays.size();
-  frames_.push_back(std::move(frame));
+  rays_ += rays.size();
+  frames_.push_back({observation, std::make_shared<const std::vector<SeenRay>>(std::move(rays))});
   if (rays_ > most_rays_) thinOut();
+}
+
+void SeenFrames::addSilent(const std::vector<float>& bearings) {
+  for (SeenFrame& frame : frames_) {
+    auto rays = std::make_shared<std::vector<SeenRay>>(*frame.rays);
+    for (const float bearing : bearings)
+      rays->push_back({bearing, static_cast<float>(range_limit_m_), 1.0F, Echo::Silent});
+    frame.rays = std::move(rays);
+  }
 }
 
 void SeenFrames::thinOut() {
@@ -64,29 +96,10 @@ void SeenFrames::thinOut() {
   rays_ = 0;
   std::vector<SeenFrame> kept;
   for (std::size_t i = 0; i < frames_.size(); i += 2) {
-    rays_ += frames_[i].rays.size();
+    rays_ += frames_[i].rays->size();
     kept.push_back(std::move(frames_[i]));
   }
   frames_ = std::move(kept);
-}
-
-void SeenFrames::addScan(const Scan& scan, SeenFrame& frame) {
-  for (const Ray& ray : scan.rays) {
-    const bool silent = static_cast<double>(ray.range) > kSilent * range_limit_m_;
-    const Echo echo = ray.returned ? Echo::Tall : silent ? Echo::Silent : Echo::Ground;
-    frame.rays.push_back({ray.bearing, ray.range, 1.0F, echo});
-  }
-}
-
-void SeenFrames::addPoints(const std::vector<RangePoint>& points, double most, SeenFrame& frame) {
-  const auto stride =
-      static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(points.size()) / most)));
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    const RangePoint& p = points[i];
-    const float range = std::hypot(p.x, p.y);
-    if (!std::isfinite(p.z) || !std::isfinite(range) || range < kLeastRange_m) continue;
-    frame.rays.push_back({std::atan2(p.y, p.x), range, 1.0F, echoAt(p.z)});
-  }
 }
 
 }  // namespace handmap

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/geometry/pose2.h"
@@ -31,8 +32,8 @@ struct SeenRay {
 };
 
 struct SeenFrame {
-  std::size_t observation = 0;  ///< index of it among those of the run
-  std::vector<SeenRay> rays;
+  std::size_t observation = 0;                       ///< index of it among those of the run
+  std::shared_ptr<const std::vector<SeenRay>> rays;  ///< shared by all copies, in any thread
 };
 
 class SeenFrames {
@@ -52,9 +53,7 @@ class SeenFrames {
   double rangeLimit() const { return range_limit_m_; }
 
  private:
-  void addScan(const Scan& scan, SeenFrame& frame);
-  static void addPoints(const std::vector<RangePoint>& points, double most, SeenFrame& frame);
-
+  void addSilent(const std::vector<float>& bearings);
   void thinOut();
 
   double range_limit_m_;

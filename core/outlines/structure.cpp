@@ -248,12 +248,12 @@ PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& 
                      const std::stop_token& stop) {
   PlacedRays placed;
   std::size_t rays = 0;
-  for (const SeenFrame& frame : seen) rays += frame.rays.size();
+  for (const SeenFrame& frame : seen) rays += frame.rays->size();
   placed.rays.reserve(rays);
   for (const SeenFrame& frame : seen) {
     placed.frame_begin.push_back(placed.rays.size());
     const Pose2& pose = poses.at(frame.observation);
-    for (const SeenRay& ray : frame.rays) {
+    for (const SeenRay& ray : *frame.rays) {
       const double heading = pose.heading + static_cast<double>(ray.bearing);
       PlacedRay in_map;
       in_map.x = static_cast<float>(pose.x);

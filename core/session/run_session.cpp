@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include "core/base/error.h"
@@ -262,6 +263,7 @@ std::shared_ptr<const Snapshot> RunSession::State::lastSnapshot(
   finished = true;
   bool changed = false;
   arena.execute([&] { changed = method->finish(stop, progress); });
+  malloc_trim(0);  // that has taken a lot for a moment
   if (!changed) return nullptr;
   describe(frames.back());
   auto snapshot = std::make_shared<Snapshot>(*newest);

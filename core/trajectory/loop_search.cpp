@@ -38,8 +38,10 @@ void LoopSearch::add(const Pose2& smooth, const std::vector<ScanPoint>& scan) {
     keyframe.travelled_m =
         before.travelled_m + (smooth.position() - before.smooth.position()).norm();
   }
-  std::copy_if(scan.begin(), scan.end(), std::back_inserter(keyframe.scan),
-               [](const ScanPoint& p) { return p.at.norm() < kRange_m; });
+  const auto near = [](const ScanPoint& p) { return p.at.norm() < kRange_m; };
+  keyframe.scan.reserve(  // for the whole run, and not an entry more
+      static_cast<std::size_t>(std::count_if(scan.begin(), scan.end(), near)));
+  std::copy_if(scan.begin(), scan.end(), std::back_inserter(keyframe.scan), near);
   points_ += keyframe.scan.size();
   keyframes_.push_back(std::move(keyframe));
   if (points_ > most_points_) thinOut();

@@ -19,7 +19,7 @@ struct Loop {
 
 class LoopSearch {
  public:
-  /// With more than `most_points`, 32 bytes each, every second scan of those passed is let go: of a
+  /// With more than `most_points`, 40 bytes each, every second scan of those passed is let go: of a
   /// planar scanner after four kilometres.
   explicit LoopSearch(std::size_t most_points = 2'000'000) : most_points_(most_points) {}
 

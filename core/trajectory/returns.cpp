@@ -40,14 +40,15 @@ std::vector<ScanPoint> features(const Returns& returns) {
 SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,
                               const ScanNoise& noise) {
   const double most = std::min(kSharpRange_m, kSharpShare * range_limit_m);
-  SharpnessFrame near;
+  std::vector<SharpnessPoint> near;
   for (const Vec2& at : returns.upright) {
     if (at.norm() < most) near.push_back({at, noise.sigma(at.norm())});
   }
-  SharpnessFrame frame;
+  std::vector<SharpnessPoint> frame;
   const std::size_t stride = near.size() / kSharpPoints + 1;
+  frame.reserve(near.size() / stride + 1);  // kept for the whole run
   for (std::size_t i = 0; i < near.size(); i += stride) frame.push_back(near[i]);
-  return frame;
+  return std::make_shared<const std::vector<SharpnessPoint>>(std::move(frame));
 }
 
 }  // namespace handmap

@@ -15,7 +15,7 @@ namespace handmap {
 namespace {
 
 constexpr double kLeastStraight = 0.1;  // share of returns
-// Points that sharpness is judged by, 24 bytes each, twice while something is concluded.
+// Points that sharpness is judged by, 24 bytes each.
 constexpr std::size_t kMostSeen = 1'000'000;
 constexpr double kLeastNoise = 0.1;  // of the recorded odometry's: a scan itself may be off
 
@@ -75,7 +75,7 @@ void ScanTrajectory::State::look(const Returns& from) {
   if (looked_at && (here - *looked_at).norm() < look_m) return;
   looked_at = here;
   seen.back() = sharpnessFrame(from, options.range_limit_m, noise);
-  seen_count += seen.back().size();
+  seen_count += seen.back()->size();
   if (seen_count > kMostSeen) thinOut();
 }
 
@@ -85,9 +85,9 @@ void ScanTrajectory::State::thinOut() {
   seen_count = 0;
   bool keep = true;
   for (SharpnessFrame& frame : seen) {
-    if (frame.empty()) continue;
-    if (!keep) frame = {};
-    seen_count += frame.size();
+    if (!frame || frame->empty()) continue;
+    if (!keep) frame = nullptr;
+    seen_count += frame ? frame->size() : 0;
     keep = !keep;
   }
 }

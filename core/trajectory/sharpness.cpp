@@ -35,8 +35,9 @@ std::vector<Placed> placed(const std::vector<SharpnessFrame>& frames,
   double travelled = 0.0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (i > 0) travelled += (poses[i].position() - poses[i - 1].position()).norm();
+    if (!frames[i]) continue;
     const ToOuter outer(poses[i]);
-    for (const SharpnessPoint& p : frames[i]) {
+    for (const SharpnessPoint& p : *frames[i]) {
       const Vec2 at = outer(p.at);
       const Vec2 ray = (at - poses[i].position()).normalized();
       const double along = p.sigma * p.sigma + kWall2;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/geometry/pose2.h"
@@ -14,9 +15,9 @@ struct SharpnessPoint {
   double sigma = 0.03;  ///< noise along the ray from the robot, one σ
 };
 
-/// What one observation saw, near enough to be measured well; empty where it adds nothing to the
-/// one before. The same frames for all ways that are compared.
-using SharpnessFrame = std::vector<SharpnessPoint>;
+/// What one observation saw, near enough to be measured well; nullptr where it adds nothing to the
+/// one before. The same frames for all ways that are compared, in whichever threads.
+using SharpnessFrame = std::shared_ptr<const std::vector<SharpnessPoint>>;
 
 struct SharpnessOptions {
   int samples = 6000;

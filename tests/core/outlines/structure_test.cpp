@@ -45,7 +45,9 @@ PlacedRays drivenAgain(const Drive& drive, int further,
     for (SeenFrame frame : drive.seen.frames()) {
       way.push_back(drive.way[frame.observation]);
       frame.observation = seen.size();
-      std::erase_if(frame.rays, [&](const SeenRay& ray) { return !kept(round, ray); });
+      std::vector<SeenRay> rays = *frame.rays;
+      std::erase_if(rays, [&](const SeenRay& ray) { return !kept(round, ray); });
+      frame.rays = std::make_shared<const std::vector<SeenRay>>(std::move(rays));
       seen.push_back(std::move(frame));
     }
   }
@@ -99,10 +101,21 @@ TEST(SeenFrames, KnowsThatSilenceWasThereBefore) {
   second.first_looked_at = {0.5F};
   seen.add(1, {1.0, 0.0, 0.0}, second, {});
   ASSERT_EQ(seen.frames().size(), 2U);
-  ASSERT_EQ(seen.frames()[0].rays.size(), 1U);
-  EXPECT_EQ(seen.frames()[0].rays[0].echo, Echo::Silent);
-  EXPECT_FLOAT_EQ(seen.frames()[0].rays[0].bearing, 0.5F);
-  EXPECT_TRUE(seen.frames()[1].rays.empty());
+  ASSERT_EQ(seen.frames()[0].rays->size(), 1U);
+  EXPECT_EQ(seen.frames()[0].rays->front().echo, Echo::Silent);
+  EXPECT_FLOAT_EQ(seen.frames()[0].rays->front().bearing, 0.5F);
+  EXPECT_TRUE(seen.frames()[1].rays->empty());
+}
+
+TEST(SeenFrames, ACopyTakesNoMemoryAndStaysAsItWas) {
+  SeenFrames seen(40.0);
+  seen.add(0, {}, {}, std::vector<RangePoint>(500, RangePoint{5.0F, 5.0F, 2.0F, 1.0F}));
+  const SeenFrames copy = seen;
+  EXPECT_EQ(copy.frames()[0].rays, seen.frames()[0].rays);
+  Scan later;
+  later.first_looked_at = {0.5F};
+  seen.add(1, {1.0, 0.0, 0.0}, later, {});
+  EXPECT_EQ(seen.frames()[0].rays->size(), copy.frames()[0].rays->size() + 1);
 }
 
 TEST(SeenFrames, LeavesOutWhatWasSeenFromTheSamePlace) {
@@ -122,7 +135,7 @@ TEST(SeenFrames, TakesNoMoreMemoryTheLongerTheWay) {
   for (std::size_t i = 0; i < kObservations; ++i) {
     seen.add(i, {0.6 * static_cast<double>(i), 0.0, 0.0}, {}, points);
     std::size_t rays = 0;
-    for (const SeenFrame& frame : seen.frames()) rays += frame.rays.size();
+    for (const SeenFrame& frame : seen.frames()) rays += frame.rays->size();
     ASSERT_LE(rays, kMost);
   }
   EXPECT_EQ(seen.frames().front().observation, 0U);
@@ -141,7 +154,7 @@ TEST(SeenFrames, TakesSilenceFromWhatItLeavesOut) {
   from_the_same_place.first_looked_at = {0.5F};
   seen.add(1, {0.1, 0.0, 0.0}, from_the_same_place, {});
   ASSERT_EQ(seen.frames().size(), 1U);
-  EXPECT_EQ(seen.frames()[0].rays.size(), 1U);
+  EXPECT_EQ(seen.frames()[0].rays->size(), 1U);
 }
 
 }  // namespace

@@ -15,8 +15,10 @@ class Sharpness : public ::testing::Test {
     for (std::size_t i = 0; i < truth_.size(); ++i) {
       SharpnessFrame& frame = frames_.emplace_back();
       if (i % 2 == 1) continue;  // a metre apart
+      std::vector<SharpnessPoint> seen;
       const auto scan = test::scanFrom(walls, truth_[i], 0.03, random);
-      for (std::size_t k = 0; k < scan.size(); k += 4) frame.push_back({{scan[k].x, scan[k].y}});
+      for (std::size_t k = 0; k < scan.size(); k += 4) seen.push_back({{scan[k].x, scan[k].y}});
+      frame = std::make_shared<const std::vector<SharpnessPoint>>(std::move(seen));
     }
   }
 
