@@ -234,6 +234,7 @@ ImportedBag importBag(const Bag& bag, const BagPlan& plan, const fs::path& folde
   }
   SourceInfo info;
   info.name = name;
+  info.without_odometry = true;  // the bag's own, at its rate, is written below
   info.range_limit_m =
       facts.reach_m > 0.0 ? std::clamp(facts.reach_m, 1.0, kMostReach_m) : kUsualReach_m;
   if (camera) info.camera = camera->camera();
@@ -242,7 +243,6 @@ ImportedBag importBag(const Bag& bag, const BagPlan& plan, const fs::path& folde
                              .record(std::move(rows), odometry, writer, progress, stop);
   imported.poses = facts.odometry.size();
   if (odometry.empty()) {
-    fs::remove(folder / "odometry.tum");
     notes.push_back(phrase("no poses: the scans are to tell the motion"));
   } else {
     writeFileAtomically(folder / "odometry.tum", formatTum(facts.odometry));

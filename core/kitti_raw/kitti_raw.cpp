@@ -51,6 +51,7 @@ class Drive {
 
   SourceInfo info(const std::string& name) const {
     SourceInfo info;
+    info.without_odometry = true;
     info.name = name;
     info.range_limit_m = kSees_m;
     info.camera = camera_;
@@ -183,7 +184,6 @@ ImportedDrive importKittiRaw(const fs::path& folder, const fs::path& out, const 
     throwBadInput(folder.string(), "", phrase("neither pairs of images nor scans"),
                   "image_00/data/0000000000.png …");
   }
-  fs::remove(out / "odometry.tum");
   notes.push_back(imported.pairs > 0 ? phrase("no odometry: the images are to tell the motion")
                                      : phrase("no poses: the scans are to tell the motion"));
   return imported;

@@ -83,6 +83,7 @@ std::size_t writeLog(const Log& log, const fs::path& folder, std::string name,
   SourceInfo info;
   info.name = std::move(name);
   info.range_limit_m = reachOf(log);
+  info.without_odometry = true;  // the log's own, at its rate, is written below
   std::size_t written = 0;
   {
     RecordingWriter writer(folder, info);
@@ -98,7 +99,6 @@ std::size_t writeLog(const Log& log, const fs::path& folder, std::string name,
     }
   }
   if (log.poses.empty()) {
-    fs::remove(folder / "odometry.tum");
     notes.push_back(phrase("no poses: the scans are to tell the motion"));
   } else {
     writeFileAtomically(folder / "odometry.tum", formatTum(log.poses));

@@ -80,6 +80,7 @@ struct SourceInfo {
   std::vector<StampedPose> odometry;  ///< the whole odometry, for drawing
   std::vector<StampedPose> truth;     ///< map frame; for scoring and drawing only, may be empty
   bool visual_odometry = false;       ///< odometry comes from the images
+  bool without_odometry = false;      ///< nothing has measured it: all poses are the origin
   double speed = 0.0;  ///< times the recording's clock, where the source keeps to it; 0: it waits
 };
 

@@ -94,8 +94,8 @@ class RecordingWriter {
   /// As a replay of what is written gives it: the files round.
   const SourceInfo& info() const;
 
-  /// Appends rows, images (PNG), points (to one file a minute) and the odometry. `truth` where it
-  /// is known. A view that has neither images nor points leaves no row.
+  /// Appends rows, images (PNG), points (to one file a minute) and the odometry, where there is
+  /// one. `truth` where it is known. A view that has neither images nor points leaves no row.
   void add(const Observation& observation, const std::optional<Pose2>& truth = {});
 
   /// "000012.png", or "000012-3.png" for the third view of a stop.

@@ -265,7 +265,8 @@ void RecordingWriter::add(const Observation& observation, const std::optional<Po
   files.last_frame = observation.frame;
   files.last_time_s = observation.time_s;
   // Poses first: a row without its pose could not be replayed, a pose without a row does no harm.
-  files.odometry.append(formatTum({{observation.time_s, observation.odometry}}));
+  if (!files.info.without_odometry)
+    files.odometry.append(formatTum({{observation.time_s, observation.odometry}}));
   if (truth) files.truth.append(formatTum({{observation.time_s, *truth}}));
   for (std::size_t i = 0; i < observation.views.size(); ++i) {
     const FrameRow row = files.writeView(observation, i);

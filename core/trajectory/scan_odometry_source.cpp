@@ -22,6 +22,7 @@ class ScanOdometrySource : public ObservationSource {
       : source_(std::move(source)), info_(source_->info()), alone_(alone) {
     if (alone) odometry_ = LocalMapOdometry::ofGuesses();
     info_.odometry.clear();
+    info_.without_odometry = false;
   }
 
   const SourceInfo& info() const override { return info_; }

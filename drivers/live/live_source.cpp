@@ -48,6 +48,7 @@ class LiveSource : public ObservationSource {
     info_.name = job.rig.name;
     info_.range_limit_m = job.rig.range_limit_m;
     info_.speed = 1.0;
+    info_.without_odometry = job.rig.odometry.kind == OdometryRigKind::Scan;
     if (job.rig.camera) {
       mount_ = job.rig.camera->mount;
       optics_ = opticsOf(*job.rig.camera);
@@ -137,13 +138,12 @@ class LiveSource : public ObservationSource {
   std::optional<Observation> first_;
 };
 
-std::unique_ptr<ObservationSource> withOdometry(std::unique_ptr<ObservationSource> source,
-                                                OdometryRigKind kind) {
-  if (kind == OdometryRigKind::Visual) {
-    return withVisualOdometry(std::move(source), WhenLost::StandStill);
-  }
-  if (kind == OdometryRigKind::Scan) return withScanOdometry(std::move(source));
-  return source;
+std::unique_ptr<ObservationSource> recordedFor(const LiveJob& job,
+                                               std::unique_ptr<ObservationSource> source) {
+  if (job.record.empty()) return source;
+  return recorded(
+      std::move(source), job.record,
+      [monitor = job.monitor](const RecordingStatus& status) { monitor->setRecording(status); });
 }
 
 }  // namespace
@@ -151,11 +151,11 @@ std::unique_ptr<ObservationSource> withOdometry(std::unique_ptr<ObservationSourc
 std::unique_ptr<ObservationSource> openLive(const LiveJob& job, const std::stop_token& stop) {
   auto live = std::make_unique<LiveSource>(job, stop);
   if (!live->waitForFirst()) return nullptr;
-  auto source = withOdometry(std::move(live), job.rig.odometry.kind);
-  if (job.record.empty()) return source;
-  return recorded(
-      std::move(source), job.record,
-      [monitor = job.monitor](const RecordingStatus& status) { monitor->setRecording(status); });
+  // What the scans say of the motion is as unsure in a replay, which makes it anew.
+  if (job.rig.odometry.kind == OdometryRigKind::Scan)
+    return withScansAlone(recordedFor(job, std::move(live)));
+  if (job.rig.odometry.kind != OdometryRigKind::Visual) return recordedFor(job, std::move(live));
+  return recordedFor(job, withVisualOdometry(std::move(live), WhenLost::StandStill));
 }
 
 }  // namespace handmap

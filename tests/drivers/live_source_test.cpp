@@ -12,6 +12,7 @@
 #include "core/map/map_io.h"
 #include "core/recording/recording.h"
 #include "core/session/run_session.h"
+#include "core/trajectory/odometry_choice.h"
 #include "drivers/virtual/virtual_rig.h"
 #include "tests/core/base/temporary_folder.h"
 
@@ -308,7 +309,10 @@ void expectLiveEqualsReplay(OdometryRigKind odometry, const std::string& faults 
   EXPECT_EQ(recording.observations, static_cast<int>(lived.frames));
   EXPECT_GT(lived.frames, 5U);
 
-  RunSession again(sketch, replay(openRecording(folder.path() / "run"), {}), settings);
+  RunSession again(
+      sketch,
+      replayWithOdometry(openRecording(folder.path() / "run"), {}, OdometryKind::Recorded).source,
+      settings);
   const Outcome replayed = outcomeOf(again, [] {});
   EXPECT_EQ(replayed.frames, lived.frames);
   EXPECT_EQ(replayed.way, lived.way);
@@ -318,6 +322,37 @@ void expectLiveEqualsReplay(OdometryRigKind odometry, const std::string& faults 
 TEST(LiveSource, LiveEqualsReplayWithWheels) { expectLiveEqualsReplay(OdometryRigKind::Virtual); }
 
 TEST(LiveSource, LiveEqualsReplayWithScansAlone) { expectLiveEqualsReplay(OdometryRigKind::Scan); }
+
+/// Nothing tells how far it went, live as little as in the recording of it.
+TEST(LiveSource, WithoutWheelsBetweenTwoLongWallsTheWayIsAGuess) {
+  const test::TemporaryFolder folder;
+  VirtualDrive way = drive();
+  way.world = {};
+  for (const double y : {-6.0, 6.0}) {
+    Building wall;
+    wall.id = y < 0.0 ? "S" : "N";
+    wall.shape = Rectangle{{0.0, y}, 600.0, 2.0, 0.0};
+    way.world.map.buildings.push_back(wall);
+  }
+  way.world.map.start = Pose2{};
+  way.world.map.route = {{0.0, 0.0}, {100.0, 0.0}};
+  LiveJob live = job(way, folder.path() / "run");
+  live.rig.odometry.kind = OdometryRigKind::Scan;
+  std::vector<Observation> lived;
+  {
+    const auto source = openLive(live, {});
+    lived = takeUntil(*source, *live.monitor, 5.0);
+  }
+  EXPECT_GT(lived.back().odometry_variance(0, 0), 1.0);
+  EXPECT_LT(lived.back().odometry_variance(1, 1), 0.01) << "the walls hold it aside";
+  const auto replayed =
+      replayWithOdometry(openRecording(folder.path() / "run"), {}, OdometryKind::Recorded).source;
+  for (const Observation& observation : lived) {
+    const Observation again = take(*replayed);
+    ASSERT_EQ(again.odometry, observation.odometry);
+    ASSERT_EQ(again.odometry_variance, observation.odometry_variance);
+  }
+}
 
 TEST(LiveSource, LiveEqualsReplayUnderEveryFaultOfTheScanner) {
   expectLiveEqualsReplay(OdometryRigKind::Virtual,
