@@ -12,6 +12,7 @@
 #include "core/fastslam/resampling.h"
 #include "core/fastslam/wall_likelihood.h"
 #include "core/map/certainty.h"
+#include "core/odometry/odometry_noise.h"
 
 namespace handmap {
 
@@ -20,6 +21,7 @@ namespace {
 // What a stream of random numbers is for; swarms use kSwarms + the index of their building.
 constexpr std::uint32_t kMotion = 0;
 constexpr std::uint32_t kStart = 0xffffffff;
+constexpr std::uint32_t kGuess = 0xfffffffe;
 constexpr std::uint32_t kResampling = 1;
 constexpr std::uint32_t kSwarms = 2;
 
@@ -63,11 +65,10 @@ void FastSlamPsom::scatter(const StartUncertainty& start) {
   }
 }
 
-bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& local_map,
+bool FastSlamPsom::step(double time_s, const Odometry& odometry, const LocalMap& local_map,
                         const std::stop_token& stop, const std::function<void(double)>& progress,
                         SlamTrace* trace) {
-  const Pose2 motion = between(odometry_, odometry);
-  samplePoses(time_s, motion);
+  samplePoses(time_s, odometry);
   if (trace != nullptr) {
     trace->predicted = weighed(next_);
     trace->watched = best_;
@@ -94,16 +95,21 @@ bool FastSlamPsom::step(double time_s, const Pose2& odometry, const LocalMap& lo
   return true;
 }
 
-void FastSlamPsom::samplePoses(double time_s, const Pose2& motion) {
+void FastSlamPsom::samplePoses(double time_s, const Odometry& odometry) {
   next_.resize(particles_.size());
+  const Pose2 motion = between(odometry_.pose, odometry.pose);
+  const Eigen::Matrix3d guessed = guessedOf(odometry_, odometry);
   const bool moved = frame_ > 0 || motion != Pose2{};
   parallelFor(next_.size(), [&](std::size_t i) {
     Particle& particle = next_[i];
     particle = particles_[i];
     // x_t ~ p(x_t | u_t, x_{t-1})
     if (moved) {
-      RandomStream random(seed_, frame_, static_cast<std::uint32_t>(i), kMotion);
-      particle.pose = samplePose(particle.pose, motion, options_.motion, random);
+      const auto index = static_cast<std::uint32_t>(i);
+      RandomStream random(seed_, frame_, index, kMotion);
+      RandomStream guess(seed_, frame_, index, kGuess);
+      const Pose2 driven = guessed.isZero() ? motion : sampleGuess(motion, guessed, guess);
+      particle.pose = samplePose(particle.pose, driven, options_.motion, random);
     }
     particle.path = particle.path.extended({time_s, particle.pose});
   });

@@ -11,6 +11,7 @@
 #include "core/fastslam/path.h"
 #include "core/fastslam/slam_trace.h"
 #include "core/fastslam/swarm_map.h"
+#include "core/recording/odometry.h"
 
 namespace handmap {
 
@@ -41,7 +42,7 @@ class FastSlamPsom {
   /// the caller's oneTBB arena; the result does not depend on the number of threads. Returns false
   /// and leaves the state as it was when `stop` was requested. `progress` may be called from any
   /// thread. `trace`: is told what happens in between.
-  bool step(double time_s, const Pose2& odometry, const LocalMap& local_map,
+  bool step(double time_s, const Odometry& odometry, const LocalMap& local_map,
             const std::stop_token& stop = {}, const std::function<void(double)>& progress = {},
             SlamTrace* trace = nullptr);
 
@@ -65,7 +66,7 @@ class FastSlamPsom {
   };
 
   void scatter(const StartUncertainty& start);
-  void samplePoses(double time_s, const Pose2& motion);
+  void samplePoses(double time_s, const Odometry& odometry);
   std::vector<std::size_t> byHeading() const;
   std::vector<std::size_t> buildingsNear(double range_m) const;
   void updateMap(Particle& particle, std::uint32_t index, double range_m,
@@ -88,7 +89,7 @@ class FastSlamPsom {
   std::vector<Particle> particles_;
   std::vector<Particle> next_;  ///< what a step works on; its memory is kept
   std::size_t best_ = 0;
-  Pose2 odometry_;           ///< of the last step
+  Odometry odometry_;        ///< of the last step
   std::uint32_t frame_ = 0;  ///< steps done
   /// No swarm of any particle was ever farther from its drawing than this, metres.
   std::atomic<double> farthest_moved_ = 0.0;

@@ -12,4 +12,7 @@ namespace handmap {
 Pose2 samplePose(const Pose2& pose, const Pose2& motion, const MotionNoise& noise,
                  RandomStream& random);
 
+/// A motion that was guessed, somewhere within `variance` of it: see guessedOf().
+Pose2 sampleGuess(const Pose2& motion, const Eigen::Matrix3d& variance, RandomStream& random);
+
 }  // namespace handmap

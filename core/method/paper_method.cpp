@@ -38,8 +38,7 @@ class PaperMethod : public EstimationMethod {
             const std::function<void(double)>& progress) override {
     SlamTrace trace;
     const Pose2 before = slam_.best().pose;
-    if (!slam_.step(time_s, odometry.pose, local_map, stop, progress,
-                    recorder_ ? &trace : nullptr)) {
+    if (!slam_.step(time_s, odometry, local_map, stop, progress, recorder_ ? &trace : nullptr)) {
       return false;
     }
     const double driven_m = (slam_.best().pose.position() - before.position()).norm();

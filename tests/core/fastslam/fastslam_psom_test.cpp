@@ -105,6 +105,29 @@ std::string bytesOfRun(int threads) {
   return bytesOf(slam);
 }
 
+/// Rms of where the particles are, x and y, after a step in which nothing is seen.
+Vec2 spreadAfter(const Eigen::Matrix3d& guessed) {
+  SlamOptions many;
+  many.slam_particles = 500;
+  FastSlamPsom slam(street(), {}, many, 1);
+  slam.step(0.0, {}, seen({}, {}));
+  slam.step(1.0, {{4.0, 0.0, 0.0}, guessed}, seen({}, {}));
+  Vec2 squares = Vec2::Zero();
+  for (const Particle& particle : slam.particles())
+    squares += particle.weight * (particle.pose.position() - Vec2(4.0, 0.0)).cwiseAbs2();
+  return squares.cwiseSqrt();
+}
+
+TEST(FastSlamPsom, AGuessedMotionIsAsUnsureAsAGuess) {
+  const Vec2 measured = spreadAfter(Eigen::Matrix3d::Zero());
+  EXPECT_LT(measured.maxCoeff(), 0.5);
+  Eigen::Matrix3d along = Eigen::Matrix3d::Zero();
+  along(0, 0) = 4.0;
+  const Vec2 guessed = spreadAfter(along);
+  EXPECT_NEAR(guessed.x(), 2.0, 0.3);
+  EXPECT_NEAR(guessed.y(), measured.y(), 0.1);
+}
+
 TEST(FastSlamPsom, CorrectsTheDrawing) {
   const Map truth = street();
   const Map drawing = drawnWrong(truth);
@@ -232,7 +255,7 @@ TEST(FastSlamPsom, CancelledInsideAStepTheStateIsTheOneBefore) {
   const std::string before = bytesOf(slam);
   std::stop_source stop;
   std::atomic<int> calls = 0;
-  const bool done = slam.step(1.0, {4.0, 0.0, 0.0}, seen(street(), {4.0, 0.0, 0.0}),
+  const bool done = slam.step(1.0, Pose2{4.0, 0.0, 0.0}, seen(street(), {4.0, 0.0, 0.0}),
                               stop.get_token(), [&](double) {
                                 ++calls;
                                 stop.request_stop();
@@ -254,7 +277,7 @@ TEST(FastSlamPsom, ParticlesInsideABuildingAreRefused) {
   options.motion = {0.3, 0.0, 0.0, 0.0, 0.0};
   FastSlamPsom slam(drawing, {}, options, 6);
   slam.step(0.0, {}, seen(drawing, {}));
-  slam.step(1.0, {7.0, 0.0, 0.0}, seen(drawing, {7.0, 0.0, 0.0}));
+  slam.step(1.0, Pose2{7.0, 0.0, 0.0}, seen(drawing, {7.0, 0.0, 0.0}));
   const Polygon wall = drawing.buildings.back().footprint();
   for (const Particle& particle : slam.particles()) {
     EXPECT_FALSE(contains(wall, particle.pose.position())) << particle.pose.x;

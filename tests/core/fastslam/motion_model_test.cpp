@@ -31,6 +31,21 @@ TEST(MotionModel, SpreadIsThatOfTheNoise) {
   EXPECT_NEAR(std::sqrt(heading_squares / kDraws), 0.01, 0.0005);
 }
 
+TEST(MotionModel, AGuessSpreadsAlongWhatNothingHeld) {
+  const Vec2 along = Vec2(1.0, 1.0).normalized();
+  Eigen::Matrix3d variance = Eigen::Matrix3d::Zero();
+  variance.topLeftCorner<2, 2>() = 9.0 * along * along.transpose();
+  Vec2 squares = Vec2::Zero();
+  constexpr int kDraws = 20000;
+  for (int i = 0; i < kDraws; ++i) {
+    RandomStream random(3, 1, static_cast<std::uint32_t>(i));
+    const Vec2 off = sampleGuess({5.0, 0.0, 0.1}, variance, random).position() - Vec2(5.0, 0.0);
+    squares += Vec2(off.dot(along), cross(along, off)).cwiseAbs2();
+  }
+  EXPECT_NEAR(std::sqrt(squares.x() / kDraws), 3.0, 0.1);
+  EXPECT_NEAR(squares.y(), 0.0, 1e-9);
+}
+
 TEST(MotionModel, ParticlesOfAStandingRobotStayApart) {
   RandomStream random(5);
   const Pose2 to = samplePose({}, {}, MotionNoise{}, random);
