@@ -104,8 +104,9 @@ void RosClient::letGo() {
   if (!socket_) return;
   QWebSocket* socket = std::exchange(socket_, nullptr);
   socket->disconnect(this);
-  // One that does not take what waits would hold it until it does.
-  const bool takes = socket->bytesToWrite() <= kMostUnsent;
+  // One that does not take what waits would hold it until it does, one that failed takes nothing.
+  const bool failed = socket->error() != QAbstractSocket::UnknownSocketError;
+  const bool takes = !failed && socket->bytesToWrite() <= kMostUnsent;
   if (takes && socket->state() == QAbstractSocket::ConnectedState) {
     socket->close();
   } else {

@@ -3,6 +3,7 @@
 #include <QTcpSocket>
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -203,7 +204,26 @@ TEST(Rosbridge, AMessageTooLargeEndsTheConnectionAndItIsMadeAgain) {
   EXPECT_TRUE(movesUntil(server, [&] { return odometry.count > before; }));
 }
 
+/// Counts what Qt complains of while it lives.
+class Complaints {
+ public:
+  Complaints() { count() = 0; }
+  ~Complaints() { qInstallMessageHandler(before_); }
+  static int& count() {
+    static int complaints = 0;
+    return complaints;
+  }
+
+ private:
+  QtMessageHandler before_ =
+      qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString& text) {
+        std::cerr << text.toStdString() << '\n';
+        ++count();
+      });
+};
+
 TEST(Rosbridge, AServerThatGoesIsSaidAndFoundAgain) {
+  const Complaints complaints;
   RosbridgeEmulator server;
   Odometry odometry(clientOf(server));
   odometry.device.open();
@@ -219,6 +239,7 @@ TEST(Rosbridge, AServerThatGoesIsSaidAndFoundAgain) {
   ASSERT_TRUE(movesUntil(server, [&] { return odometry.count > before + 2; }));
   ASSERT_TRUE(waitUntil([&] { return odometry.log.is(DeviceState::Degraded); }));  // silence
   EXPECT_NE(odometry.log.details.back().find("/odom"), std::string::npos);
+  EXPECT_EQ(Complaints::count(), 0);
 }
 
 TEST(Rosbridge, ATopicThatNobodySendsIsSaidAndHeardWhenItComes) {
