@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "drivers/live/rig_host.h"
+#include "drivers/live/live_source.h"
 #include "drivers/virtual/stereo_rig.h"
 
 namespace handmap {
@@ -47,10 +47,9 @@ std::vector<std::string> complaints(const RigStatus& status) {
 
 class Trial {
  public:
-  Trial(const Rig& rig, const MakeDevices& make, std::shared_ptr<RigMonitor> monitor)
-      : monitor_(std::move(monitor)), host_(rig, make, monitor_), taker_([this] { take(); }) {}
+  explicit Trial(LiveJob job) : job_(std::move(job)), taker_([this] { take(); }) {}
   ~Trial() {
-    monitor_->end();
+    job_.monitor->end();
     taker_.join();
   }
 
@@ -60,16 +59,21 @@ class Trial {
 
  private:
   void take() {
-    while (host_.next({})) {
-      const double now = monitor_->now();
+    const auto source = openLive(job_, {});
+    while (source) {
+      try {
+        if (!source->next()) return;
+      } catch (const FrameError&) {
+        continue;  // told by the monitor
+      }
+      const double now = job_.monitor->now();
       if (count_ > 0) gap_s_ = std::max(gap_s_.load(), now - last_s_);
       last_s_ = now;
       ++count_;
     }
   }
 
-  std::shared_ptr<RigMonitor> monitor_;
-  RigHost host_;
+  LiveJob job_;
   std::atomic<int> count_ = 0;
   std::atomic<double> last_s_ = 0.0;
   std::atomic<double> gap_s_ = 0.0;
@@ -94,7 +98,7 @@ Row rowOf(VirtualRigKind kind, DeviceRole role, FaultKind fault) {
   drive.faults = {{role, fault, begin_s, begin_s + kFault_s}};
   const Rig rig = stereo ? virtualStereoRig() : virtualRig(drive);
   const MakeDevices make = stereo ? virtualStereoDevices(drive) : virtualDevices(drive);
-  Trial trial(rig, make, monitor);
+  Trial trial({rig, make, monitor, {}});
   Row row;
   while (monitor->now() < begin_s - kBefore_s) std::this_thread::sleep_for(10ms);
   row.usual_gap_s = trial.longestGap();
