@@ -7986,6 +7986,10 @@ Corrected by a run.</source>
         <translation>確認…</translation>
     </message>
     <message>
+        <source>The drive goes on. What was recorded of it stays, the rest is missed.</source>
+        <translation>走行は続いています。ここまでの記録は残りますが、この先は記録されません。</translation>
+    </message>
+    <message>
         <source>The drive was not recorded: it cannot be run again.</source>
         <translation>この走行は記録されていません。もう一度実行することはできません。</translation>
     </message>

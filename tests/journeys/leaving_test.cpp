@@ -9,6 +9,7 @@
 #include "core/map/map_io.h"
 #include "core/recording/recording.h"
 #include "core/simulation/simulated_source.h"
+#include "drivers/virtual/virtual_rig.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/document/map_document.h"
@@ -144,6 +145,25 @@ TEST_F(Leaving, ALiveDriveThatIsNotRecordedIsAskedAbout) {
   EXPECT_TRUE(window_->run().isActive());
   dialogs_->choices = {0};
   EXPECT_TRUE(window_->close());
+}
+
+TEST_F(Leaving, ADriveThatGoesOnIsNotEndedWithoutAWord) {
+  document_.reset(world_.map);
+  const VirtualDrive drive{world_, 3};
+  Rig rig = virtualRig(drive);
+  rig.record = path("drives").toStdString();
+  window_->sources().setRobot(liveRobot(rig, virtualDevices(drive)));
+  window_->runs().runOrResume();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->run().result() != nullptr; }, kPatienceMs));
+  action(*window_, "file.new")->trigger();
+  EXPECT_EQ(dialogs_->asked, QStringList{"Leave this run?"});
+  EXPECT_FALSE(window_->files().open(path("drives")));
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->run().isActive());
+  EXPECT_EQ(document_.map().buildings.size(), world_.map.buildings.size());
+  dialogs_->choices = {0};
+  EXPECT_TRUE(window_->close());
+  EXPECT_EQ(dialogs_->asked.size(), 4);
 }
 
 TEST_F(Leaving, WhatIsStillWrittenIsAskedAbout) {

@@ -204,6 +204,11 @@ bool ResultActions::isUnrecorded() const {
   return recording.folder.empty() || !recording.error.empty();
 }
 
+/// Somebody's robot: leaving would end its drive.
+bool ResultActions::isDriving() const {
+  return run_.live() && run_.isActive() && !isSimulated() && left_ != run_.number();
+}
+
 bool ResultActions::isUnaccepted() const {
   const auto result = run_.result();
   if (!result || run_.isActive() || isSimulated()) return false;
@@ -219,8 +224,11 @@ bool ResultActions::isUnaccepted() const {
 bool ResultActions::mayLeave(bool coming_back) {
   const bool unrecorded = isUnrecorded();
   const bool unaccepted = isUnaccepted();
-  if (!unrecorded && (!unaccepted || (coming_back && !run_.live()))) return true;
-  const QString text = !unaccepted  ? tr("The drive was not recorded: it cannot be run again.")
+  const bool driving = isDriving() && !unrecorded;
+  if (!unrecorded && !driving && (!unaccepted || (coming_back && !run_.live()))) return true;
+  const QString text = driving ? tr("The drive goes on. What was recorded of it stays, the rest is "
+                                    "missed.")
+                       : !unaccepted ? tr("The drive was not recorded: it cannot be run again.")
                        : unrecorded ? tr("The drive was not recorded: it cannot be run again. What "
                                          "it has corrected is not in the drawing.")
                                     : tr("What the run has corrected is not in the drawing.");

@@ -32,6 +32,7 @@ class ResultActions : public QObject {
  private:
   bool isSimulated() const;
   bool isUnrecorded() const;
+  bool isDriving() const;
   bool isUnaccepted() const;
   void take(const QStringList& kept = {});
   /// Before somebody takes it over: what should be looked at first.
