@@ -51,6 +51,9 @@ class WallRays {
   /// Of all that was seen. `onto_map`: from the frame of `placed` to that of the map.
   static WallRays of(const Map& refined, const PlacedRays& placed, const Pose2& onto_map);
 
+  /// Whether any ended on a wall of it, or went to where one is said to stand.
+  bool cameTo(std::size_t building) const { return counts_.contains(building); }
+
   /// What is stated as seen of buildings that were, and hardly a ray ended on or more went through,
   /// is so no longer, and no surer than the drawing says its sizes are: what is known of it was
   /// reckoned from other walls.

@@ -45,6 +45,19 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
   return Conclusion{std::move(trajectory), std::move(refined->map), laid.covariance()};
 }
 
+/// The drawing as it was found. Where rays came to a building and none of its walls was seen it may
+/// be anything, and is where the others have it.
+Map provenMap(const Map& drawing, const RunKnowledge& known, const PlacedRays& placed) {
+  Map map = known.found;
+  const WallRays rays = WallRays::of(map, placed, {});
+  rays.state(drawing, map);
+  for (std::size_t b = 0; b < map.buildings.size(); ++b) {
+    const bool proven = hasSeenWall(map.buildings[b]) || !rays.cameTo(b);
+    map.buildings[b] = (proven ? known.found : known.predicted).buildings[b];
+  }
+  return map;
+}
+
 std::ptrdiff_t seenWalls(const Building& building) {
   return std::ranges::count_if(wallsOf(building), &SideEstimate::seen);
 }
@@ -67,12 +80,16 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
     if (auto conclusion = asDrawn(drawing, known, alone, seed, stop)) return conclusion;
   }
   TrajectoryHypothesis trajectory = believed(known, alone);
-  std::optional<FoundMap> found;
-  if (trajectory.by == TrajectoryHypothesis::By::Buildings)
-    found.emplace(FoundMap{known.found, known.motion});
   const PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
   if (stop.stop_requested()) return std::nullopt;
-  auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress);
+  Map proven;
+  std::optional<FoundMap> found;
+  if (trajectory.by == TrajectoryHypothesis::By::Buildings) {
+    proven = provenMap(drawing, known, placed);
+    found.emplace(FoundMap{proven, known.motion});
+  }
+  auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress,
+                        trajectory.turn);
   if (!refined) return std::nullopt;
   const Pose2 onto_map = inverse(refined->motion);
   WallRays::of(refined->map, placed, onto_map).state(drawing, refined->map);

@@ -18,6 +18,7 @@ struct TrajectoryHypothesis {
   enum class By { Buildings, Odometry, Scans, Walls };
   By by;
   std::vector<Pose2> poses;
+  double turn = 0.0;  ///< it may be turned about its start by so much, one σ, radians
 };
 
 /// What is known after some observations; a copy, so that any thread may conclude from it while the
@@ -27,6 +28,7 @@ struct RunKnowledge {
   TrajectoryHypothesis buildings;             ///< as the buildings moved it
   std::optional<TrajectoryHypothesis> walls;  ///< laid on a drawing that is true
   Map found;                                  ///< the drawing as the estimator corrected it
+  Map predicted;                              ///< where what was found has each, but for itself
   DrawingMotion motion;
   SeenFrames seen;
   /// Of a way: how sharp it makes what was seen. See sharpnessOf().

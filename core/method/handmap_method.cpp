@@ -1,6 +1,7 @@
 #include "core/method/handmap_method.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/phrase.h"
 #include "core/estimation/estimator.h"
@@ -130,6 +131,7 @@ class HandmapMethod : public EstimationMethod {
              const std::stop_token& stop) {
     const Pose2 before = observations_ == 0 ? odometry.pose : trajectory_.recorded().back();
     driven_m_ += between(before, odometry.pose).position().norm();
+    if (percept.joined) trajectory_.neverUse();
     trajectory_.add(time_s, odometry, percept.points, stop);
     wheels_.add(odometry);
     followTrajectory();
@@ -240,6 +242,13 @@ class HandmapMethod : public EstimationMethod {
     return concluded_ ? onward_ * newestBy(concluded_->trajectory.by) : estimator_.pose();
   }
 
+  /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
+  double turnOf(TrajectoryHypothesis::By alone) const {
+    return alone == TrajectoryHypothesis::By::Scans
+               ? kMatchedTurn
+               : std::sqrt(std::max(0.0, wheels_.covariance()(2, 2)) / 3.0);
+  }
+
   RunKnowledge known() const {
     const TrajectoryHypothesis::By alone =
         trajectory_.usable() ? TrajectoryHypothesis::By::Scans : TrajectoryHypothesis::By::Odometry;
@@ -247,10 +256,11 @@ class HandmapMethod : public EstimationMethod {
     if (matched_)
       walls = TrajectoryHypothesis{TrajectoryHypothesis::By::Walls,
                                    posesBy(TrajectoryHypothesis::By::Walls)};
-    return {{alone, posesBy(alone)},
+    return {{alone, posesBy(alone), turnOf(alone)},
             {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
             std::move(walls),
-            estimatedMap()(),
+            estimator_.refinedMap(),
+            estimator_.predictedMapLater()(),
             estimator_.drawingMotion(),
             seen_,
             trajectory_.sharpnessLater()};

@@ -189,8 +189,15 @@ void turnLessSure(Building& building, double sigma_m) {
   setSides(building, sides);
 }
 
+/// How much of a place is told by a way, and not by the drawing, each as sure as it is: 1 all.
+double sharedBetween(double drawn_m, double way_m) {
+  const double both = drawn_m * drawn_m + way_m * way_m;
+  return both > 0.0 ? drawn_m * drawn_m / both : 1.0;
+}
+
 /// What is drawn right is as it was drawn; all else goes where those say that the map lies.
-RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, bool by_start) {
+RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, bool by_start,
+                   double way_turn) {
   RefinedMap refined{std::move(fitted), agreement.motion, agreement.share};
   const Pose2 back = inverse(agreement.motion);
   const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
@@ -204,7 +211,15 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     const bool as_drawn = agreement.isRight(b) || (by_start && !seen);
     building.shape = as_drawn ? drawn.shape : moved(building.shape, back);
     if (!told_by_start || !seen) continue;
-    turnLessSure(building, agreement.sigmaAt(centroid(building.footprint()) - origin));
+    const Vec2 from_start = centroid(building.footprint()) - origin;
+    const double way_m = way_turn * from_start.norm();
+    const double by_way = sharedBetween(drawing.uncertaintyOf(drawn).position, way_m);
+    if (!as_drawn) {
+      const Vec2 back_to_drawn = centroid(drawn.footprint()) - centroid(building.footprint());
+      const Vec2 by = (1.0 - by_way) * back_to_drawn;
+      building.shape = moved(building.shape, {by.x(), by.y(), 0.0});
+    }
+    turnLessSure(building, std::hypot(agreement.sigmaAt(from_start), std::sqrt(by_way) * way_m));
   }
   return refined;
 }
@@ -233,7 +248,7 @@ double supportOf(const Map& drawing, const PlacedRays& placed, double range_limi
 std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMap>& found,
                                  const PlacedRays& placed, double range_limit_m, std::uint64_t seed,
                                  const std::stop_token& stop,
-                                 const std::function<void(double)>& progress) {
+                                 const std::function<void(double)>& progress, double way_turn) {
   std::vector<OutlineTask> tasks;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
     if (stop.stop_requested()) return std::nullopt;
@@ -248,7 +263,7 @@ std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMa
   const StartUncertainty start = startOf(drawing);
   const Agreement agreement = agreementOf(drawing, fitted, std::max(start.position, kLeastStart_m),
                                           std::max(start.heading, kLeastStartTurn));
-  return settled(drawing, std::move(fitted), agreement, !found);
+  return settled(drawing, std::move(fitted), agreement, !found, way_turn);
 }
 
 }  // namespace handmap

@@ -27,10 +27,12 @@ double supportOf(const Map& drawing, const PlacedRays& placed, double range_limi
                  const std::stop_token& stop = {});
 
 /// `placed`: what was seen, along a way in the frame of the map. Without `found` the drawing is
-/// where it was drawn. nullopt where `stop` was requested.
+/// where it was drawn. `way_turn`: the way may be turned about its start by so much, one σ,
+/// radians, and what is seen along it with it. nullopt where `stop` was requested.
 std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMap>& found,
                                  const PlacedRays& placed, double range_limit_m, std::uint64_t seed,
                                  const std::stop_token& stop = {},
-                                 const std::function<void(double)>& progress = {});
+                                 const std::function<void(double)>& progress = {},
+                                 double way_turn = 0.0);
 
 }  // namespace handmap

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/perception/range_walls.h"
+
 namespace handmap {
 
 namespace {
@@ -38,7 +40,7 @@ std::vector<Eigen::Vector3d> placed(const std::vector<RangePoint>& points, const
 
 }  // namespace
 
-bool JoinedFrames::areJoined(const std::vector<Eigen::Vector3d>& placed) const {
+bool JoinedFrames::repeat(const std::vector<Eigen::Vector3d>& placed) const {
   const std::size_t stride = std::max<std::size_t>(1, placed.size() / kSample);
   std::size_t asked = 0;
   std::size_t had = 0;
@@ -61,10 +63,15 @@ bool JoinedFrames::wasThere(const Eigen::Vector3d& p) const {
 
 std::vector<RangePoint> JoinedFrames::without(std::vector<RangePoint> points,
                                               const Pose2& odometry) {
+  if (givesOneReturnADirection(points)) {  // one look, not many
+    before_.clear();
+    joined_ = false;
+    return points;
+  }
   std::vector<Eigen::Vector3d> places = placed(points, odometry);
   const double moved_m = between(last_, odometry).position().norm();
   driven_m_ += moved_m;
-  if (!before_.empty() && moved_m > kMoved_m) joined_ = areJoined(places);
+  if (!before_.empty() && moved_m > kMoved_m) joined_ = repeat(places);
   if (joined_) {
     for (const Eigen::Vector3d& p : before_) {
       if (p.allFinite()) seen_[keyOf(cellOf(p))] = driven_m_;

@@ -14,16 +14,20 @@
 namespace handmap {
 
 /// Takes out of each frame what frames before had at the same place of the odometry frame, where
-/// the last one had most of it. A sensor never measures a place again to the millimetre.
+/// the last one had most of it. A sensor never measures a place again to the millimetre; frames
+/// with one return a direction are left as they are.
 class JoinedFrames {
  public:
   /// Points of the next frame, robot frame, and where the robot is. Where they are no repeats they
   /// come back as they are.
   std::vector<RangePoint> without(std::vector<RangePoint> points, const Pose2& odometry);
 
+  /// Whether the last ones were put together so.
+  bool areJoined() const { return joined_; }
+
  private:
   bool wasThere(const Eigen::Vector3d& p) const;
-  bool areJoined(const std::vector<Eigen::Vector3d>& placed) const;
+  bool repeat(const std::vector<Eigen::Vector3d>& placed) const;
 
   Pose2 last_;
   std::vector<Eigen::Vector3d> before_;            ///< points of the last frame, odometry frame

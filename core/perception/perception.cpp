@@ -103,7 +103,7 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
   const Stopwatch stopwatch;
   Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
   classify_ms += stopwatch.ms();
-  return Percept{std::move(walls), std::move(scan), std::move(points), image,
+  return Percept{std::move(walls), std::move(scan), std::move(points), joined_.areJoined(), image,
                  seen.disparity,   seen.buildings,  stereo_ms,         classify_ms};
 }
 

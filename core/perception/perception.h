@@ -4,9 +4,9 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/perception/joined_frames.h"
 #include "core/perception/local_map.h"
 #include "core/perception/range_walls.h"
-#include "core/perception/joined_frames.h"
 #include "core/perception/scan.h"
 #include "core/perception/stereo_walls.h"
 
@@ -25,9 +25,11 @@ struct Percept {
   std::vector<WallPoint> walls;    ///< of this observation alone, for a local map
   Scan scan;                       ///< of this observation alone
   std::vector<RangePoint> points;  ///< of all views, as they came; empty with images
-  cv::Mat image;                   ///< left image of the last view, empty without images
-  cv::Mat1f disparity;             ///< of the last view
-  cv::Mat1f buildings;             ///< as StereoResult, of the last view
+  /// They were put together from several frames by the odometry; the repeats are taken out.
+  bool joined = false;
+  cv::Mat image;        ///< left image of the last view, empty without images
+  cv::Mat1f disparity;  ///< of the last view
+  cv::Mat1f buildings;  ///< as StereoResult, of the last view
   double stereo_ms = 0.0;
   double classify_ms = 0.0;
 };

@@ -34,7 +34,7 @@ void keepNearest(Ray& kept, const Ray& ray) {
 bool Sweeps::areRegular(const std::vector<RangePoint>& points) {
   constexpr double kOneStep = 1.6;  // of the median step
   constexpr double kRegular = 0.8;  // of steps; of scanners 0.93 to 0.98, at random 0.67
-  constexpr double kAtFirst = 100;  // steps that are supposed to be a scanner's
+  constexpr double kAtFirst = 10;   // steps that are supposed to be a scanner's
   std::vector<float> bearings;
   for (const RangePoint& p : points) bearings.push_back(std::atan2(p.y, p.x));
   std::ranges::sort(bearings);

@@ -58,6 +58,7 @@ struct ScanTrajectory::State {
   std::optional<Vec2> looked_at;  ///< where the newest frame of `seen` was, recorded
   std::size_t judge_at = 20;      ///< observations
   bool sharper = false;
+  bool never = false;             ///< to be used
   std::size_t covariance_of = 0;  ///< keyframes
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
@@ -136,9 +137,12 @@ Pose2 ScanTrajectory::odometry() const { return state_->odometry.pose(); }
 const std::vector<Pose2>& ScanTrajectory::scanPoses() const { return state_->poses; }
 const std::vector<Pose2>& ScanTrajectory::recorded() const { return state_->recorded; }
 
+void ScanTrajectory::neverUse() { state_->never = true; }
+
 bool ScanTrajectory::usable() const {
   const auto share = kLeastStraight * static_cast<double>(state_->returns);
-  return state_->straight > 0 && state_->sharper && static_cast<double>(state_->straight) >= share;
+  return !state_->never && state_->straight > 0 && state_->sharper &&
+         static_cast<double>(state_->straight) >= share;
 }
 
 double ScanTrajectory::sharpness(const std::vector<Pose2>& trajectory) const {

@@ -43,6 +43,9 @@ class ScanTrajectory {
   /// see.
   bool usable() const;
 
+  /// What comes was put together by an odometry: matched with itself it tells that odometry again.
+  void neverUse();
+
   const std::vector<Pose2>& scanPoses() const;  ///< as poses(), usable or not
   const std::vector<Pose2>& recorded() const;   ///< the recorded odometry of all observations
   /// sharpnessOf() of what was seen, along any way of the same observations. Some 0.1 s.
