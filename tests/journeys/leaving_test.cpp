@@ -157,7 +157,7 @@ TEST_F(Leaving, ADriveThatGoesOnIsNotEndedWithoutAWord) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_->run().result() != nullptr; }, kPatienceMs));
   action(*window_, "file.new")->trigger();
   EXPECT_EQ(dialogs_->asked, QStringList{"Leave this run?"});
-  EXPECT_FALSE(window_->files().open(path("drives")));
+  EXPECT_FALSE(window_->files().open(path("other.handmap")));
   EXPECT_FALSE(window_->close());
   EXPECT_TRUE(window_->run().isActive());
   EXPECT_EQ(document_.map().buildings.size(), world_.map.buildings.size());

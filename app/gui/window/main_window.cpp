@@ -136,6 +136,7 @@ void MainWindow::makeRun() {
 }
 
 MainWindow::~MainWindow() {
+  hide();  // docks tell of it, while whoever hears of that is there
   run_.discard();
   delete views_;  // it hears of panels that go, when the overlays it works with have gone
 }
