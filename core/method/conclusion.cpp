@@ -48,14 +48,16 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
 /// The drawing as it was found. Where rays came to a building and none of its walls was seen it may
 /// be anything, and is where the others have it.
 Map provenMap(const Map& drawing, const RunKnowledge& known, const PlacedRays& placed) {
-  Map map = known.found;
-  const WallRays rays = WallRays::of(map, placed, {});
-  rays.state(drawing, map);
-  for (std::size_t b = 0; b < map.buildings.size(); ++b) {
-    const bool proven = hasSeenWall(map.buildings[b]) || !rays.cameTo(b);
-    map.buildings[b] = (proven ? known.found : known.predicted).buildings[b];
+  Map stated = known.found;
+  const WallRays rays = WallRays::of(stated, placed, {});
+  rays.state(drawing, stated);
+  Map proven = known.found;
+  const Map predicted = known.predicted();
+  for (std::size_t b = 0; b < proven.buildings.size(); ++b) {
+    if (rays.cameTo(b) && !hasSeenWall(stated.buildings[b]))
+      proven.buildings[b] = predicted.buildings[b];
   }
-  return map;
+  return proven;
 }
 
 std::ptrdiff_t seenWalls(const Building& building) {

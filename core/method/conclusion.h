@@ -28,7 +28,7 @@ struct RunKnowledge {
   TrajectoryHypothesis buildings;             ///< as the buildings moved it
   std::optional<TrajectoryHypothesis> walls;  ///< laid on a drawing that is true
   Map found;                                  ///< the drawing as the estimator corrected it
-  Map predicted;                              ///< where what was found has each, but for itself
+  std::function<Map()> predicted;             ///< where what was found has each, but for itself
   DrawingMotion motion;
   SeenFrames seen;
   /// Of a way: how sharp it makes what was seen. See sharpnessOf().

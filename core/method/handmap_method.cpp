@@ -260,7 +260,7 @@ class HandmapMethod : public EstimationMethod {
             {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
             std::move(walls),
             estimator_.refinedMap(),
-            estimator_.predictedMapLater()(),
+            estimator_.predictedMapLater(),
             estimator_.drawingMotion(),
             seen_,
             trajectory_.sharpnessLater()};
