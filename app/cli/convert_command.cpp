@@ -99,9 +99,8 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
       ->add_option("out", a.out,
                    "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
                    "(these need a georeference), DXF, a map of map_server (.yaml and .pgm), for "
-                   "fleets Open-RMF's "
-                   "NAME.building.yaml and the reference coordinates of the robot's map under it, "
-                   "NAME.fleet.yaml")
+                   "fleets Open-RMF's NAME.building.yaml and the reference coordinates of the "
+                   "robot's map under it, NAME.fleet.yaml")
       ->required()
       ->option_text("OUT");
   command

@@ -63,15 +63,11 @@ bool JoinedFrames::wasThere(const Eigen::Vector3d& p) const {
 
 std::vector<RangePoint> JoinedFrames::without(std::vector<RangePoint> points,
                                               const Pose2& odometry) {
-  if (givesOneReturnADirection(points)) {  // one look, not many
-    before_.clear();
-    joined_ = false;
-    return points;
-  }
   std::vector<Eigen::Vector3d> places = placed(points, odometry);
   const double moved_m = between(last_, odometry).position().norm();
   driven_m_ += moved_m;
   if (!before_.empty() && moved_m > kMoved_m) joined_ = repeat(places);
+  if (joined_ && givesOneReturnADirection(points)) joined_ = false;  // one look, not many
   if (joined_) {
     for (const Eigen::Vector3d& p : before_) {
       if (p.allFinite()) seen_[keyOf(cellOf(p))] = driven_m_;

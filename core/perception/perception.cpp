@@ -86,12 +86,10 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
                             seen.looked_through.end());
     } else if (view.points) {
       const Stopwatch stopwatch;
-      std::vector<RangePoint> fresh = *view.points;
-      if (observation.views.size() == 1) {
-        fresh = joined_.without(std::move(fresh), observation.odometry);
-      }
-      found = range_walls_(fresh, observation.odometry);
-      points.insert(points.end(), fresh.begin(), fresh.end());
+      points.insert(points.end(), view.points->begin(), view.points->end());
+      const bool only = observation.views.size() == 1;
+      if (only) points = joined_.without(std::move(points), observation.odometry);
+      found = range_walls_(only ? points : *view.points, observation.odometry);
       classify_ms += stopwatch.ms();
     } else {
       throwBadInput(phrase("observation"), phrase("view"), phrase("neither images nor points"),

@@ -46,6 +46,7 @@ bool givesOneReturnADirection(const std::vector<RangePoint>& points) {
   if (isPlanar(points)) return true;
   std::array<bool, kDirections> any{};
   for (const RangePoint& p : points) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
     const double share =
         (std::atan2(static_cast<double>(p.y), static_cast<double>(p.x)) + kPi) / (2.0 * kPi);
     any[std::min(static_cast<std::size_t>(share * kDirections), kDirections - 1)] = true;
