@@ -160,7 +160,8 @@ RunFilm::RunFilm(const fs::path& path, const Map& drawing)
     const int code = ending == ".webm"  ? cv::VideoWriter::fourcc('V', 'P', '8', '0')
                      : ending == ".mp4" ? cv::VideoWriter::fourcc('m', 'p', '4', 'v')
                                         : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
-    camera_->video.open(runPartOf(path).string(), code, kPictures_hz, {kWidth, kHeight});
+    camera_->video.open(runPartOf(path).string(), cv::CAP_FFMPEG, code, kPictures_hz,
+                        {kWidth, kHeight});
     if (!camera_->video.isOpened()) camera_->failOrFull(phrase("no such video can be made here"));
     return;
   }
@@ -190,7 +191,7 @@ void RunFilm::finish() {
   if (!camera_->video.isOpened()) return;
   camera_->video.release();
   const fs::path part = runPartOf(camera_->path);
-  cv::VideoCapture written(part.string());
+  cv::VideoCapture written(part.string(), cv::CAP_FFMPEG);
   int read = 0;
   while (written.isOpened() && written.grab()) ++read;
   if (read < camera_->pictures) {
