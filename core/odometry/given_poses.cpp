@@ -76,11 +76,9 @@ GivenPoses::GivenPoses(const Pose2& start, const Pose2& start_odometry,
 }
 
 Eigen::Matrix3d GivenPoses::variance(double time_s) const {
-  // Choice: a person on a map of houses; an arrow that is dragged.
-  const Eigen::Vector3d hand(2.0, 2.0, toRadians(10.0));
   const auto until = std::upper_bound(given_s_.begin(), given_s_.end(), time_s);
   const auto count = static_cast<double>(std::distance(given_s_.begin(), until));
-  return (count * hand.cwiseAbs2()).asDiagonal();
+  return (count * handSigma().cwiseAbs2()).asDiagonal();
 }
 
 Pose2 GivenPoses::operator()(double time_s, const Pose2& odometry) const {

@@ -9,6 +9,10 @@
 
 namespace handmap {
 
+/// One σ of what a person says of (x, y, heading), metres and radians. Choice: on a map of houses,
+/// by an arrow that is dragged.
+inline Eigen::Vector3d handSigma() { return {2.0, 2.0, toRadians(10.0)}; }
+
 /// From the start to the first given pose, and from each to the next, what odometry and given pose
 /// differ by is spread over the way: first the turn, then what is left of the position. After the
 /// last one the odometry goes on as it is.
@@ -23,7 +27,7 @@ class GivenPoses {
 
   /// The same odometry frame.
   Pose2 operator()(double time_s, const Pose2& odometry) const;
-  /// Of the poses given until then, as Odometry::guessed has it: a hand is off by some metres.
+  /// Of the poses given until then, as Odometry::guessed has it.
   Eigen::Matrix3d variance(double time_s) const;
 
  private:

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/base/phrase.h"
 #include "core/method/estimation_method.h"
+#include "core/method/given_start.h"
 #include "core/method/pose_trust.h"
 #include "core/odometry/given_poses.h"
 #include "core/session/run_report.h"
@@ -66,20 +67,22 @@ class Waiting {
 struct RunSession::State {
   State(Map map, std::shared_ptr<Tape> from, const RunSettings& with)
       : drawing(std::move(map)),
+        drawn_start(drawing.start),
         tape(std::move(from)),
         settings(with),
         local_maps(source().range_limit_m, settings.perception.local_map),
         method(makeMethod(drawing, source(), settings)),
         arena(settings.threads) {
     counts.images = source().camera.has_value();
-    if (!settings.given_poses.empty()) {
-      given = GivenPoses(*drawing.start, source().start_odometry,
-                         source().odometry.empty() ? tape->odometry() : source().odometry,
-                         settings.given_poses);
-    }
+    if (!settings.given_poses.empty()) given = bent();
   }
 
   const SourceInfo& source() const { return tape->info(); }
+  bool begin(const std::stop_token& stop);
+  GivenPoses bent() const {
+    return {*drawing.start, source().start_odometry,
+            source().odometry.empty() ? tape->odometry() : source().odometry, settings.given_poses};
+  }
   std::optional<Tape::Taken> nextReadable(const std::stop_token& stop,
                                           const std::function<void(double)>& progress);
   /// Every observation's; else it is rendered for whoever looks at it.
@@ -100,6 +103,7 @@ struct RunSession::State {
   std::function<Map()> refinedMap() const;
 
   Map drawing;
+  std::optional<Pose2> drawn_start;  ///< that of `drawing` may be told by poses that were given
   std::shared_ptr<Tape> tape;
   std::size_t taken = 0;  ///< of the tape
   RunSettings settings;
@@ -113,15 +117,18 @@ struct RunSession::State {
   RunCounts counts;
   std::shared_ptr<const Snapshot> newest;
   double blind_s = 0.0;  ///< of the newest observation
+  bool begun = false;
   bool finished = false;
   bool tracing = false;
-  Clock::time_point begin = Clock::now();
+  Clock::time_point born = Clock::now();
 };
 
 RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source,
                        const RunSettings& settings)
     : RunSession(std::move(drawing),
-                 std::make_shared<Tape>(std::move(source), settings.perception, TapeLimits()),
+                 std::make_shared<Tape>(
+                     std::move(source), settings.perception,
+                     settings.given_poses.empty() ? TapeLimits() : TapeLimits::toDoAgain()),
                  settings) {}
 
 RunSession::RunSession(Map drawing, std::shared_ptr<Tape> tape, const RunSettings& settings)
@@ -134,6 +141,30 @@ void RunSession::setTracing(bool on) { state_->tracing = on; }
 
 const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->skipped; }
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
+
+/// Poses that were given may tell where it started; where no matched scans lead there the odometry
+/// is bent, too. Returns false, to be done anew, when `stop` was requested.
+bool RunSession::State::begin(const std::stop_token& stop) {
+  if (begun) return true;
+  if (!settings.given_poses.empty() && settings.method == Method::Handmap) {
+    GivenStart start(drawing, source(), settings.given_poses);
+    for (std::size_t n = 0; !start.isDone(); ++n) {
+      const std::optional<Tape::Taken> next = tape->take(n, stop);
+      if (stop.stop_requested()) return false;
+      if (!next) break;
+      if (const auto& seen = next->entry.perceived) {
+        const Observation& observation = seen->observation;
+        start.add(observation.time_s, {observation.odometry, observation.odometry_variance},
+                  seen->percept, stop);
+      }
+    }
+    drawing = start.drawing();
+    given = start.isByScans() ? GivenPoses() : bent();
+    method = makeMethod(drawing, source(), settings);
+  }
+  begun = true;
+  return true;
+}
 
 /// nullopt at the end of the source and when `stop` was requested.
 std::optional<Tape::Taken> RunSession::State::nextReadable(
@@ -153,6 +184,7 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
                                                  const std::function<void(double)>& progress) {
   State& state = *state_;
   const auto begin = Clock::now();
+  if (!state.begin(stop)) return nullptr;
   const std::optional<Tape::Taken> taken = state.nextReadable(stop, progress);
   if (stop.stop_requested()) return nullptr;
   if (!taken) {
@@ -304,16 +336,16 @@ Map RunSession::refinedMap() const { return state_->refinedMap()(); }
 std::vector<RunWarning> RunSession::warnings() const {
   const RunSettings& settings = state_->settings;
   std::vector<RunWarning> all = state_->method->warnings();
-  const auto of_outcome =
-      runWarnings({state_->counts, source().range_limit_m, state_->drawing,
-                   state_->method->refinedMap()(), trajectory(), settings.slam.refine,
-                   state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m});
+  const auto of_outcome = runWarnings(
+      {state_->counts, source().range_limit_m, state_->drawing, state_->method->refinedMap()(),
+       trajectory(), settings.slam.refine,
+       state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m, state_->drawn_start});
   all.insert(all.end(), of_outcome.begin(), of_outcome.end());
   return all;
 }
 
 std::string RunSession::reportJson() const {
-  const double wall_s = millisecondsSince(state_->begin) / 1000.0;
+  const double wall_s = millisecondsSince(state_->born) / 1000.0;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/map/certainty.h"
 #include "core/method/recognition.h"
+#include "core/odometry/given_poses.h"
 
 namespace handmap {
 
@@ -171,6 +172,21 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
   return {};
 }
 
+/// Where a person has said two things that cannot both be meant.
+std::optional<RunWarning> warningOfStart(const RunOutcome& outcome) {
+  if (!outcome.drawn_start) return std::nullopt;
+  const Eigen::Vector3d hand = std::sqrt(2.0) * handSigma();
+  const Pose2 moved = between(*outcome.drawn_start, *outcome.drawing.start);
+  const double off_m = moved.position().norm();
+  if (off_m < hand.x() && std::abs(moved.heading) < hand.z()) return std::nullopt;
+  return RunWarning{
+      "start_moved",
+      phrase("The poses that were given do not go with the drawn start: the run began {:.1f} m and "
+             "{:.0f}° off it.",
+             off_m, std::abs(toDegrees(moved.heading))),
+      phrase("If the start is right, take the given poses back.")};
+}
+
 }  // namespace
 
 void RunCounts::add(const Percept& percept, const FrameReport& report) {
@@ -204,6 +220,7 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
              "From there on the way may be off: give odometry, or drive more slowly where little "
              "is in sight.")});
   }
+  if (auto moved = warningOfStart(outcome)) warnings.push_back(std::move(*moved));
   return warnings;
 }
 

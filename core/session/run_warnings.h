@@ -1,6 +1,7 @@
 // What went wrong without ending a run, told by its outcome.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,13 +36,14 @@ struct RunOutcome {
   const Map& drawing;
   const Map& refined;
   const std::vector<StampedPose>& trajectory;
-  bool refine;                  ///< buildings were to be corrected
-  double unrecognised_m = 0.0;  ///< at the end, see Recognition
+  bool refine;                            ///< buildings were to be corrected
+  double unrecognised_m = 0.0;            ///< at the end, see Recognition
+  std::optional<Pose2> drawn_start = {};  ///< where given poses told another one for `drawing`
 };
 
 /// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry,
 /// end_unrecognised and part_unrecognised: the first that holds says what follows from it too. And
-/// motion_guessed.
+/// motion_guessed, and start_moved.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap

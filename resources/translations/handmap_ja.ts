@@ -4753,6 +4753,14 @@
         <source>the disk took but a part of it</source>
         <translation>ディスクに一部しか書けませんでした</translation>
     </message>
+    <message>
+        <source>The poses that were given do not go with the drawn start: the run began {:.1f} m and {:.0f}° off it.</source>
+        <translation>与えられた姿勢は描かれた開始位置と合いません。走行はそこから {:.1f} m、{:.0f}° ずれた所で始まりました。</translation>
+    </message>
+    <message>
+        <source>If the start is right, take the given poses back.</source>
+        <translation>開始位置が正しければ、与えた姿勢を取り消してください。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

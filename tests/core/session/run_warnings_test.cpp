@@ -129,5 +129,17 @@ TEST(RunWarnings, TellsWhereNothingToldTheMotion) {
                    "at 3 of 13 observations, first at 4.5 s"));
 }
 
+TEST(RunWarnings, TellsThatGivenPosesMovedTheStart) {
+  const Map map = corrected(5);
+  const std::vector<StampedPose> way{{0.0, {0.0, 0.0, 0.0}}, {1.0, {20.0, 0.0, 0.0}}};
+  const RunCounts counts{10, 8, false, 1000, 300, 20.0};
+  const auto with = [&](const Pose2& drawn) {
+    return runWarnings({counts, 80.0, map, map, way, true, 0.0, drawn});
+  };
+  EXPECT_TRUE(says(with({20.0, 0.0, 0.1}), "start_moved", "20.0 m and 6°"));
+  EXPECT_TRUE(says(with({0.0, 0.0, 1.0}), "start_moved", "0.0 m and 57°"));
+  EXPECT_TRUE(with({2.0, 1.0, 0.1}).empty()) << "a hand is off by as much";
+}
+
 }  // namespace
 }  // namespace handmap

@@ -267,6 +267,35 @@ TEST(RunSession, IsLedBackByAGivenPose) {
   EXPECT_LT(error(scene.settings), 0.7 * without);
 }
 
+TEST(RunSession, AGivenPoseTellsWhereItStarted) {
+  const World world = campusWorld(4);
+  const auto scans = [&] { return simulate(world, laserOnTheMove(2.0), 4); };
+  const auto truth = scans()->info().truth;
+  const StampedPose& middle = truth[truth.size() / 2];
+  RunSettings settings;
+  settings.given_poses = {{middle.time_s, middle.pose * Pose2{0.5, -0.5, 0.05}}};
+  Map drawing = world.map;
+  const auto run = [&] {
+    RunSession session(drawing, scans(), settings);
+    while (session.step()) {
+    }
+    const StampedPose& last = session.trajectory().back();
+    EXPECT_EQ(last.time_s, truth.back().time_s);
+    const Map refined = session.refinedMap();
+    EXPECT_TRUE(refined.start_uncertainty);
+    EXPECT_LT(between(*refined.start, *world.map.start).position().norm(), 4.0);
+    const auto warnings = session.warnings();
+    const bool moved = std::any_of(warnings.begin(), warnings.end(),
+                                   [](const RunWarning& w) { return w.code == "start_moved"; });
+    const bool was_off = !(*drawing.start == *world.map.start);
+    EXPECT_EQ(moved, was_off);
+    return between(last.pose, truth.back().pose).position().norm();
+  };
+  EXPECT_LT(run(), 3.0) << "a right start and a right pose";
+  drawing.start = Pose2{20.0, 10.0, 0.0} * *drawing.start;
+  EXPECT_LT(run(), 8.0) << "a start that is 22 m off";
+}
+
 TEST(Tape, AnotherDrawingMayTakeOverInTheMiddle) {
   Scene scene;
   Map changed = scene.world.map;
