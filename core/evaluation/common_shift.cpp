@@ -18,7 +18,7 @@ constexpr double kMostOwn_m = 100.0;
 using State = Eigen::Matrix<double, 6, 1>;
 using Information = Eigen::Matrix<double, 6, 6>;
 
-/// One coordinate of the centres of all buildings, along what varies apart from all else.
+/// One coordinate of the centroids of all buildings, along what varies apart from all else.
 struct Residual {
   State slope;
   double moved = 0.0;
@@ -60,7 +60,7 @@ Fit fitted(const std::vector<Residual>& residuals, const Information& stated, do
   return fit;
 }
 
-/// The centre of a building as drawn, and how far off it was found.
+/// The centroid of a building as drawn, and how far off it was found.
 struct Moved {
   Vec2 from;
   Vec2 moved;
@@ -134,10 +134,10 @@ std::optional<CommonShift> commonShiftOf(const Map& drawing, const Map& refined)
   for (const Building& found : refined.buildings) {
     const Building* drawn = drawing.find(found.id);
     if (drawn == nullptr || !found.estimate || found.estimate->observations == 0) continue;
-    const Vec2 from = drawn->box().centre;
+    const Vec2 from = centroid(drawn->footprint());
     const Vec2 sigma(std::max(found.estimate->sigma_x, kLeastSigma_m),
                      std::max(found.estimate->sigma_y, kLeastSigma_m));
-    pairs.push_back({from, found.box().centre - from, sigma});
+    pairs.push_back({from, centroid(found.footprint()) - from, sigma});
   }
   if (pairs.size() >= 3) pairs = withoutMistaken(std::move(pairs));
   if (pairs.size() < 3) return std::nullopt;

@@ -18,7 +18,7 @@ struct CommonShift {
   int buildings = 0;
 };
 
-/// By the centres of the buildings that were observed, without those that moved as no other did
+/// By the centroids of the buildings that were observed, without those that moved as no other did
 /// (they were taken for something else), weighed by their σ and by what buildings are
 /// off of their own, which is found with it (Paule & Mandel 1982). What the drawing says of its
 /// turn and of the robot's start holds here too, and by what σ grows on the way, the way is off: as

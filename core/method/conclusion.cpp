@@ -1,6 +1,7 @@
 #include "core/method/conclusion.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/explain/seen_walls.h"
 #include "core/map/certainty.h"
@@ -11,8 +12,9 @@ namespace handmap {
 
 namespace {
 
-constexpr double kMargin = 0.015;     // of sharpness: less is chance
-constexpr double kMostlyRight = 0.6;  // of the buildings that were seen
+constexpr double kMargin = 0.015;      // of sharpness: less is chance
+constexpr double kMostlyRight = 0.6;   // of the buildings that were seen
+constexpr double kLeastDrawn_m = 0.3;  // choice: no drawing places a building better
 
 // What decides is asked for what it must be, so that what is no number decides against.
 
@@ -60,6 +62,26 @@ Map provenMap(const Map& drawing, const RunKnowledge& known, const PlacedRays& p
   return proven;
 }
 
+/// A way that was laid along the buildings may still be turned by as much as neither it alone nor
+/// they tell, one σ, radians: each is drawn a little off, as seen from the middle of all.
+double turnAmong(const Map& drawing, const Map& found, double alone) {
+  if (alone <= 0.0) return 0.0;
+  std::vector<std::pair<Vec2, double>> seen;
+  Vec2 middle = Vec2::Zero();
+  for (std::size_t b = 0; b < found.buildings.size(); ++b) {
+    if (!isRecognised(found.buildings[b])) continue;
+    const Vec2 at = centroid(found.buildings[b].footprint());
+    seen.emplace_back(at, drawing.uncertaintyOf(drawing.buildings[b]).position);
+    middle += at;
+  }
+  double information = 1.0 / (alone * alone);
+  for (const auto& [at, sigma] : seen) {
+    const Vec2 arm = at - middle / static_cast<double>(seen.size());
+    information += arm.squaredNorm() / std::max(sigma * sigma, kLeastDrawn_m * kLeastDrawn_m);
+  }
+  return 1.0 / std::sqrt(information);
+}
+
 std::ptrdiff_t seenWalls(const Building& building) {
   return std::ranges::count_if(wallsOf(building), &SideEstimate::seen);
 }
@@ -89,6 +111,7 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   if (trajectory.by == TrajectoryHypothesis::By::Buildings) {
     proven = provenMap(drawing, known, placed);
     found.emplace(FoundMap{proven, known.motion});
+    trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
   }
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress,
                         trajectory.turn);

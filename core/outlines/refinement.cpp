@@ -213,8 +213,10 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     if (!told_by_start || !seen) continue;
     const Vec2 from_start = centroid(building.footprint()) - origin;
     const double way_m = way_turn * from_start.norm();
-    const double by_way = sharedBetween(drawing.uncertaintyOf(drawn).position, way_m);
-    if (!as_drawn) {
+    // The drawing has its share already in a way that was laid along its buildings.
+    const double by_way =
+        by_start ? sharedBetween(drawing.uncertaintyOf(drawn).position, way_m) : 1.0;
+    if (!as_drawn && by_start) {
       const Vec2 back_to_drawn = centroid(drawn.footprint()) - centroid(building.footprint());
       const Vec2 by = (1.0 - by_way) * back_to_drawn;
       building.shape = moved(building.shape, {by.x(), by.y(), 0.0});
