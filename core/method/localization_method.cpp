@@ -28,8 +28,8 @@ class LocalizationMethod : public EstimationMethod {
             const LazyLocalMap& /*local_map*/, const std::stop_token& stop,
             const std::function<void(double)>& /*progress*/) override {
     if (stop.stop_requested()) return false;
-    if (times_.empty()) add(0.0, start_odometry_, {}, {}, stop);
-    add(time_s, odometry, percept.scan, percept.points, stop);
+    if (times_.empty()) add(0.0, start_odometry_, {}, stop);
+    add(time_s, odometry, percept, stop);
     return true;
   }
 
@@ -72,15 +72,16 @@ class LocalizationMethod : public EstimationMethod {
     requireReadyToRun(map);
     return map;
   }
-  void add(double time_s, const Odometry& odometry, const Scan& scan,
-           const std::vector<RangePoint>& points, const std::stop_token& stop) {
+  void add(double time_s, const Odometry& odometry, const Percept& percept,
+           const std::stop_token& stop) {
     const Pose2 before = times_.empty() ? odometry.pose : trajectory_.recorded().back();
-    trajectory_.add(time_s, odometry, points, stop);
-    if (!times_.empty()) seen_.add(times_.size(), odometry.pose, scan, points);
+    if (percept.joined) trajectory_.neverUse();
+    trajectory_.add(time_s, odometry, percept.points, stop);
+    if (!times_.empty()) seen_.add(times_.size(), odometry.pose, percept.scan, percept.points);
     times_.push_back(time_s);
     matched_.add(trajectory_.poses(), trajectory_.usable() ? kMatchedScans : kWheels,
                  odometry.guessed);
-    recognition_.look(wall_rays_.add(outlines_, matched_.pose(), scan),
+    recognition_.look(wall_rays_.add(outlines_, matched_.pose(), percept.scan),
                       between(before, odometry.pose).position().norm(), odometry.guessed);
   }
 

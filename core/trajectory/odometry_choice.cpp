@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/odometry/visual_odometry_source.h"
+#include "core/perception/joined_frames.h"
 #include "core/trajectory/scan_odometry_source.h"
 #include "core/trajectory/scan_trajectory.h"
 
@@ -41,8 +42,12 @@ Look lookedAt(const Recording& recording, ReplayOptions options) {
   options.kind = SourceKind::Points;
   const auto source = replay(recording, options);
   Look look(recording.range_limit_m);
+  JoinedFrames joined;
   while (const auto observation = nextReadable(*source)) {
-    look.seen.add(observation->time_s, observation->odometry, allPoints(*observation));
+    const std::vector<RangePoint> points = allPoints(*observation);
+    joined.without(points, observation->odometry);
+    if (joined.areJoined()) look.seen.neverUse();
+    look.seen.add(observation->time_s, observation->odometry, points);
     look.times_s.push_back(observation->time_s);
     look.by_scans.push_back(look.seen.odometry());
   }
