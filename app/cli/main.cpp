@@ -43,13 +43,17 @@ std::optional<std::string> correction(const std::string& word, const CLI::App& a
   return meant ? std::optional(fmt::format("{}: did you mean {}?", word, *meant)) : std::nullopt;
 }
 
-/// A misspelt command or option; nullopt where something else is wrong.
+/// A misspelt or unknown command, a misspelt option; nullopt where something else is wrong.
 std::optional<std::string> slipIn(const CLI::App& app, int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) return std::nullopt;
   const auto commands = app.get_subcommands(nullptr);
   const auto chosen = std::ranges::find(commands, words[0], &CLI::App::get_name);
-  if (chosen == commands.end()) return correction(words[0], app);
+  if (chosen == commands.end()) {
+    if (auto slip = correction(words[0], app)) return slip;
+    if (words[0].starts_with("-")) return std::nullopt;
+    return fmt::format("found {}, expected a command", words[0]);
+  }
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (!words[i].starts_with("--")) continue;
     if (auto slip = correction(words[i].substr(0, words[i].find('=')), **chosen)) return slip;

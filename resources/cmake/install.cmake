@@ -18,8 +18,13 @@ if(HANDMAP_GUI)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
 endif()
 install(TARGETS ${programs} COMPONENT program)
+configure_file(${resources}/man/handmap-cli.1.in handmap-cli.1.page @ONLY)
+configure_file(${resources}/man/handmap.1.in handmap.1 @ONLY)
+# The options of each command stand in one place, the program.
+install(CODE "execute_process(COMMAND ${resources}/man/options.sh \"$<TARGET_FILE:handmap-cli>\"
+  INPUT_FILE ${PROJECT_BINARY_DIR}/handmap-cli.1.page OUTPUT_FILE ${PROJECT_BINARY_DIR}/handmap-cli.1
+  COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
 foreach(page ${programs})
-  configure_file(${resources}/man/${page}.1.in ${page}.1 @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${page}.1
     DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 endforeach()

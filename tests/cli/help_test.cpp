@@ -23,7 +23,7 @@ TEST_F(Help, IsPointedToAfterWrongUsage) {
                "handmap-cli: error: A subcommand is required\n"
                "hint: handmap-cli --help\n");
   expectFailed(run({"fly"}), 1,
-               "handmap-cli: error: A subcommand is required\n"
+               "handmap-cli: error: found fly, expected a command\n"
                "hint: handmap-cli --help\n");
   expectFailed(run({"runn"}), 1,
                "handmap-cli: error: runn: did you mean run?\n"
