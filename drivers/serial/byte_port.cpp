@@ -25,16 +25,18 @@ bool isFatal(QSerialPort::SerialPortError error) {
   }
 }
 
-QString whyNotOpened(const QSerialPort& serial) {
+/// The path is told as the person wrote it: QSerialPort leaves out "/dev/".
+QString whyNotOpened(const QSerialPort& serial, const std::string& path) {
   switch (serial.error()) {
     case QSerialPort::DeviceNotFoundError:
-      return qPhrase("{} is not there: is it plugged in?", serial.portName().toStdString());
+      return qPhrase("{} is not there: is it plugged in?", path);
     case QSerialPort::PermissionError:
       return qPhrase(
           "{} may not be opened: another program has it, or you are not in the group dialout",
-          serial.portName().toStdString());
+          path);
     default:
-      return QStringLiteral("%1: %2").arg(serial.portName(), qReason(serial.errorString()));
+      return QStringLiteral("%1: %2").arg(QString::fromStdString(path),
+                                          qReason(serial.errorString()));
   }
 }
 
@@ -76,12 +78,11 @@ void BytePort::openSerial(const SerialAddress& address) {
   serial->setPortName(QString::fromStdString(address.path));
   serial->setBaudRate(address.baud);
   serial->setReadBufferSize(kMostUnread);
-  if (!serial->open(QIODevice::ReadWrite)) return giveUp(whyNotOpened(*serial));
+  if (!serial->open(QIODevice::ReadWrite)) return giveUp(whyNotOpened(*serial, address.path));
   connect(serial, &QSerialPort::errorOccurred, this,
-          [this, serial](QSerialPort::SerialPortError error) {
+          [this, serial, path = address.path](QSerialPort::SerialPortError error) {
             if (isFatal(error)) {
-              giveUp(qPhrase("{} is gone: {}", serial->portName().toStdString(),
-                             qReason(serial->errorString()).toStdString()));
+              giveUp(qPhrase("{} is gone: {}", path, qReason(serial->errorString()).toStdString()));
             }
           });
   becomeOpen();

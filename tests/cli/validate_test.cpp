@@ -83,7 +83,7 @@ TEST_F(Validate, OfARobot) {
   expectDone(run({"validate", "rig.json"}), "ok: rig.json: rig of a scanner\n");
   const Outcome tried = run({"try", "rig.json", "--for", "1"});
   EXPECT_EQ(tried.status, 3);
-  EXPECT_NE(tried.out.find("scanner   lost       no data in 1 s: ttyACM0 is not there"),
+  EXPECT_NE(tried.out.find("scanner   lost       no data in 1 s: /dev/ttyACM0 is not there"),
             std::string::npos)
       << tried.out;
 }
