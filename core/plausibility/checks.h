@@ -19,6 +19,9 @@ void checkFrozen(const Recording& recording, const std::stop_token& stop, Doubts
 /// Whether scans lie on each other where the odometry puts them; else how they would.
 void checkAgreement(const Recording& recording, const std::stop_token& stop, Doubts& doubts);
 
+/// Whether the headings are those of the way in degrees, taken for radians.
+bool lookLikeDegrees(const std::vector<StampedPose>& poses);
+
 /// Metres a unit of the odometry, 0.01 or 0.001, as the scans lie on each other the better; nullopt
 /// where there are too few.
 std::optional<double> scaleByScans(const Recording& recording, const std::stop_token& stop);

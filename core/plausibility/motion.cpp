@@ -82,11 +82,9 @@ double agreement(const std::vector<Motion>& motions, const Reading& reading) {
   return all > 0.0 ? ahead / all : 0.0;
 }
 
-void checkHeadings(const Recording& recording, const std::vector<Motion>& motions, Doubts& doubts) {
-  double way_m = 0.0;
-  for (const Motion& m : motions) way_m += m.way.norm();
-  const double agrees = agreement(motions, {1.0, 0.0});
-  if (way_m < kLeastWay_m || agrees >= kAgrees) return;
+/// Another way to count them in which it drives where it looks.
+std::optional<Doubt> headingsCountedOtherwise(const Recording& recording,
+                                              const std::vector<Motion>& motions, double agrees) {
   struct Other {
     Reading reading;
     std::string cause;
@@ -124,20 +122,42 @@ void checkHeadings(const Recording& recording, const std::vector<Motion>& motion
     doubt.remedy = Remedy{other.remedy};
     doubt.remedy->clockwise_headings = other.reading.sign < 0.0;
     doubt.remedy->odometry_turn = other.reading.turn;
-    doubts.push_back(std::move(doubt));
+    return doubt;
+  }
+  return std::nullopt;
+}
+
+void checkHeadings(const Recording& recording, const std::vector<Motion>& motions, Doubts& doubts) {
+  double way_m = 0.0;
+  for (const Motion& m : motions) way_m += m.way.norm();
+  const double agrees = agreement(motions, {1.0, 0.0});
+  if (way_m < kLeastWay_m || agrees >= kAgrees) return;
+  if (auto otherwise = headingsCountedOtherwise(recording, motions, agrees)) {
+    doubts.push_back(std::move(*otherwise));
     return;
   }
+  if (agrees >= kAside) return;
+  const std::string place = placeOfPose(recording, motions.front().time_s);
   const auto same = [&](const Motion& m) {
     return std::abs(m.heading - motions[0].heading) < 1e-3;
   };
-  if (agrees >= kAside || !std::ranges::all_of(motions, same)) return;
-  doubts.push_back({"odometry_heading",
-                    phrase("{}: found one heading all along a way that turns, expected that of the "
-                           "robot",
-                           placeOfPose(recording, motions.front().time_s)),
-                    phrase("likely qx qy qz qw is not told (0 0 0 1), or w comes first"),
-                    false,
-                    {}});
+  if (std::ranges::all_of(motions, same)) {
+    doubts.push_back({"odometry_heading",
+                      phrase("{}: found one heading all along a way that turns, expected that of "
+                             "the robot",
+                             place),
+                      phrase("likely qx qy qz qw is not told (0 0 0 1), or w comes first"),
+                      false,
+                      {}});
+  } else if (lookLikeDegrees(recording.odometry.poses())) {
+    doubts.push_back({"odometry_heading",
+                      phrase("{}: found headings that are those of the way in degrees, taken for "
+                             "radians, expected qz = sin(h/2) and qw = cos(h/2) of h in radians",
+                             place),
+                      phrase("turn degrees into radians where the quaternions are made"),
+                      true,
+                      {}});
+  }
 }
 
 void checkGaps(const Recording& recording, Doubts& doubts) {

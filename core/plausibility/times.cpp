@@ -74,8 +74,9 @@ std::string causeOf(const Recording& recording) {
                 formatNumber(rows.front().time_s), formatNumber(poses.front().time_s));
 }
 
-void checkClocks(const Recording& recording, Doubts& doubts) {
-  if (recording.odometry.empty() || recording.rows.empty()) return;
+/// Whether frames and odometry are of one.
+bool checkClocks(const Recording& recording, Doubts& doubts) {
+  if (recording.odometry.empty() || recording.rows.empty()) return true;
   const auto& poses = recording.odometry.poses();
   const double first = recording.rows.front().time_s;
   const double last = recording.rows.back().time_s;
@@ -86,7 +87,7 @@ void checkClocks(const Recording& recording, Doubts& doubts) {
   const double covered =
       std::min(last, poses.back().time_s) - std::max(first, poses.front().time_s);
   const bool overlap = covered >= std::max(0.0, kLeastCovered * (last - first));
-  if (overlap && !few) return;
+  if (overlap && !few) return true;
   doubts.push_back(
       {"two_clocks",
        phrase("{}: found times from {} to {} s, expected those of the frames, {} to "
@@ -96,13 +97,14 @@ void checkClocks(const Recording& recording, Doubts& doubts) {
        causeOf(recording),
        true,
        {}});
+  return false;
 }
 
 }  // namespace
 
 void checkTimes(const Recording& recording, Doubts& doubts) {
-  checkIntervals(recording, doubts);
-  checkClocks(recording, doubts);
+  // The remedy of a unit is for both.
+  if (checkClocks(recording, doubts)) checkIntervals(recording, doubts);
 }
 
 }  // namespace handmap

@@ -4761,6 +4761,14 @@
         <source>If the start is right, take the given poses back.</source>
         <translation>開始位置が正しければ、与えた姿勢を取り消してください。</translation>
     </message>
+    <message>
+        <source>{}: found headings that are those of the way in degrees, taken for radians, expected qz = sin(h/2) and qw = cos(h/2) of h in radians</source>
+        <translation>{}: 度で表した進む方向をラジアンとみなした方位です。h をラジアンとした qz = sin(h/2)、qw = cos(h/2) であるべきです</translation>
+    </message>
+    <message>
+        <source>turn degrees into radians where the quaternions are made</source>
+        <translation>クォータニオンを作るところで、度をラジアンに直してください</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
