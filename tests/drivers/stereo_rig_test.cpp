@@ -7,9 +7,11 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/recording/recording.h"
 #include "core/simulation/drive.h"
 #include "drivers/live/live_source.h"
 #include "drivers/virtual/stop_and_go.h"
+#include "tests/core/base/temporary_folder.h"
 
 namespace handmap {
 namespace {
@@ -97,6 +99,45 @@ TEST(StereoRig, APairThatIsSwappedOnTheWayIsNamedAndNotUsed) {
   job.monitor->end();
   EXPECT_GE(refused, 1);
   EXPECT_EQ(used, 2) << "before and after";
+}
+
+/// Each for a second or so, one after the other, while the robot drives, stands and looks around.
+TEST(StereoRig, LiveEqualsReplayUnderEveryFault) {
+  const test::TemporaryFolder folder;
+  VirtualDrive drive{furnished(twoRowWorld(3), 3), 3};
+  drive.speed_m_s = 10.0;
+  double last_s = 3.0;
+  for (const auto& [role, kind] : possibleFaults(VirtualRigKind::StereoHead)) {
+    drive.faults.push_back({role, kind, last_s, last_s + 1.2});
+    last_s += 1.6;
+  }
+  const LiveJob job{virtualStereoRig(), virtualStereoDevices(drive), std::make_shared<RigMonitor>(),
+                    folder.path() / "drive"};
+  std::vector<Observation> lived;
+  {
+    const auto source = openLive(job, {});
+    while (source && (lived.empty() || lived.back().time_s < last_s)) {
+      ASSERT_LT(job.monitor->now(), last_s + 60.0) << "it does not go on";
+      try {
+        lived.push_back(source->next().value());
+      } catch (const FrameError&) {
+        continue;
+      }
+    }
+  }
+  const auto source = replay(openRecording(job.record), {});
+  for (const Observation& observation : lived) {
+    const Observation again = source->next().value();
+    EXPECT_EQ(again.time_s, observation.time_s);
+    EXPECT_EQ(again.odometry, observation.odometry);
+    ASSERT_EQ(again.views.size(), observation.views.size());
+    for (std::size_t i = 0; i < again.views.size(); ++i) {
+      EXPECT_EQ(again.views[i].pan, observation.views[i].pan);
+      EXPECT_EQ(cv::norm(again.views[i].left, observation.views[i].left, cv::NORM_INF), 0.0);
+      EXPECT_EQ(cv::norm(again.views[i].right, observation.views[i].right, cv::NORM_INF), 0.0);
+    }
+  }
+  EXPECT_FALSE(source->next());
 }
 
 TEST(StereoRig, FaultsAreThoseThatSuchARigCanHave) {

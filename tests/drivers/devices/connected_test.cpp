@@ -7,14 +7,12 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/recording/recording.h"
 #include "drivers/connected/connected_devices.h"
 #include "drivers/emulators/foxglove_bridge_emulator.h"
 #include "drivers/emulators/ros_emulated_messages.h"
 #include "drivers/emulators/rosbridge_emulator.h"
 #include "drivers/live/live_source.h"
 #include "drivers/live/rig_host.h"
-#include "tests/core/base/temporary_folder.h"
 #include "tests/drivers/devices/waiting.h"
 
 namespace handmap {
@@ -24,16 +22,6 @@ QByteArray picture(int grey) {
   std::vector<unsigned char> file;
   cv::imencode(".png", cv::Mat(8, 8, CV_8UC1, cv::Scalar(grey)), file);
   return {reinterpret_cast<const char*>(file.data()), static_cast<qsizetype>(file.size())};
-}
-
-std::string asText(const Observation& observation) {
-  std::string text = fmt::format("{:.9f}", observation.time_s);
-  text += fmt::format(" {:.9f}", observation.odometry.x);
-  for (const View& view : observation.views) {
-    if (!view.points) continue;
-    for (const RangePoint& p : *view.points) text += fmt::format(" {} {}", p.x, p.y);
-  }
-  return text;
 }
 
 TEST(ConnectedDevices, TwoCamerasOverRosGivePairs) {
@@ -184,57 +172,6 @@ TEST_F(CamerasOfARobot, WhereNobodyTellsItItIsSaid) {
     return cameraSays().find("found a baseline of -0.12 m") != std::string::npos;
   };
   EXPECT_TRUE(test::waitUntil(is_refused)) << cameraSays();
-}
-
-/// A drive of a laser behind a Foxglove bridge, run as it comes and again from its recording.
-TEST(ConnectedDevices, ADriveOverAFoxgloveBridgeReplaysTheSame) {
-  FoxgloveBridgeEmulator ros;
-  ros.offer("/scan", "sensor_msgs/msg/LaserScan");
-  ros.offer("/odom", "nav_msgs/msg/Odometry");
-  const std::string url = ros.url().toString().toStdString();
-  LiveJob live;
-  live.rig = parseRig(fmt::format(R"({{"format": "handmap-rig", "version": 1,
-          "scanner": {{"kind": "ros", "port": "{}", "topic": "/scan"}},
-          "odometry": {{"kind": "ros", "port": "{}", "topic": "/odom"}}}})",
-                                  url, url),
-                      "rig.json", "/");
-  const test::TemporaryFolder folder;
-  live.make = connectedDevices();
-  live.monitor = std::make_shared<RigMonitor>();
-  live.record = folder.path() / "drive";
-  std::vector<std::string> lived;
-  std::atomic<bool> done = false;
-  std::thread run([&] {
-    {
-      const auto source = openLive(live, {});
-      while (source && lived.size() < 20) {
-        const auto observation = source->next();
-        if (!observation) break;
-        lived.push_back(asText(*observation));
-      }
-    }
-    done = true;
-  });
-  int sent = 0;
-  const bool has_ended = test::waitUntil([&] {
-    const double now_s = 1.5e9 + live.monitor->now();
-    ros.publish("/odom", emulated::odometry(now_s, {0.01 * sent++, 0.0, 0.0}, RosVersion::Ros2));
-    const float range_m = 2.0F + 0.01F * static_cast<float>(sent % 50);
-    if (sent % 4 == 0) {
-      ros.publish("/scan",
-                  emulated::laserScan(now_s, std::vector<float>(90, range_m), RosVersion::Ros2));
-    }
-    return done.load();
-  });
-  live.monitor->end();
-  run.join();
-  ASSERT_TRUE(has_ended);
-  std::vector<std::string> replayed;
-  const auto again = replay(openRecording(folder.path() / "drive"), {});
-  while (const auto observation = again->next()) replayed.push_back(asText(*observation));
-  ASSERT_GE(replayed.size(), 20U);
-  replayed.resize(lived.size());
-  EXPECT_EQ(replayed, lived);
 }
 
 }  // namespace
