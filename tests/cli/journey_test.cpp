@@ -229,6 +229,20 @@ TEST_F(Journey, ALaserWithoutOdometryRuns) {
   EXPECT_EQ(result["buildings"].size(), 6U);
 }
 
+TEST_F(Journey, TellsItsResultToPrograms) {
+  const Outcome outcome = run(slam({"--json", "--quiet"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto result = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(result["observations"], 40);
+  EXPECT_EQ(result["skipped"], 0);
+  EXPECT_TRUE(result["pose"]["heading_deg"].is_number());
+  ASSERT_EQ(result["buildings"].size(), 6U);
+  EXPECT_TRUE(result["buildings"][0]["sigma_x"].is_number() ||
+              result["buildings"][0]["estimate"]["sigma_x"].is_number())
+      << outcome.out;
+  EXPECT_TRUE(result["warnings"].is_array());
+}
+
 TEST_F(Journey, QuietItSaysNothing) {
   const Outcome outcome = run(slam({"--to", "6", "--quiet"}));
   EXPECT_EQ(outcome.status, 0);

@@ -127,15 +127,27 @@ TEST_F(CliTest, ALiveRunSaysWhatItCannotDo) {
   EXPECT_NE(calibration.err.find("calib.yml"), std::string::npos) << calibration.err;
 }
 
+TEST_F(CliTest, ALiveRunThatSeesNothingSaysWhy) {
+  writeText("rig.json", R"({"format": "handmap-rig", "version": 1,
+      "scanner": {"kind": "hokuyo", "port": "127.0.0.1"},
+      "odometry": {"kind": "lines", "port": "/dev/none"}})");
+  const Outcome outcome =
+      run({"run", "--map", "row-drawn.handmap", "--rig", "rig.json", "--for", "9"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("nothing to be seen yet; odometry: no data, "), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("; scanner: no data, "), std::string::npos) << outcome.err;
+}
+
 TEST_F(CliTest, EachDeviceOfARobotIsTried) {
   writeText("rig.json", R"({"format": "handmap-rig", "version": 1,
-      "scanner": {"kind": "hokuyo", "port": "tcp://127.0.0.1:1"},
+      "scanner": {"kind": "hokuyo", "port": "127.0.0.1"},
       "odometry": {"kind": "lines", "port": "/dev/none"}})");
   const Outcome tried = run({"try", "rig.json", "--for", "2"});
   EXPECT_EQ(tried.status, 3) << tried.err;
-  EXPECT_NE(
-      tried.out.find("scanner   lost       no data in 2 s: tcp://127.0.0.1:1: Connection refused"),
-      std::string::npos)
+  EXPECT_NE(tried.out.find(
+                "scanner   lost       no data in 2 s: tcp://127.0.0.1:10940: Connection refused"),
+            std::string::npos)
       << tried.out;
   EXPECT_NE(tried.out.find("no data in 2 s: /dev/none is not there: is it plugged in?"),
             std::string::npos)

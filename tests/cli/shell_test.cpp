@@ -4,6 +4,8 @@
 #include <regex>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "tests/cli/program.h"
 
 namespace handmap {
@@ -111,6 +113,21 @@ TEST_F(Completion, OfFilesInARealBash) {
             "<my place/recording/><--odometry><visual>\n"
             "<run><--odometry><my place/own way.tum>\n"
             "<sketch-stats><row-truth.handmap>\n");
+}
+
+TEST_F(ShellTest, AnImportAsksAtATerminalForWhatItCannotSee) {
+  if (printed("script --version").find("util-linux") == std::string::npos) {
+    GTEST_SKIP() << "no script";
+  }
+  std::string table;
+  for (int i = 0; i < 30; ++i) table += fmt::format("{},{},{}\n", 0.1 * (i / 10), 3 + i, 2 - i);
+  writeText("odd.csv", table);
+  writeText("answers", "time=1,x=2,y=3\n");
+  const std::string said =
+      printed("script -qec '" HANDMAP_CLI " import odd.csv --out rec' /dev/null < answers");
+  EXPECT_NE(said.find("expected to know which hold what"), std::string::npos) << said;
+  EXPECT_NE(said.find("rec: recording of "), std::string::npos) << said;
+  EXPECT_EQ(run({"validate", "rec"}).status, 0);
 }
 
 class ManPage : public ShellTest {

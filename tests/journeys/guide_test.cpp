@@ -77,6 +77,23 @@ QStringList marksAmongWords(const QTextDocument& page) {
   return all;
 }
 
+TEST(Guide, NamesEveryKeyOfARecording) {
+  for (const char* language : {"en", "ja"}) {
+    const QString page = textOf(kGuide + '/' + language + "/own-data.md");
+    for (const char* named : {"`format`",      "`version`",       "`name`",
+                              "`licence`",     "`range_limit_m`", "`camera`",
+                              "`calibration`", "`left`",          "`right`",
+                              "`rectified`",   "`mount`",         "`x_m`",
+                              "`y_m`",         "`z_m`",           "`pitch_deg`",
+                              "`yaw_deg`",     "`frame`",         "`time_s`",
+                              "`stop`",        "`pan_deg`",       "`right_time_s`",
+                              "`points`",      "`x y z w`",       "`odometry.tum`",
+                              "`truth.tum`",   "frames.svg",      "write_recording.py"}) {
+      EXPECT_TRUE(page.contains(QLatin1String(named))) << language << ' ' << named;
+    }
+  }
+}
+
 TEST(Guide, ShowsNoMarksOfItsMarkdown) {
   for (const char* language : {"en", "ja"}) {
     for (const QString& name : pagesIn(language)) {

@@ -129,6 +129,22 @@ TEST_F(Logs, ATableOfRanges) {
   EXPECT_NEAR(log.poses[1].pose.heading, kPi / 2, 1e-9);
 }
 
+/// The ray that says so leaves no point; its neighbours do.
+TEST_F(Logs, WhatAScannerGivesForNothingIsNoWall) {
+  for (const char* range : {"0", "inf", "nan", "12", "12.5", "", "-1"}) {
+    std::string text = "time,range_max";
+    for (int i = 0; i < 181; ++i) text += ",range_" + std::to_string(i);
+    for (int row = 0; row < 3; ++row) {
+      text += fmt::format("\n{},12", 0.1 * row);
+      for (int i = 0; i < 181; ++i) text += "," + std::string(i == 90 ? range : "5");
+    }
+    const Log log = read("a.csv", text + "\n");
+    ASSERT_EQ(log.scans.size(), 3U) << range;
+    const auto measured = std::ranges::count_if(log.scans[0].points, isMeasured);
+    EXPECT_EQ(measured, 180) << range;
+  }
+}
+
 TEST_F(Logs, RangesInMillimetresBesidePosesInMetresOrMillimetres) {
   for (const double unit : {1.0, 1000.0}) {
     std::string text = "time,x,y,theta";

@@ -1,4 +1,6 @@
 // The devices that a rig file names, as they are made.
+#include <QProcess>
+#include <QRegularExpression>
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -9,10 +11,13 @@
 
 #include "drivers/connected/connected_devices.h"
 #include "drivers/emulators/foxglove_bridge_emulator.h"
+#include "drivers/emulators/hokuyo_emulator.h"
+#include "drivers/emulators/odometry_emulator.h"
 #include "drivers/emulators/ros_emulated_messages.h"
 #include "drivers/emulators/rosbridge_emulator.h"
 #include "drivers/live/live_source.h"
 #include "drivers/live/rig_host.h"
+#include "tests/core/base/temporary_folder.h"
 #include "tests/drivers/devices/waiting.h"
 
 namespace handmap {
@@ -81,6 +86,38 @@ TEST(ConnectedDevices, ARobotOverRosKeepsItsTime) {
   const auto observation = host.next({});
   ASSERT_TRUE(observation);
   EXPECT_NEAR(monitor->robotTime(observation->time_s), then, 1e-6);
+}
+
+/// `handmap-cli try` tells of each device what it gives; scans are seen though the wheels are dead.
+TEST(ConnectedDevices, ARigIsTriedWithWheelsThatSayNothing) {
+  HokuyoEmulator laser(EmulatedPort::Kind::Tcp, [](double) { return 3.0; });
+  OdometryEmulator wheels(
+      EmulatedPort::Kind::PseudoTerminal, [](double) { return Pose2{}; },
+      OdometryEmulator::Form::Fields);
+  wheels.setDead(true);
+  const std::string rig = fmt::format(
+      R"({{"format": "handmap-rig", "version": 1, "scanner": {{"kind": "hokuyo", "port": "{}"}},
+          "odometry": {{"kind": "lines", "port": "{}"}}}})",
+      laser.port().address(), wheels.port().address());
+  {
+    const auto monitor = std::make_shared<RigMonitor>();
+    const RigHost host(parseRig(rig, "rig.json", "/"), connectedDevices(), monitor);
+    EXPECT_TRUE(test::waitUntil([&] { return monitor->preview().number > 0; }));
+    EXPECT_FALSE(monitor->preview().points.empty());
+  }
+  const test::TemporaryFolder folder;
+  QProcess tried;
+  tried.start(HANDMAP_CLI, {"try", QString::fromStdString(folder.write("rig.json", rig).string()),
+                            "--for", "4"});
+  ASSERT_TRUE(test::waitUntil([&] { return tried.state() == QProcess::NotRunning; }));
+  const QString out = QString::fromUtf8(tried.readAllStandardOutput());
+  EXPECT_EQ(tried.exitCode(), 3);
+  const QRegularExpression scanner(
+      "^scanner   ready      first data after \\d\\.\\d s, \\d+\\.\\d a second, \\d+ in all: "
+      "Emulated$",
+      QRegularExpression::MultilineOption);
+  EXPECT_TRUE(scanner.match(out).hasMatch()) << out.toStdString();
+  EXPECT_TRUE(out.contains("odometry  ") && out.contains("no data in 4 s")) << out.toStdString();
 }
 
 /// A pair of cameras behind a Foxglove bridge, in a rig that says nothing of their calibration.
