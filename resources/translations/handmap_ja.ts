@@ -6746,6 +6746,10 @@ Observations: %4</source>
         <source>Nothing has been observed for %1 s, and nothing tells where the robot drives.</source>
         <translation>%1 秒間何も観測されておらず、ロボットの動きも分かりません。</translation>
     </message>
+    <message>
+        <source>Nothing has been observed yet, after %1 s.</source>
+        <translation>%1 秒たっても、まだ何も観測されていません。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::LogKeeper</name>

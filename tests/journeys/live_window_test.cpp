@@ -13,7 +13,7 @@
 #include "app/gui/rig/rig_actions.h"
 #include "app/gui/run/live_robot.h"
 #include "drivers/emulators/rosbridge_emulator.h"
-#include "drivers/virtual/virtual_rig.h"
+#include "drivers/virtual/stereo_rig.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/rig/live_panel.h"
 #include "widgets/rig/rig_dialog.h"
@@ -305,6 +305,46 @@ TEST_F(LiveWindow, ADeadScannerIsSaidAndSoIsARecordingThatEnds) {
       [&] { return message(*window).contains("The recording has ended, the drive goes on"); },
       kPatienceMs));
   EXPECT_TRUE(window->run().isActive());
+}
+
+TEST_F(LiveWindow, ARobotThatSaysNothingFromTheBeginningIsSaid) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  drive.faults = parseFaults("scanner:unplug@0+11");
+  window->sources().setRobot(liveRobot(virtualRig(drive), virtualDevices(drive)));
+  window->runs().runOrResume();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("Nothing has been observed yet"); }, kPatienceMs));
+  EXPECT_TRUE(message(*window).contains("unplugged")) << message(*window).toStdString();
+  ASSERT_TRUE(waitForSteps(*window));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return !message(*window).contains("Nothing has been observed"); }, kPatienceMs));
+}
+
+TEST_F(LiveWindow, AHeadLooksAroundInEachDriveOfAWindowAndADeadCameraIsSaid) {
+  const auto window = open();
+  window->docks().setOpen(true);
+  window->sources().openVirtualRig(VirtualRigKind::StereoHead);
+  VirtualDrive drive{furnished(twoRowWorld(3), 3), 3};
+  for (const bool is_second : {false, true}) {
+    if (is_second) drive.faults = {{DeviceRole::Camera, FaultKind::Unplug, 5.0, 1000.0}};
+    window->sources().setRobot(liveRobot(virtualStereoRig(), virtualStereoDevices(drive)));
+    window->runs().runOrResume();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panelText(*window).contains("looks around: 2 of 6"); },
+                                kPatienceMs))
+        << panelText(*window).toStdString();
+    if (is_second) {
+      EXPECT_TRUE(QTest::qWaitFor(
+          [&] { return message(*window).contains("Nothing has been observed"); }, kPatienceMs));
+      EXPECT_TRUE(message(*window).contains("unplugged")) << message(*window).toStdString();
+    } else {
+      ASSERT_TRUE(waitForSteps(*window));
+      EXPECT_FALSE(message(*window).contains("Nothing has been observed"));
+    }
+    action(*window, "run.stop")->trigger();
+    ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  }
 }
 
 TEST_F(LiveWindow, DeadWheelsAreSaid) {

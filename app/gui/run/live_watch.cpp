@@ -18,6 +18,7 @@ namespace handmap {
 namespace {
 
 constexpr int kLook_ms = 250;
+constexpr double kSpinUp_s = 8.0;  // of a scanner, until it turns
 constexpr auto kSilentTopic = "live_silent";
 constexpr auto kLostTopic = "live_lost";
 constexpr auto kCutOffTopic = "live_cut_off";
@@ -29,7 +30,8 @@ bool isAlive(qint64 process) { return process > 0 && kill(static_cast<pid_t>(pro
 
 /// What is wrong with what the robot sees with, or drives on; empty where the devices know nothing.
 QString whySilent(const RigStatus& status) {
-  for (const DeviceRole role : {DeviceRole::Scanner, DeviceRole::Camera, DeviceRole::Odometry}) {
+  for (const DeviceRole role :
+       {DeviceRole::Scanner, DeviceRole::Camera, DeviceRole::Head, DeviceRole::Odometry}) {
     for (const DeviceStatus& device : status.devices) {
       if (device.role == role && !device.detail.empty())
         return QString::fromStdString(device.detail);
@@ -42,6 +44,20 @@ bool knowsMotion(const RigStatus& status) {
   return std::any_of(status.devices.begin(), status.devices.end(), [](const DeviceStatus& device) {
     return device.role == DeviceRole::Odometry && device.state == DeviceState::Ready;
   });
+}
+
+/// Seconds since something was observed that should have been since. Between two stops a robot with
+/// a head is silent as it should be, unless something of it is gone.
+double silence(const RigStatus& status, double now_s) {
+  bool has_head = false;
+  double gone_s = 0.0;
+  for (const DeviceStatus& device : status.devices) {
+    if (device.role > DeviceRole::Head) continue;
+    has_head = has_head || device.role == DeviceRole::Head;
+    if (device.state == DeviceState::Lost) gone_s = std::max(gone_s, device.age_s.value_or(now_s));
+  }
+  if (!status.observation_age_s) return now_s < kSpinUp_s ? 0.0 : has_head ? gone_s : now_s;
+  return has_head ? gone_s : *status.observation_age_s;
 }
 
 }  // namespace
@@ -89,21 +105,18 @@ void LiveWatch::look() {
   const auto monitor = link ? link->monitor() : nullptr;
   if (!monitor) return;
   const RigStatus status = monitor->status();
-  if (run_.state() != RunState::Stopping) tellSilence(status);
+  if (run_.state() != RunState::Stopping) tellSilence(status, monitor->now());
   tellRecording(status.recording);
 }
 
-/// Between two stops of a robot with a head it is silent as it should be.
-void LiveWatch::tellSilence(const RigStatus& status) {
-  const bool has_head =
-      std::any_of(status.devices.begin(), status.devices.end(),
-                  [](const DeviceStatus& device) { return device.role == DeviceRole::Head; });
-  const int silent_s = has_head ? 0 : static_cast<int>(status.observation_age_s.value_or(0.0));
+void LiveWatch::tellSilence(const RigStatus& status, double now_s) {
+  const int silent_s = static_cast<int>(silence(status, now_s));
   const int told_s = std::exchange(silent_s_, silent_s);
   if (silent_s == told_s) return;
   if (silent_s == 0) return shell_.messages.withdraw(kSilentTopic);
   const QString words =
-      knowsMotion(status)
+      !status.observation_age_s ? tr("Nothing has been observed yet, after %1 s.")
+      : knowsMotion(status)
           ? tr("Nothing has been observed for %1 s: the robot is shown by its odometry alone.")
           : tr("Nothing has been observed for %1 s, and nothing tells where the robot drives.");
   shell_.messages.show(MessageBar::Kind::Warning, words.arg(silent_s), whySilent(status),

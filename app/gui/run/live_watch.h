@@ -32,7 +32,7 @@ class LiveWatch : public QObject {
  private:
   void follow();
   void look();
-  void tellSilence(const RigStatus& status);
+  void tellSilence(const RigStatus& status, double now_s);
   void tellRecording(const RecordingStatus& recording);
   void tellLost(LostAndFound::News news);
   void note(const QString& folder);
