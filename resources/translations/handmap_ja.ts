@@ -5757,6 +5757,25 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::DriveStart</name>
+    <message>
+        <source>Where does the robot begin?</source>
+        <translation>ロボットはどこから始めますか?</translation>
+    </message>
+    <message>
+        <source>Its last drive ended %1 m from the start of the drawing.</source>
+        <translation>前の走行は、図面の出発点から %1 m の所で終わりました。</translation>
+    </message>
+    <message>
+        <source>Where it stopped</source>
+        <translation>止まった所</translation>
+    </message>
+    <message>
+        <source>At the start of the drawing</source>
+        <translation>図面の出発点</translation>
+    </message>
+</context>
+<context>
     <name>handmap::EdgeRectangleTool</name>
     <message>
         <source>Drag or click along one wall of the building</source>

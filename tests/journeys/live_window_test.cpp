@@ -347,6 +347,40 @@ TEST_F(LiveWindow, AHeadLooksAroundInEachDriveOfAWindowAndADeadCameraIsSaid) {
   }
 }
 
+/// The drawing still says where the first drive began.
+TEST_F(LiveWindow, ASecondDriveAsksWhereTheRobotBegins) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  VirtualDrive drive{twoRowWorld(3), 3};
+  drive.speed_m_s = 10.0;
+  drive.step_m = 0.5;
+  window->sources().setRobot(liveRobot(virtualRig(drive), virtualDevices(drive)));
+  const auto driveFor = [&](int ms) {
+    ASSERT_TRUE(waitForSteps(*window));
+    QTest::qWait(ms);
+    action(*window, "run.stop")->trigger();
+    ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  };
+  window->runs().runOrResume();
+  driveFor(1500);
+  const std::optional<Pose2> start = document_.map().start;
+  for (const char* answer : {"Where it stopped", "At the start of the drawing"}) {
+    window->runs().runOrResume();
+    EXPECT_FALSE(window->run().isActive());
+    ASSERT_TRUE(message(*window).contains("Where does the robot begin?"))
+        << message(*window).toStdString();
+    button(*window, answer)->click();
+    EXPECT_TRUE(window->run().isActive());
+    EXPECT_FALSE(message(*window).contains("Where does the robot begin?"));
+    EXPECT_GT((document_.map().start->position() - start->position()).norm(), 2.0);
+    driveFor(1500);
+  }
+  document_.setStart(start);  // whoever places it anew has said it
+  window->runs().runOrResume();
+  EXPECT_TRUE(window->run().isActive());
+  driveFor(0);
+}
+
 TEST_F(LiveWindow, DeadWheelsAreSaid) {
   const auto window = open();
   window->sources().openVirtualRig();

@@ -29,7 +29,8 @@ TransportActions::TransportActions(const Shell& shell, MapDocument& document, Fi
       run_(run),
       views_(views),
       transport_(transport),
-      past_(shell, run, transport) {
+      past_(shell, run, transport),
+      drive_start_(shell, document) {
   connectActions();
   connectRun();
   connect(&sources_, &SourceActions::robotChanged, this, &TransportActions::forget);
@@ -109,6 +110,7 @@ void TransportActions::runOrResume() {
 
 void TransportActions::start(RunController::Begin begin) {
   if (!sources_.robot() || !sources_.isReady()) return;
+  if (drive_start_.ask(*sources_.robot(), [this, begin] { start(begin); })) return;
   last_ = nullptr;
   shown_ = nullptr;
   phases_.leave();
@@ -186,6 +188,7 @@ void TransportActions::onRevised() {
 
 void TransportActions::onFinished(bool cancelled) {
   finished_ = !cancelled;
+  if (run_.live() && last_) drive_start_.ended(run_.live(), *last_);
   if (phases_.isActive() && last_) show(last_);
   update();
   Q_EMIT stateChanged();

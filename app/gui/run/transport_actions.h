@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "app/gui/run/drive_start.h"
 #include "app/gui/run/playback_actions.h"
 #include "app/gui/run/run_controller.h"
 #include "widgets/run/worker/phase_stepper.h"
@@ -57,6 +58,7 @@ class TransportActions : public QObject {
   RunViews& views_;
   TransportBar& transport_;
   PlaybackActions past_;
+  DriveStart drive_start_;
   PhaseStepper phases_;
   bool phases_wanted_ = false;             ///< of the next snapshot
   std::shared_ptr<const Snapshot> last_;   ///< of the latest run: its newest

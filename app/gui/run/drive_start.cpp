@@ -1,0 +1,55 @@
+#include "app/gui/run/drive_start.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/gui/run/robot.h"
+#include "core/method/pose_trust.h"
+#include "widgets/document/map_document.h"
+#include "widgets/messages/message_bar.h"
+
+namespace handmap {
+
+namespace {
+
+constexpr double kElsewhere_m = 1.0;  // nearer, and a start is drawn no better
+constexpr double kElsewhere_rad = 0.2;
+constexpr auto kTopic = "drive_start";
+
+}  // namespace
+
+DriveStart::DriveStart(const Shell& shell, MapDocument& document)
+    : QObject(&shell.window), shell_(shell), document_(document) {}
+
+void DriveStart::ended(const std::shared_ptr<LiveLink>& link, const Snapshot& newest) {
+  end_.reset();
+  if (certaintyOf(newest.report).kind == Certainty::Lost) return;
+  end_ = End{link, newest.report.pose, document_.map().start};
+}
+
+bool DriveStart::ask(const Robot& robot, std::function<void()> begin) {
+  const std::optional<Pose2> start = document_.map().start;
+  // Where the truth is known it is simulated, and begins anew each time.
+  if (!end_ || !start || !robot.live || robot.truth_map) return false;
+  if (end_->robot.lock() != robot.live || end_->start != start) return false;
+  const Pose2 moved = between(*start, end_->pose);
+  const double off_m = moved.position().norm();
+  if (off_m < kElsewhere_m && std::abs(moved.heading) < kElsewhere_rad) return false;
+  shell_.messages
+      .ask(tr("Where does the robot begin?"),
+           tr("Its last drive ended %1 m from the start of the drawing.").arg(off_m, 0, 'f', 1),
+           kTopic)
+      .addAction(tr("Where it stopped"), [this, begin, pose = end_->pose] {
+        document_.setStart(pose);
+        answer(begin);
+      });
+  shell_.messages.addAction(tr("At the start of the drawing"), [this, begin] { answer(begin); });
+  return true;
+}
+
+void DriveStart::answer(const std::function<void()>& begin) {
+  end_.reset();
+  begin();
+}
+
+}  // namespace handmap
