@@ -26,6 +26,7 @@ struct Doubt {
   std::string hint;      ///< the likely cause, and what to do
   bool certain = false;  ///< it cannot be right: a run would be of no use
   std::optional<Remedy> remedy = {};
+  double drawing_scale = 1.0;  ///< metres a unit of the drawing, where that is the doubt
 };
 
 using Doubts = std::vector<Doubt>;

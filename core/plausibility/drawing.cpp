@@ -35,14 +35,15 @@ void checkSizes(const Map& drawing, const std::string& file, Doubts& doubts) {
   const double length_m = medianOf(lengths_m);
   if (length_m < kLong_m) return;
   const auto first = std::ranges::find_if(lengths_m, [](double m) { return m >= kLong_m; });
+  const bool centimetres = length_m < kMillimetres_m;
   doubts.push_back(
       {"drawing_units",
        phrase("{}: buildings[{}]: found half of them longer than {:.0f} m, expected metres", file,
               first - lengths_m.begin(), length_m),
-       length_m < kMillimetres_m ? phrase("these look like centimetres")
-                                 : phrase("these look like millimetres"),
+       centimetres ? phrase("these look like centimetres") : phrase("these look like millimetres"),
        length_m >= kImpossibleLength_m,
-       {}});
+       {},
+       centimetres ? 0.01 : 0.001});
 }
 
 void checkKeys(const UnknownMembers& unknown, const std::vector<std::string_view>& known,

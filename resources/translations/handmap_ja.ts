@@ -5757,6 +5757,21 @@ Observations: %4</source>
     </message>
 </context>
 <context>
+    <name>handmap::DrawingWatch</name>
+    <message>
+        <source>Read the drawing as millimetres</source>
+        <translation>図面をミリメートルとして読む</translation>
+    </message>
+    <message>
+        <source>Read the drawing as centimetres</source>
+        <translation>図面をセンチメートルとして読む</translation>
+    </message>
+    <message>
+        <source>Mirror the drawing</source>
+        <translation>図面を鏡像にする</translation>
+    </message>
+</context>
+<context>
     <name>handmap::DriveStart</name>
     <message>
         <source>Where does the robot begin?</source>

@@ -223,6 +223,32 @@ MapChange mirrored(const Map& map, const QStringList& keys, Along along) {
       [x](double heading) { return normalizedAngle(x ? kPi - heading : -heading); });
 }
 
+MapChange scaled(const Map& map, double factor) {
+  const auto point = [factor](const Vec2& at) { return Vec2(factor * at); };
+  MapChange change{map.buildings, map.landmarks, map.start, map.route, map.underlays};
+  for (Building& building : change.buildings) {
+    building.estimate.reset();
+    building.sides.reset();
+    if (auto* box = std::get_if<Rectangle>(&building.shape)) {
+      *box = {point(box->centre), factor * box->width, factor * box->depth, box->heading};
+    } else {
+      auto& outline = std::get<Polygon>(building.shape);
+      std::ranges::transform(outline, outline.begin(), point);
+    }
+  }
+  for (Landmark& landmark : change.landmarks) landmark.position = point(landmark.position);
+  if (change.start) {
+    change.start = Pose2{factor * change.start->x, factor * change.start->y, change.start->heading};
+  }
+  std::ranges::transform(*change.route, change.route->begin(), point);
+  for (Underlay& underlay : *change.underlays) {
+    underlay.x *= factor;
+    underlay.y *= factor;
+    underlay.metres_per_pixel *= factor;
+  }
+  return change;
+}
+
 MapChange arrayed(const Map& map, const QStringList& keys, int columns, int rows,
                   const Vec2& step) {
   MapChange all;

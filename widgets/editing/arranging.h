@@ -23,6 +23,8 @@ MapChange madeParallel(const Map& map, const QStringList& keys);
 MapChange turnedByQuarter(const Map& map, const QStringList& keys, bool clockwise);
 /// Left and right exchanged (X), or top and bottom (Y), about the middle of all.
 MapChange mirrored(const Map& map, const QStringList& keys, Along along);
+/// All of a map, locked or not, in other units: `factor` of them in one of these.
+MapChange scaled(const Map& map, double factor);
 /// Copies in columns and rows, each `step` metres from the one before; the selected are the first.
 MapChange arrayed(const Map& map, const QStringList& keys, int columns, int rows, const Vec2& step);
 /// Rectangles as polygons, so that their corners can be moved alone.

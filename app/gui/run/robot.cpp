@@ -12,6 +12,7 @@ Robot recordedRobot(std::shared_ptr<const Recording> recording) {
   robot.name = QString::fromStdString(recording->name);
   robot.truth = recording->truth.poses();
   robot.folder = QString::fromStdString(recording->folder.string());
+  robot.recording = recording;
   if (!recording->rows.empty()) {
     robot.first_frame = recording->rows.front().frame;
     robot.last_frame = recording->rows.back().frame;

@@ -26,6 +26,7 @@ struct Robot {
   /// What a person said while it was recorded: a run does it again.
   std::vector<Act> acts = {};
   QString folder = {};  ///< of a recording; empty: it is none
+  std::shared_ptr<const Recording> recording = {};
   int first_frame = 0;  ///< of a recording
   int last_frame = 0;
   /// Called in the thread of the run. The options are those of recordings. Tells the share done of

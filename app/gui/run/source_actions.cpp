@@ -268,8 +268,8 @@ void SourceActions::tellDoubts(const std::shared_ptr<const Recording>& recording
         doubt.certain ? MessageBar::Kind::Error : MessageBar::Kind::Warning,
         QString::fromStdString(doubt.message), QString::fromStdString(doubt.hint),
         kDoubtTopic + QString::fromStdString(doubt.code));
+    if (doubt.certain || doubt.remedy) message.setQuestion();  // it stays over a run
     if (!doubt.remedy) continue;
-    message.setQuestion();
     message.addAction(QString::fromStdString(doubt.remedy->name),
                       [this, recording, acts, remedy = *doubt.remedy] {
                         withdrawDoubts();

@@ -23,6 +23,7 @@
 #include "app/gui/files/template_menu.h"
 #include "app/gui/rig/rig_actions.h"
 #include "app/gui/run/compare_actions.h"
+#include "app/gui/run/drawing_watch.h"
 #include "app/gui/run/live_watch.h"
 #include "app/gui/run/result_actions.h"
 #include "app/gui/run/revision_actions.h"
@@ -129,6 +130,7 @@ void MainWindow::makeRun() {
   new CompareActions(shell_, document_, *canvas_, *files_, *sources_, run_, this);
   rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
   live_watch_ = new LiveWatch(shell_, run_, *sources_, this);
+  new DrawingWatch(shell_, document_, run_, *sources_, this);
   revisions_ = std::make_unique<RevisionActions>(shell_, document_, run_, *canvas_, *tools_,
                                                  runs_->past(), run_panels_.said);
   connect(sources_, &SourceActions::posesGiven, this,
