@@ -31,6 +31,12 @@ wait_until "the dialog" has_window 'Connect a robot'
 sleep 0.5
 picture dialog
 xdotool search --onlyvisible --name 'Connect a robot' windowactivate --sync
+# After its choice of a file the keys are its own again, not those of the window below.
+key alt+o
+wait_until "the choice of a file" has_window 'Open a rig'
+key Escape
+is_active() { [ "$(xdotool getactivewindow getwindowname)" = "$1" ]; }
+wait_until "the dialog to have the keys" is_active 'Connect a robot'
 key Escape
 key ctrl+z
 expect drawing '^drawing: 6 buildings, saved'
