@@ -12,6 +12,8 @@
 
 #include "app/gui/rig/rig_actions.h"
 #include "app/gui/run/live_robot.h"
+#include "drivers/connected/connected_devices.h"
+#include "drivers/emulators/hokuyo_emulator.h"
 #include "drivers/emulators/rosbridge_emulator.h"
 #include "drivers/virtual/stereo_rig.h"
 #include "tests/journeys/window_test.h"
@@ -320,6 +322,24 @@ TEST_F(LiveWindow, ARobotThatSaysNothingFromTheBeginningIsSaid) {
   ASSERT_TRUE(waitForSteps(*window));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return !message(*window).contains("Nothing has been observed"); }, kPatienceMs));
+}
+
+/// Of a scanner that works and wheels that are dead, the wheels are named.
+TEST_F(LiveWindow, WhyNothingIsObservedIsOfTheDeviceThatIsDead) {
+  const auto window = open();
+  window->sources().openVirtualRig();
+  HokuyoEmulator laser(EmulatedPort::Kind::Tcp, [](double) { return 3.0; });
+  Rig rig;
+  rig.name = "Cart";
+  rig.scanner = ScannerRig{};
+  rig.scanner->port = laser.port().address();
+  rig.odometry = {OdometryRigKind::Lines, "/dev/no-such-port", ""};
+  window->sources().setRobot(liveRobot(rig, connectedDevices()));
+  window->runs().runOrResume();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("Nothing has been observed yet"); }, kPatienceMs));
+  EXPECT_TRUE(message(*window).contains("/dev/no-such-port is not there"))
+      << message(*window).toStdString();
 }
 
 TEST_F(LiveWindow, AHeadLooksAroundInEachDriveOfAWindowAndADeadCameraIsSaid) {

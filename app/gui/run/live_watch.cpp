@@ -33,7 +33,8 @@ QString whySilent(const RigStatus& status) {
   for (const DeviceRole role :
        {DeviceRole::Scanner, DeviceRole::Camera, DeviceRole::Head, DeviceRole::Odometry}) {
     for (const DeviceStatus& device : status.devices) {
-      if (device.role == role && !device.detail.empty())
+      // One that is ready tells its name there.
+      if (device.role == role && device.state != DeviceState::Ready && !device.detail.empty())
         return QString::fromStdString(device.detail);
     }
   }
