@@ -95,6 +95,7 @@ class FaultyDrive : public testing::Test {
         EXPECT_TRUE(test::waitUntil([&] { return said().find(fault.said) != std::string::npos; }))
             << fault.name << ": " << said();
       }
+      EXPECT_EQ(said().find("Unknown error"), std::string::npos) << fault.name << ": " << said();
       fault.end();
       ASSERT_TRUE(goesOn()) << "after " << fault.name << ": " << said();
     }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "drivers/device/q_phrase.h"
 #include "drivers/emulators/emulated_port.h"
 #include "drivers/serial/byte_port.h"
 #include "drivers/serial/line_buffer.h"
@@ -139,6 +140,13 @@ TEST_P(BytePortOf, WhoDoesNotTakeWhatIsSentIsGivenUp) {
 INSTANTIATE_TEST_SUITE_P(Kinds, BytePortOf,
                          testing::Values(EmulatedPort::Kind::PseudoTerminal,
                                          EmulatedPort::Kind::Tcp));
+
+TEST(BytePort, AReasonIsNeverAnUnknownError) {
+  for (const QString& said : {QString(), QStringLiteral("Unknown error")}) {
+    EXPECT_EQ(qReason(said), "the other side closed the connection");
+  }
+  EXPECT_EQ(qReason("Connection refused"), "Connection refused");
+}
 
 TEST(BytePort, WhatIsNotThereIsNamed) {
   BytePort port(SerialAddress{"/dev/no-such-port", 9600}, 1);
