@@ -56,7 +56,7 @@ int serve(Bridge& bridge, bool is_plain) {
   int sent = 0;
   QObject::connect(&timer, &QTimer::timeout, &bridge, [&] {
     if (!bridge.hasSubscriber(kRight)) return;
-    while (sent < clock() * kRate_hz) {
+    if (sent < clock() * kRate_hz) {
       QCborMap header = emulated::odometry(1.7e9 + sent / kRate_hz, {}, RosVersion::Ros2);
       message[QLatin1String("header")] = header.take(QLatin1String("header"));
       bridge.publish(kLeft, message);
@@ -69,10 +69,10 @@ int serve(Bridge& bridge, bool is_plain) {
 }
 
 int serve(const QString& kind) {
-  const bool is_plain = kind == QLatin1String("foxglove-plain");
+  const bool is_plain = kind.endsWith(QLatin1String("plain"));
   if (!kind.startsWith(QLatin1String("foxglove"))) {
     RosbridgeEmulator bridge;
-    return serve(bridge, false);
+    return serve(bridge, is_plain);
   }
   FoxgloveBridgeEmulator bridge;
   for (const QString& topic : {kLeft, kRight}) {
@@ -84,9 +84,9 @@ int serve(const QString& kind) {
 std::shared_ptr<RosClient> clientOf(const QString& kind, const QUrl& url) {
   if (kind.startsWith(QLatin1String("foxglove")))
     return std::make_shared<FoxgloveBridgeClient>(url);
-  const auto form = kind == QLatin1String("rosbridge-json")   ? RosbridgeForm::Json
-                    : kind == QLatin1String("rosbridge-cbor") ? RosbridgeForm::Cbor
-                                                              : RosbridgeForm::Raw;
+  const auto form = kind.contains(QLatin1String("json"))   ? RosbridgeForm::Json
+                    : kind.contains(QLatin1String("cbor")) ? RosbridgeForm::Cbor
+                                                           : RosbridgeForm::Raw;
   return std::make_shared<RosbridgeClient>(RosbridgeOptions{url, RosVersion::Ros2, form});
 }
 
@@ -105,19 +105,19 @@ void measure(const QString& kind, int seconds) {
     ++pairs;
   });
   camera.open();
-  while (pairs < 10) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  while (pairs < 10) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
   const std::clock_t begin = std::clock();
   const int before = pairs;
   QElapsedTimer clock;
   clock.start();
-  while (clock.elapsed() < 1000 * seconds) {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-  }
+  QTimer::singleShot(1000 * seconds, &camera, &QCoreApplication::quit);
+  QCoreApplication::exec();  // sleeps where there is nothing to do
   const double wall_s = 1e-3 * static_cast<double>(clock.elapsed());
   const double used_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   std::printf("%-16s %5.1f pairs/s, %d gaps, %d without partner, %5.1f %% of a core\n",
               qPrintable(kind), (pairs - before) / wall_s, missed, camera.unpaired(),
               100.0 * used_s / wall_s);
+  std::fflush(stdout);
   camera.close();
   server.kill();
   server.waitForFinished();

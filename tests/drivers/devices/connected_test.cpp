@@ -3,11 +3,14 @@
 #include <QRegularExpression>
 #include <atomic>
 #include <functional>
+#include <set>
+#include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "drivers/connected/connected_devices.h"
 #include "drivers/emulators/foxglove_bridge_emulator.h"
@@ -27,6 +30,57 @@ QByteArray picture(int grey) {
   std::vector<unsigned char> file;
   cv::imencode(".png", cv::Mat(8, 8, CV_8UC1, cv::Scalar(grey)), file);
   return {reinterpret_cast<const char*>(file.data()), static_cast<qsizetype>(file.size())};
+}
+
+std::string bytesOf(const Observation& observation) {
+  std::string text = fmt::format("{:.9f}", observation.time_s);
+  text += fmt::format(" {:.9f}", observation.odometry.x);
+  for (const View& view : observation.views) {
+    for (const cv::Mat& image : {view.left, view.right}) {
+      if (image.empty()) continue;
+      const std::string_view bytes(image.ptr<char>(), image.total() * image.elemSize());
+      text += fmt::format(" {:x}", std::hash<std::string_view>()(bytes));
+    }
+    if (!view.points) continue;
+    for (const RangePoint& p : *view.points) text += fmt::format(" {} {}", p.x, p.y);
+  }
+  return text;
+}
+
+/// The first observations of a drive while `send` goes on telling.
+std::vector<std::string> lived(const LiveJob& live, std::size_t count,
+                               const std::function<void()>& send) {
+  std::vector<std::string> seen;
+  std::atomic<bool> done = false;
+  std::thread run([&] {
+    {
+      const auto source = openLive(live, {});
+      while (source && seen.size() < count) {
+        const auto observation = source->next();
+        if (!observation) break;
+        seen.push_back(bytesOf(*observation));
+      }
+    }
+    done = true;
+  });
+  test::waitUntil([&] {
+    send();
+    return done.load();
+  });
+  live.monitor->end();
+  run.join();
+  return seen;
+}
+
+std::vector<std::string> replayed(const std::filesystem::path& recording, std::size_t count) {
+  std::vector<std::string> seen;
+  const auto source = replay(openRecording(recording), {});
+  while (seen.size() < count) {
+    const auto observation = source->next();
+    if (!observation) break;
+    seen.push_back(bytesOf(*observation));
+  }
+  return seen;
 }
 
 TEST(ConnectedDevices, TwoCamerasOverRosGivePairs) {
@@ -166,7 +220,7 @@ class CamerasOfARobot : public testing::Test {
 
   FoxgloveBridgeEmulator ros_;
   LiveJob live_;
-  const StereoCamera camera_{90, 91, 63, 47, 0, {}};
+  StereoCamera camera_{90, 91, 63, 47, 0, {}};
   cv::Mat picture_ = cv::Mat(96, 128, CV_8UC1);
 };
 
@@ -209,6 +263,56 @@ TEST_F(CamerasOfARobot, WhereNobodyTellsItItIsSaid) {
     return cameraSays().find("found a baseline of -0.12 m") != std::string::npos;
   };
   EXPECT_TRUE(test::waitUntil(is_refused)) << cameraSays();
+}
+
+/// A drive of a laser behind a Foxglove bridge, run as it comes and again from its recording.
+TEST(ConnectedDevices, ADriveOverAFoxgloveBridgeReplaysTheSame) {
+  FoxgloveBridgeEmulator ros;
+  ros.offer("/scan", "sensor_msgs/msg/LaserScan");
+  ros.offer("/odom", "nav_msgs/msg/Odometry");
+  const std::string url = ros.url().toString().toStdString();
+  LiveJob live;
+  live.rig = parseRig(fmt::format(R"({{"format": "handmap-rig", "version": 1,
+          "scanner": {{"kind": "ros", "port": "{}", "topic": "/scan"}},
+          "odometry": {{"kind": "ros", "port": "{}", "topic": "/odom"}}}})",
+                                  url, url),
+                      "rig.json", "/");
+  const test::TemporaryFolder folder;
+  live.make = connectedDevices();
+  live.monitor = std::make_shared<RigMonitor>();
+  live.record = folder.path() / "drive";
+  int sent = 0;
+  const auto seen = lived(live, 20, [&] {
+    const double now_s = 1.5e9 + live.monitor->now();
+    ros.publish("/odom", emulated::odometry(now_s, {0.01 * sent++, 0.0, 0.0}, RosVersion::Ros2));
+    const float range_m = 2.0F + 0.01F * static_cast<float>(sent % 50);
+    if (sent % 4 == 0) {
+      ros.publish("/scan",
+                  emulated::laserScan(now_s, std::vector<float>(90, range_m), RosVersion::Ros2));
+    }
+  });
+  ASSERT_EQ(seen.size(), 20U);
+  EXPECT_EQ(replayed(live.record, seen.size()), seen);
+}
+
+TEST_F(CamerasOfARobot, LargeImagesReplayToTheSameBytes) {
+  const test::TemporaryFolder folder;
+  live_.record = folder.path() / "drive";
+  camera_ = {900, 900, 640, 360, 0, {}};
+  cv::Mat street(720, 1320, CV_8UC1);
+  cv::randu(street, 0, 255);
+  cv::GaussianBlur(street, street, {}, 4.0);
+  cv::normalize(street, street, 0, 255, cv::NORM_MINMAX);
+  int sent = 0;
+  const auto seen = lived(live_, 12, [&] {
+    picture_ = street(cv::Rect(sent++ % 40, 0, 1280, 720)).clone();
+    if (sent < 10) tellCalibration(0.12);
+    send();
+    test::pass(30);
+  });
+  ASSERT_EQ(seen.size(), 12U);
+  EXPECT_EQ(std::set(seen.begin(), seen.end()).size(), 12U);
+  EXPECT_EQ(replayed(live_.record, seen.size()), seen);
 }
 
 }  // namespace
