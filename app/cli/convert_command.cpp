@@ -55,6 +55,14 @@ int layOnto(const ConvertArguments& arguments) {
   return 0;
 }
 
+void tellCoarseCells(const Map& map, const std::string& file) {
+  const double cell_m = isMapServer(file) ? robotMapCell(map, file) : kRobotMapCell_m;
+  if (cell_m == kRobotMapCell_m) return;
+  fmt::print(stderr,
+             "{}: in cells of {} m: it is too large a place for a picture in cells of {} m\n", file,
+             cell_m, kRobotMapCell_m);
+}
+
 int convert(const ConvertArguments& arguments) {
   if (!arguments.onto.empty()) return layOnto(arguments);
   const bool from_drawing = isDrawing(arguments.in);
@@ -66,7 +74,9 @@ int convert(const ConvertArguments& arguments) {
   }
   checkOutputFiles({arguments.out}, {arguments.in});
   if (from_drawing) {
-    writeGeoMap(readMap(arguments.in), arguments.out);
+    const Map map = readMap(arguments.in);
+    writeGeoMap(map, arguments.out);
+    tellCoarseCells(map, arguments.out);
     return 0;
   }
   if (std::filesystem::path(arguments.in).extension() == ".yaml") {

@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kMargin_m = 2.0;
+constexpr double kCoarsest_m = 10.0;  // of cells
+constexpr std::uint8_t kFreeGrey = 254;
 constexpr std::int64_t kMostSide = 20'000;  // pixels
 constexpr std::uintmax_t kMostYamlBytes = 1u << 16;
 constexpr std::uintmax_t kMostPgmBytes = 450u << 20;
@@ -120,7 +122,8 @@ RobotMapText readText(const fs::path& path) {
   }
   if (text.image.empty() || !staysInside(text.image))
     wrong("image", phrase("a path inside the folder"));
-  if (!(text.cell_m >= 1e-3 && text.cell_m <= 10.0)) wrong("resolution", phrase("metres a pixel"));
+  if (!(text.cell_m >= 1e-3 && text.cell_m <= kCoarsest_m))
+    wrong("resolution", phrase("metres a pixel"));
   if (!(text.free >= 0.0 && text.free < text.occupied && text.occupied <= 1.0)) {
     wrong("occupied_thresh", phrase("above free_thresh, both in 0 … 1"));
   }
@@ -147,11 +150,17 @@ struct GridPicture {
   }
 };
 
-}  // namespace
+/// What is drawn, with some ground around it.
+struct Grid {
+  Vec2 low;  ///< its lower left corner
+  double cell_m;
+  int columns;
+  int rows;
+};
 
-void writeRobotMap(const Map& map, const fs::path& path) {
+Grid gridOf(const Map& map, const fs::path& file) {
   if (map.buildings.empty()) {
-    throwBadInput(path.string(), "buildings", phrase("none"), phrase("at least one"));
+    throwBadInput(file.string(), "buildings", phrase("none"), phrase("at least one"));
   }
   Vec2 low = map.buildings.front().footprint().front();
   Vec2 high = low;
@@ -164,35 +173,49 @@ void writeRobotMap(const Map& map, const fs::path& path) {
   }
   if (map.start) include(map.start->position());
   for (const Vec2& point : map.route) include(point);
-  low = ((low.array() - kMargin_m) / kRobotMapCell_m).floor() * kRobotMapCell_m;
-  const Vec2 cells = (((high - low).array() + kMargin_m) / kRobotMapCell_m).ceil();
-  if (!(cells.maxCoeff() <= static_cast<double>(kMostSide))) {
-    throwBadInput(path.string(), "", phrase("{} × {} pixels", cells.x(), cells.y()),
-                  phrase("at most {}", kMostSide));
+  Vec2 cells = Vec2::Zero();
+  for (const double cell_m : {kRobotMapCell_m, 0.2, 0.5, 1.0, 2.0, 5.0, kCoarsest_m}) {
+    const Vec2 corner = ((low.array() - kMargin_m) / cell_m).floor() * cell_m;
+    cells = (((high - corner).array() + kMargin_m) / cell_m).ceil();
+    if (!(cells.maxCoeff() <= static_cast<double>(kMostSide))) continue;
+    return {corner, cell_m, static_cast<int>(cells.x()), static_cast<int>(cells.y())};
   }
-  cv::Mat1b grid(static_cast<int>(cells.y()), static_cast<int>(cells.x()), std::uint8_t{254});
+  throwBadInput(file.string(), "",
+                phrase("{} × {} cells of {} m", cells.x(), cells.y(), kCoarsest_m),
+                phrase("at most {}", kMostSide));
+}
+
+}  // namespace
+
+double robotMapCell(const Map& map, const fs::path& file) { return gridOf(map, file).cell_m; }
+
+void writeRobotMap(const Map& map, const fs::path& path) {
+  const Grid grid = gridOf(map, path);
+  std::string pgm = fmt::format("P5\n{} {}\n255\n", grid.columns, grid.rows);
+  const std::size_t head = pgm.size();
+  pgm.resize(head + static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows),
+             static_cast<char>(kFreeGrey));
+  cv::Mat1b picture(grid.rows, grid.columns, reinterpret_cast<std::uint8_t*>(pgm.data() + head));
   constexpr int kShift = 8;  // bits behind the point, of corners
   for (const Building& building : map.buildings) {
     std::vector<cv::Point> corners;
     for (const Vec2& corner : building.footprint()) {
-      const Vec2 at = (corner - low) / kRobotMapCell_m;
+      const Vec2 at = (corner - grid.low) / grid.cell_m;
       corners.emplace_back(
           static_cast<int>(std::lround((at.x() - 0.5) * (1 << kShift))),
-          static_cast<int>(std::lround((cells.y() - at.y() - 0.5) * (1 << kShift))));
+          static_cast<int>(std::lround((grid.rows - at.y() - 0.5) * (1 << kShift))));
     }
-    cv::fillPoly(grid, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(0), cv::LINE_8,
+    cv::fillPoly(picture, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(0), cv::LINE_8,
                  kShift);
   }
   fs::path image = path;
   image.replace_extension(".pgm");
-  std::string pgm = fmt::format("P5\n{} {}\n255\n", grid.cols, grid.rows);
-  pgm.append(reinterpret_cast<const char*>(grid.data), grid.total());
   writeFileAtomically(image, pgm);
   writeFileAtomically(path,
                       fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0]\n"
                                   "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n",
-                                  image.filename().string(), formatNumber(kRobotMapCell_m),
-                                  formatNumber(low.x()), formatNumber(low.y())));
+                                  image.filename().string(), formatNumber(grid.cell_m),
+                                  formatNumber(grid.low.x()), formatNumber(grid.low.y())));
 }
 
 Map readRobotMap(const fs::path& path) {

@@ -11,8 +11,13 @@ namespace handmap {
 
 inline constexpr double kRobotMapCell_m = 0.1;
 
-/// Buildings black, all else white; NAME.yaml and NAME.pgm beside it. The origin is the lower left
-/// corner, not turned. Throws BadInput for a map without buildings or too large for a picture.
+/// Metres: kRobotMapCell_m, or for a map that is too large for a picture of such cells the least of
+/// 0.2, 0.5, 1, 2, 5, 10 that it fits in. `file` is what an error names. Throws BadInput for a map
+/// without buildings, or too large even so.
+double robotMapCell(const Map& map, const std::filesystem::path& file);
+
+/// Buildings black, all else white, in cells of robotMapCell(); NAME.yaml and NAME.pgm beside it.
+/// The origin is the lower left corner, not turned. Throws as robotMapCell() does.
 void writeRobotMap(const Map& map, const std::filesystem::path& path);
 
 /// A drawing of what is occupied: a building each piece of at least 4 m². Throws BadInput.

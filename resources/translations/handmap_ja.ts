@@ -4769,6 +4769,10 @@
         <source>turn degrees into radians where the quaternions are made</source>
         <translation>クォータニオンを作るところで、度をラジアンに直してください</translation>
     </message>
+    <message>
+        <source>{} × {} cells of {} m</source>
+        <translation>{} × {} セル（一辺 {} m）</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -6103,6 +6107,10 @@ Observations: %4</source>
     <message>
         <source>Reference coordinates of the robot&apos;s map, for fleets (*.fleet.yaml)</source>
         <translation>ロボットの地図の基準座標、ロボット群向け (*.fleet.yaml)</translation>
+    </message>
+    <message>
+        <source>%1 (in cells of %2 m, it is a large place)</source>
+        <translation>%1（広い場所のためセルは %2 m）</translation>
     </message>
 </context>
 <context>

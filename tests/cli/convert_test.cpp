@@ -21,6 +21,18 @@ TEST_F(Convert, ThereAndBack) {
   EXPECT_EQ(run({"validate", "back.handmap"}).status, 0);
 }
 
+TEST_F(Convert, SaysThatALargePlaceGetsCoarserCells) {
+  auto map = nlohmann::json::parse(contentOf("row-truth.handmap"));
+  map["route"] = {{0, 0}, {5000, 0}};
+  std::ofstream("large.handmap") << map;
+  const Outcome written = run({"convert", "large.handmap", "large.yaml"});
+  EXPECT_EQ(written.status, 0);
+  EXPECT_EQ(written.err,
+            "large.yaml: in cells of 0.5 m: it is too large a place for a picture in cells of "
+            "0.1 m\n");
+  EXPECT_EQ(run({"convert", "large.yaml", "back.handmap"}).status, 0);
+}
+
 TEST_F(Convert, LaysTheMapOfARobotOnADrawing) {
   expectDone(run({"convert", "row-truth.handmap", "grid.yaml"}), "");
   const Outcome laid = run({"convert", "grid.yaml", "laid.handmap", "--onto", "row-drawn.handmap"});

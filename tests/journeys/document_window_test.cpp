@@ -139,6 +139,20 @@ TEST_F(DocumentWindow, WhatNeedsAPlaceLeadsToWhereItIsSaid) {
   document_.undoStack().setClean();
 }
 
+TEST_F(DocumentWindow, AMapOfRobotsOfALargePlaceGetsCoarserCells) {
+  drawAHouse();
+  Building far;
+  far.id = "far";
+  far.shape = Rectangle{Vec2(3000.0, 0.0), 10.0, 8.0, 0.0};
+  document_.addBuilding(far);
+  dialogs_->paths = {path("a.yaml")};
+  trigger("file.export_other");
+  EXPECT_TRUE(texts().first().startsWith(
+      "The drawing (in cells of 0.2 m, it is a large place) is in “a.yaml”."));
+  EXPECT_TRUE(contentOf("a.yaml").contains("resolution: 0.2"));
+  document_.undoStack().setClean();
+}
+
 TEST_F(DocumentWindow, AMapOfRobotsTakesNoPictureFromTheDrawing) {
   drawAHouse();
   QImage(8, 8, QImage::Format_Grayscale8).save(path("plan.pgm"));

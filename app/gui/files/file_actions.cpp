@@ -16,6 +16,7 @@
 #include "core/geodata/fleet_map.h"
 #include "core/geodata/geo_map.h"
 #include "core/geodata/geo_writer.h"
+#include "core/geodata/robot_map.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
 #include "core/recording/recording_files.h"
@@ -314,6 +315,9 @@ void FileActions::exportToOthers() {
       refuseWhatIsRead(QFile::decodeName(picture.replace_extension(".pgm").c_str()));
     }
     writeGeoMap(*map, file);
+    if (!isMapServer(file)) return;
+    const double cell_m = robotMapCell(*map, file);
+    if (cell_m > kRobotMapCell_m) what = tr("%1 (in cells of %2 m, it is a large place)").arg(what).arg(cell_m);
   });
 }
 

@@ -147,6 +147,20 @@ TEST_F(GeoWriter, PlansComeBack) {
   test::expectBadInput([&] { readGeoMap(folder_.write("no.dxf", "<html>")); }, {"no.dxf"});
 }
 
+/// Of corners, each building from the nearest of the other map, metres.
+double apart(const Map& map, const Map& other) {
+  double most = 0.0;
+  for (const Building& building : map.buildings) {
+    double least = 1e9;
+    for (const Building& again : other.buildings) {
+      least = std::min(least, std::max(farthest(building.footprint(), again.footprint()),
+                                       farthest(again.footprint(), building.footprint())));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
 TEST_F(GeoWriter, RobotMapsComeBackWithinACell) {
   const Map map = corrected();
   writeGeoMap(map, out("yaml"));
@@ -154,14 +168,23 @@ TEST_F(GeoWriter, RobotMapsComeBackWithinACell) {
   EXPECT_NE(yaml.find("resolution: 0.1\n"), std::string::npos);
   const Map back = readRobotMap(out("yaml"));
   ASSERT_EQ(back.buildings.size(), 2U);
-  for (const Building& building : map.buildings) {
-    double least = 1e9;
-    for (const Building& again : back.buildings) {
-      least = std::min(least, std::max(farthest(building.footprint(), again.footprint()),
-                                       farthest(again.footprint(), building.footprint())));
-    }
-    EXPECT_LT(least, 0.25) << building.id;
-  }
+  EXPECT_LT(apart(map, back), 0.25);
+}
+
+TEST_F(GeoWriter, ALargePlaceGetsCoarserCells) {
+  Map map = corrected();
+  map.buildings[0].shape = Rectangle{{-4000.0, 25.0}, 40.0, 16.0, 0.3};
+  EXPECT_EQ(robotMapCell(map, "m.yaml"), 0.5);
+  writeGeoMap(map, out("yaml"));
+  EXPECT_NE(readFile(out("yaml"), 1 << 16).find("resolution: 0.5\n"), std::string::npos);
+  const Map back = readRobotMap(out("yaml"));
+  ASSERT_EQ(back.buildings.size(), 2U);
+  EXPECT_LT(apart(map, back), 2.5 * 0.5);
+
+  map.buildings[0].shape = Rectangle{{-900'000.0, 25.0}, 40.0, 16.0, 0.3};
+  writeFileAtomically(out("yaml"), "as it was");
+  test::expectBadInput([&] { writeGeoMap(map, out("yaml")); }, {"cells of 10 m", "20000"});
+  EXPECT_EQ(readFile(out("yaml"), 1 << 16), "as it was");
 }
 
 TEST_F(GeoWriter, AGridIsReadInAllItsModes) {
