@@ -2,6 +2,7 @@
 // timeline, pictures and the data itself, which refers to nothing outside; as PDF to be printed.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace handmap {
 /// One wall of the corrected map.
 struct WallTolerance {
   std::string building;
-  int side = 0;  ///< of its box(), from 0
+  int side = 0;  ///< of its box(), as Sides has them
   double sigma = 0.0;
   bool seen = false;
   /// Probability that it is off by no more than kTolerances_m, its building being right or not.
@@ -26,6 +27,22 @@ inline constexpr std::array<double, 3> kTolerances_m = {0.3, 0.6, 1.2};
 
 /// Of the buildings that have an estimate.
 std::vector<WallTolerance> tolerancesOf(const Map& refined);
+
+/// How far the middle of a wall is off, metres across the true one. `side` is of the box() of
+/// `found`, as Sides has them; the true building's heading may be quarters off.
+double wallOffset(const Building& found, const Building& truth, int side);
+
+/// What surveyors of base maps state where the truth is known.
+struct Survey {
+  int buildings = 0;  ///< of the truth
+  int present = 0;    ///< of them on the corrected map, so that the two overlap
+  int walls = 0;      ///< of the map that were seen and whose building is drawn and true
+  double rms_before_m = 0.0;
+  double rms_after_m = 0.0;
+  std::array<int, 3> within_before{};  ///< walls, by kTolerances_m
+  std::array<int, 3> within_after{};
+};
+Survey surveyOf(const Map& drawing, const Map& refined, const Map& truth);
 
 /// Of what is printed; the page has both.
 enum class ReportLanguage { English, Japanese };
@@ -52,7 +69,7 @@ struct ReportInputs {
 std::string reportHtml(const ReportInputs& inputs);
 /// Pages of A4; throws alike.
 std::string reportPdf(const ReportInputs& inputs);
-/// A row a wall, with a header.
+/// A row a wall, with a header below lines ("# …") that say what each column means.
 std::string tolerancesCsv(const Map& refined);
 /// The same as a LaTeX table, with a word on what each column means.
 std::string tolerancesLatex(const Map& refined);

@@ -56,6 +56,16 @@ Json buildingsJson(const ReportInputs& inputs) {
   return all;
 }
 
+Json surveyJson(const Survey& survey) {
+  return {{"buildings", survey.buildings},
+          {"present", survey.present},
+          {"walls", survey.walls},
+          {"rms_before_m", survey.rms_before_m},
+          {"rms_after_m", survey.rms_after_m},
+          {"within_before", survey.within_before},
+          {"within_after", survey.within_after}};
+}
+
 /// time x y heading, σ of these.
 Json framesJson(const JsonValue& run) {
   Json frames = Json::array();
@@ -156,6 +166,7 @@ nlohmann::ordered_json reportData(const ReportInputs& inputs) {
     for (const Building& building : inputs.truth->buildings) {
       data["truth"].push_back(outlineJson(building.footprint()));
     }
+    data["survey"] = surveyJson(surveyOf(inputs.drawing, inputs.refined, *inputs.truth));
   }
   data["pictures"] = Json::array();
   if (inputs.recording) {

@@ -8,7 +8,7 @@
 namespace handmap {
 
 /// As the page has it (`page.html` reads it): title, buildings, frames, run, common, truth,
-/// pictures, files. Throws as reportHtml().
+/// survey, pictures, files. Throws as reportHtml().
 nlohmann::ordered_json reportData(const ReportInputs& inputs);
 
 }  // namespace handmap

@@ -218,6 +218,31 @@ void addCertainty(const Json& data, Pages& pages) {
       last_s - first_s, most));
 }
 
+/// As surveyors of base maps state it.
+void addSurvey(const Json& survey, Pages& pages) {
+  const auto share = [&](const char* key) {
+    std::string text;
+    for (const Json& walls : survey[key]) {
+      text += fmt::format("{}{:.0f}", text.empty() ? "" : " / ",
+                          100.0 * walls.get<int>() / std::max(1, survey["walls"].get<int>()));
+    }
+    return text;
+  };
+  pages.paragraph(fmt::format(
+      fmt::runtime(pages.say(
+          "Against the truth: {} of {} buildings are on the map (completeness {:.0f} %). The {} "
+          "walls that were seen: rms {:.2f} m as drawn, {:.2f} m corrected; within 0.3 / 0.6 / 1.2 "
+          "m {} % as drawn, {} % corrected.",
+          "真値との比較: 建物 {1} 棟のうち {0} 棟が地図にあります（完全性 {2:.0f} %）。見えた壁 "
+          "{3} "
+          "面の二乗平均誤差は、図面で {4:.2f} m、補正後 {5:.2f} m。0.3 / 0.6 / 1.2 m "
+          "以内は、図面で {6} %、補正後 {7} %。")),
+      survey["present"].get<int>(), survey["buildings"].get<int>(),
+      100.0 * survey["present"].get<int>() / std::max(1, survey["buildings"].get<int>()),
+      survey["walls"].get<int>(), survey["rms_before_m"].get<double>(),
+      survey["rms_after_m"].get<double>(), share("within_before"), share("within_after")));
+}
+
 void addWords(const Json& data, Pages& pages) {
   if (data.contains("common")) {
     const Json& common = data["common"];
@@ -233,6 +258,7 @@ void addWords(const Json& data, Pages& pages) {
         common["sigma_y"].get<double>(), common["turn_deg"].get<double>(),
         common["sigma_turn_deg"].get<double>(), common["own_m"].get<double>()));
   }
+  if (data.contains("survey")) addSurvey(data["survey"], pages);
   const Json& run = data["run"];
   if (!run.contains("warnings") || !run["warnings"].is_array() || run["warnings"].empty()) return;
   pages.heading(pages.say("What went wrong", "うまくいかなかったこと"));
@@ -249,12 +275,12 @@ void addTable(const Json& data, Pages& pages) {
   pages.heading(pages.say("Buildings and their walls", "建物とその壁"));
   pages.paragraph(pages.say(
       "sigma: across the wall, metres. The last three: probability that the wall is off by no more "
-      "than so much, its building being the right one or not. Walls are counted from the one along "
-      "the building's heading, counter-clockwise.",
+      "than so much, its building being the right one or not. Walls are counted from the one where "
+      "the building's heading points, counter-clockwise.",
       "σ "
       "は壁に直交する向きのもの（m）です。右の三列は、その建物が正しい建物でない場合も含めて、壁の"
       "ずれがその値以内である"
-      "確率です。壁は建物の方位の側から反時計回りに数えます。"));
+      "確率です。壁は建物の方位が指す側から反時計回りに数えます。"));
   pages.row({{0.0, pages.say("building", "建物")},
              {60.0, pages.say("moved", "移動")},
              {80.0, pages.say("doubt", "疑い")},

@@ -74,7 +74,7 @@ TEST_F(Journey, KeepsARunInOneFolderAndMakesAPageOfIt) {
              "");
   EXPECT_NE(contentOf("run.html").find("trajectory"), std::string::npos);
   expectDone(run({"report", "--run", "kept", "--out", "walls.csv"}), "");
-  EXPECT_EQ(contentOf("walls.csv").find("building,"), 0U);
+  EXPECT_NE(contentOf("walls.csv").find("\nbuilding,"), std::string::npos);
   expectDone(run({"report", "--run", "kept", "--out", "copy.mcap"}), "");
   EXPECT_EQ(contentOf("copy.mcap"), contentOf("kept/run.mcap"));
   EXPECT_FALSE(fs::exists("copy.mcap.part"));

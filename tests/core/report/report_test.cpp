@@ -59,6 +59,48 @@ TEST(Tolerances, AreTables) {
   EXPECT_NE(tolerancesLatex(map).find("\na\\_1,\"b\" & 0 & 0.30 & yes"), std::string::npos);
 }
 
+TEST(Tolerances, SayWhatEachColumnMeans) {
+  for (const auto& [table, mark] : {std::pair(tolerancesCsv(inputs().refined), "# "),
+                                    {tolerancesLatex(inputs().refined), "% "}}) {
+    for (const char* word : {"side:", "sigma:", "seen:", "probability"}) {
+      const std::size_t at = table.find(word);
+      ASSERT_NE(at, std::string::npos) << word;
+      EXPECT_EQ(table.compare(table.rfind('\n', at) + 1, 2, mark), 0) << word;
+    }
+  }
+}
+
+TEST(Tolerances, OfAWallAreOfThatWall) {
+  const Building truth = house("A", 0.0);  // 10 m along x, 8 m deep
+  Building found = truth;
+  found.shape = Rectangle{{1.0, 10.0}, 12.0, 8.5, 0.0};  // ahead by 2 m, behind as it is
+  EXPECT_NEAR(wallOffset(found, truth, 0), 2.0, 1e-9);
+  EXPECT_NEAR(wallOffset(found, truth, 1), 0.25, 1e-9);
+  EXPECT_NEAR(wallOffset(found, truth, 2), 0.0, 1e-9);
+  EXPECT_NEAR(wallOffset(found, truth, 3), 0.25, 1e-9);
+  found.shape = Rectangle{{1.0, 10.0}, 8.5, 12.0, -kPi / 2.0};  // the same with other names
+  EXPECT_NEAR(wallOffset(found, truth, 1), 2.0, 1e-9);
+  EXPECT_NEAR(wallOffset(found, truth, 3), 0.0, 1e-9);
+}
+
+TEST(Report, TellsWhatSurveyorsState) {
+  ReportInputs made = inputs();
+  EXPECT_FALSE(dataOf(reportHtml(made)).contains("survey"));
+  made.truth = made.drawing;
+  made.truth->buildings[0].shape = Rectangle{{3.5, 14.0}, 10.0, 8.0, 0.0};
+  made.truth->buildings.push_back(house("C", 90.0));
+  const Survey survey = surveyOf(made.drawing, made.refined, *made.truth);
+  EXPECT_EQ(survey.buildings, 3);
+  EXPECT_EQ(survey.present, 2);
+  EXPECT_EQ(survey.walls, 2);  // ahead and to the right
+  EXPECT_NEAR(survey.rms_before_m, std::sqrt((3.5 * 3.5 + 4.0 * 4.0) / 2.0), 1e-9);
+  EXPECT_NEAR(survey.rms_after_m, std::sqrt(0.5 * 0.5 / 2.0), 1e-9);
+  EXPECT_EQ(survey.within_before, (std::array{0, 0, 0}));
+  EXPECT_EQ(survey.within_after, (std::array{1, 2, 2}));
+  EXPECT_EQ(dataOf(reportHtml(made))["survey"]["present"], 2);
+  EXPECT_NE(reportPdf(made).find("completeness 67 %"), std::string::npos);
+}
+
 TEST(Report, HoldsWhatItShowsAndTheData) {
   const std::string page = reportHtml(inputs());
   const auto data = dataOf(page);

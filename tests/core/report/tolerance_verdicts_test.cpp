@@ -19,20 +19,6 @@ std::optional<double> classOf(const WallTolerance& wall) {
   return std::nullopt;
 }
 
-/// Of the middle of a wall, across the true one.
-double offBy(const Building& found, const Building& truth, int side) {
-  const auto ends = [side](const Building& building) {
-    const Polygon corners = building.box().corners();
-    const auto at = static_cast<std::size_t>(side);
-    return std::pair(corners[at], corners[(at + 1) % corners.size()]);
-  };
-  const auto [a, b] = ends(truth);
-  const auto [c, d] = ends(found);
-  const Vec2 along = (b - a).normalized();
-  const Vec2 off = 0.5 * (c + d) - 0.5 * (a + b);
-  return std::abs(along.x() * off.y() - along.y() * off.x());
-}
-
 TEST(Tolerances, AreRightInNineteenOfTwentyWalls) {
   int walls = 0;
   int seen = 0;
@@ -54,7 +40,7 @@ TEST(Tolerances, AreRightInNineteenOfTwentyWalls) {
       if (!wall.seen || !within) continue;
       ++walls;
       const double off =
-          offBy(*refined.find(wall.building), *world.map.find(wall.building), wall.side);
+          wallOffset(*refined.find(wall.building), *world.map.find(wall.building), wall.side);
       right += off <= *within ? 1 : 0;
     }
   }
