@@ -27,6 +27,7 @@
 #include "core/recording/image_file.h"
 #include "core/run_log/run_film.h"
 #include "core/run_log/run_log.h"
+#include "core/run_log/run_part.h"
 #include "core/session/lost_and_found.h"
 #include "core/session/redone_acts.h"
 #include "core/session/run_session.h"
@@ -215,7 +216,14 @@ std::shared_ptr<const WindowClassifier> classifierFor(const RunArguments& argume
 class Chronicle {
  public:
   Chronicle(const RunArguments& arguments, const Map& drawing, const SourceInfo& source) {
-    if (!arguments.mcap.empty()) log_.emplace(arguments.mcap, drawing, source);
+    if (!arguments.mcap.empty()) {
+      if (const auto kept = keepUnfinished(arguments.mcap); kept && !arguments.quiet) {
+        fmt::print(stderr,
+                   "a run before was ended before its MCAP was whole: what there is of it is {}\n",
+                   kept->string());
+      }
+      log_.emplace(arguments.mcap, drawing, source);
+    }
     if (!arguments.film.empty()) film_.emplace(arguments.film, drawing);
   }
   void add(const Snapshot& snapshot) {

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
+#include <optional>
 
 #include <fcntl.h>
 #include <unistd.h>
 #include <zstd.h>
 
+#include "core/bags/bag_file.h"
+#include "core/bags/field_reader.h"
 #include "core/bags/mcap_format.h"
 #include "core/base/error.h"
 #include "core/base/phrase.h"
@@ -58,7 +62,49 @@ FieldWriter textMap(const std::map<std::string, std::string>& values) {
   return inner;
 }
 
+/// Where what was written last is no more whole; nullopt: nowhere.
+std::optional<std::uint64_t> cutOf(const BagFile& file) {
+  std::uint64_t at = kMcapMagic.size();
+  std::uint64_t end = 0;  // of the data: behind it there is what can be made again
+  while (file.has(at, kMcapRecordHead)) {
+    const std::string head = file.read(at, kMcapRecordHead);
+    FieldReader reader(head, file.name());
+    const auto kind = static_cast<McapRecord>(reader.get<std::uint8_t>());
+    const auto bytes = reader.get<std::uint64_t>();
+    const bool is_known = kind >= McapRecord::Header && kind <= McapRecord::DataEnd;
+    if (!is_known || !file.has(at + kMcapRecordHead, bytes)) break;
+    if (kind == McapRecord::DataEnd) end = at;
+    at += kMcapRecordHead + bytes;
+    const std::uint64_t magic = kMcapMagic.size();
+    const bool is_whole = kind == McapRecord::Footer && at + magic == file.size() &&
+                          file.read(at, magic) == kMcapMagic;
+    if (is_whole) return std::nullopt;
+  }
+  return end != 0 ? end : at;
+}
+
 }  // namespace
+
+bool finishMcap(const std::filesystem::path& path) {
+  const BagFile file(path);
+  if (!file.has(0, kMcapMagic.size()) || file.read(0, kMcapMagic.size()) != kMcapMagic) {
+    throwBadInput(file.name(), "", phrase("another beginning"), "MCAP0");
+  }
+  const auto cut = cutOf(file);
+  if (!cut) return false;
+  const std::string tail = tailOf({}, *cut);
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const auto bytes = static_cast<off_t>(*cut);
+  const bool is_written =
+      descriptor >= 0 &&
+      pwrite(descriptor, tail.data(), tail.size(), bytes) == static_cast<ssize_t>(tail.size()) &&
+      ftruncate(descriptor, bytes + static_cast<off_t>(tail.size())) == 0;
+  const int reason = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (is_written) return true;
+  throw Error(ErrorCode::RunFailed,
+              phrase("{}: cannot be written: {}", file.name(), std::strerror(reason)));
+}
 
 McapWriter::McapWriter(const std::filesystem::path& path)
     : path_(path), descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {

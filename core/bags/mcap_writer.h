@@ -13,6 +13,11 @@
 
 namespace handmap {
 
+/// Gives a file that was cut off (by whatever stops a machine, or a full disk) the end that a whole
+/// one has, behind its last whole record. False: it is whole. Throws BadInput for what is no MCAP,
+/// RunFailed where it cannot be written.
+bool finishMcap(const std::filesystem::path& path);
+
 class McapWriter {
  public:
   /// Replaces what is there. Throws RunFailed.

@@ -130,6 +130,27 @@ TEST_F(BagsCli, TheStreetsBagGivesTheSameRunAsItsFolder) {
   EXPECT_LT(apart_m("own-images"), 0.1);
 }
 
+/// As power that goes leaves it: cut anywhere, before it took its place.
+TEST_F(BagsCli, AnMcapThatWasCutOffIsFinishedAtTheNextStart) {
+  ASSERT_EQ(run({"simulate", "--seed", "3", "--out", "world"}).status, 0);
+  const auto again = [] {
+    return run({"run", "--map", "world/sketch.handmap", "--recording", "world", "--mcap",
+                "run.mcap", "--to", "20"});
+  };
+  ASSERT_EQ(again().status, 0);
+  const std::string whole = contentOf("run.mcap");
+  std::ofstream("run.part.mcap", std::ios::binary) << whole.substr(0, whole.size() / 2);
+  const Outcome next = again();
+  ASSERT_EQ(next.status, 0) << next.err;
+  EXPECT_NE(next.err.find("what there is of it is run.unfinished.mcap\n"), std::string::npos)
+      << next.err;
+  EXPECT_TRUE(contentOf("run.mcap").ends_with("MCAP0\r\n"));
+  EXPECT_TRUE(contentOf("run.unfinished.mcap").ends_with("MCAP0\r\n"));
+  const Outcome info = run({"info", "run.unfinished.mcap"});
+  EXPECT_EQ(info.err, "") << "nothing is cut off any more";
+  EXPECT_NE(info.out.find("/pose "), std::string::npos);
+}
+
 /// By programs of others: ./dev peers gets them.
 TEST_F(BagsCli, ARunAsMcapIsReadByOthers) {
   ASSERT_EQ(run({"simulate", "--seed", "3", "--out", "world"}).status, 0);

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/bags/mcap_writer.h"
 #include "core/bags/ros_definitions.h"
 #include "core/bags/ros_messages.h"
+#include "core/run_log/ros_writing.h"
 #include "core/run_log/run_part.h"
 #include "core/simulation/simulated_source.h"
 #include "core/simulation/world.h"
@@ -65,6 +67,41 @@ TEST(RunLog, HoldsTheRun) {
             {});
   EXPECT_EQ(read.header.frame, "map");
   EXPECT_NEAR(read.pose.translation().x(), last.x, 1e-9);
+}
+
+/// Wherever it was cut, others read what there is, and no frame that was whole is lost.
+TEST(RunLog, OneThatWasCutOffIsFinishedAtTheNextStart) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "run.mcap";
+  EXPECT_FALSE(keepUnfinished(path));
+  {
+    McapWriter writer(runPartOf(path));
+    const auto topic = writer.addTopic("/pose", "geometry_msgs/msg/PoseStamped",
+                                       rosDefinition("geometry_msgs/msg/PoseStamped"));
+    for (int i = 0; i < 10; ++i) {
+      writer.write(topic, 2.0 * i, ros::pose({2.0 * i, "map"}, Pose2{1.0 * i, 0.0, 0.0}));
+    }
+  }
+  const std::string all = folder.read("run.part.mcap");
+  const auto messages = [&](const std::filesystem::path& file) {
+    const auto bag = openBag(file);
+    EXPECT_TRUE(bag->notes().empty()) << "whole";
+    return bag->topics().empty() ? 0U : bag->topics()[0].messages;
+  };
+  std::size_t before = 0;
+  for (std::size_t bytes = 60; bytes <= all.size(); bytes += 7) {
+    folder.write("run.part.mcap", std::string_view(all).substr(0, bytes));
+    const auto kept = keepUnfinished(path);
+    ASSERT_EQ(kept, folder.path() / "run.unfinished.mcap");
+    EXPECT_FALSE(exists(runPartOf(path)));
+    EXPECT_FALSE(finishMcap(*kept)) << "nothing more to do";
+    const std::size_t now = messages(*kept);
+    EXPECT_GE(now, before) << bytes;
+    before = now;
+  }
+  EXPECT_EQ(before, 9U) << "the last second was not written when the program ended";
+  folder.write("run.part.mcap", "something else");
+  EXPECT_FALSE(keepUnfinished(path));
 }
 
 }  // namespace
