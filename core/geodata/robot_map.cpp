@@ -185,6 +185,27 @@ Grid gridOf(const Map& map, const fs::path& file) {
                 phrase("at most {}", kMostSide));
 }
 
+/// Both or none: an old text beside a new picture would be another map.
+void writePair(const fs::path& path, const std::string& pgm, const std::string& text) {
+  fs::path image = path;
+  image.replace_extension(".pgm");
+  fs::path part = image;
+  part += ".part";
+  writeFileAtomically(part, pgm);
+  std::error_code error;
+  try {
+    writeFileAtomically(path, fmt::format("image: {}\n{}", image.filename().string(), text));
+  } catch (const Error&) {
+    fs::remove(part, error);
+    throw;
+  }
+  fs::rename(part, image, error);
+  if (error) {
+    throw Error(ErrorCode::RunFailed,
+                phrase("{}: cannot be written: {}", image.string(), error.message()));
+  }
+}
+
 }  // namespace
 
 double robotMapCell(const Map& map, const fs::path& file) { return gridOf(map, file).cell_m; }
@@ -208,14 +229,11 @@ void writeRobotMap(const Map& map, const fs::path& path) {
     cv::fillPoly(picture, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(0), cv::LINE_8,
                  kShift);
   }
-  fs::path image = path;
-  image.replace_extension(".pgm");
-  writeFileAtomically(image, pgm);
-  writeFileAtomically(path,
-                      fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0]\n"
-                                  "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n",
-                                  image.filename().string(), formatNumber(grid.cell_m),
-                                  formatNumber(grid.low.x()), formatNumber(grid.low.y())));
+  writePair(path, pgm,
+            fmt::format("mode: trinary\nresolution: {}\norigin: [{}, {}, 0]\n"
+                        "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n",
+                        formatNumber(grid.cell_m), formatNumber(grid.low.x()),
+                        formatNumber(grid.low.y())));
 }
 
 Map readRobotMap(const fs::path& path) {

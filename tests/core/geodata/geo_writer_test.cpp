@@ -187,6 +187,14 @@ TEST_F(GeoWriter, ALargePlaceGetsCoarserCells) {
   EXPECT_EQ(readFile(out("yaml"), 1 << 16), "as it was");
 }
 
+TEST_F(GeoWriter, WhereTheTextCannotBeWrittenThePictureStays) {
+  folder_.write("map.pgm", "as it was");
+  std::filesystem::create_directory(out("yaml"));
+  EXPECT_THROW(writeGeoMap(corrected(), out("yaml")), Error);
+  EXPECT_EQ(folder_.read("map.pgm"), "as it was");
+  EXPECT_FALSE(exists(folder_.path() / "map.pgm.part"));
+}
+
 TEST_F(GeoWriter, AGridIsReadInAllItsModes) {
   const auto grid = [&](const std::string& more, const std::vector<int>& pixels) {
     std::string pgm = "P5\n4 2\n255\n";
