@@ -1519,6 +1519,18 @@
         <source>Pictures (%1)</source>
         <translation>画像 (%1)</translation>
     </message>
+    <message>
+        <source>Replace?</source>
+        <translation>置き換えますか?</translation>
+    </message>
+    <message>
+        <source>“%1” is there already.</source>
+        <translation>「%1」はすでにあります。</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>置き換える(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>TimeLeft</name>

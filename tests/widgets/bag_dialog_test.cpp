@@ -48,6 +48,10 @@ void BagDialogTest::proposesTopicsAndTakesOthers() {
   QCOMPARE(dialog.topics().at("left"), std::string("none"));
   QVERIFY(!dialog.findChild<QComboBox*>("bag_left")->isEnabled());
   QVERIFY(mayImport(dialog));
+  dialog.setVisible(true);
+  QTest::keyClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
+                  Qt::Key_Return);
+  QCOMPARE(dialog.result(), int(QDialog::Accepted));
   scan->setCurrentIndex(2);
   QCOMPARE(dialog.topics().at("scan"), std::string("/rear/scan"));
   auto* sensor = dialog.findChild<QLineEdit*>("bag_sensor");

@@ -1,7 +1,10 @@
 #include "widgets/messages/dialogs.h"
 
+#include <QApplication>
 #include <QComboBox>
+#include <QFile>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -14,6 +17,7 @@ class DialogsTest : public QObject {
 
  private Q_SLOTS:
   void whatIsSavedHasTheEndingOfTheChosenKind();
+  void aNameWithAnotherEndingGetsTheRightOne();
   void whatIsTypedReplacesWhatIsProposed();
 };
 
@@ -31,6 +35,32 @@ void DialogsTest::whatIsSavedHasTheEndingOfTheChosenKind() {
   const QString path = systemDialogs(window)->fileToSave(
       {"Save", folder.path(), "A (*.a);;B (*.bb *.c)", "town.a", "a"});
   QCOMPARE(path, folder.filePath("town.bb"));
+}
+
+void DialogsTest::aNameWithAnotherEndingGetsTheRightOne() {
+  const QTemporaryDir folder;
+  QWidget window;
+  const auto saved = [&](const QString& typed) {
+    QTimer::singleShot(0, &window, [&window, typed] {
+      auto* dialog = window.findChild<QFileDialog*>();
+      QVERIFY(dialog);
+      dialog->findChild<QLineEdit*>("fileNameEdit")->setText(typed);
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    return systemDialogs(window)->fileToSave(
+        {"Save", folder.path(), "A (*.a);;B (*.b *.x.b)", "town.a", "a"});
+  };
+  QCOMPARE(saved("Campus v1.2"), folder.filePath("Campus v1.2.a"));
+  QCOMPARE(saved("town"), folder.filePath("town.a"));
+  QCOMPARE(saved("town.B"), folder.filePath("town.B"));
+  QFile there(folder.filePath("page.html.a"));
+  QVERIFY(there.open(QIODevice::WriteOnly));
+  QTimer::singleShot(300, &window, [] {
+    auto* question = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    QVERIFY(question);
+    question->reject();
+  });
+  QCOMPARE(saved("page.html"), QString());
 }
 
 void DialogsTest::whatIsTypedReplacesWhatIsProposed() {

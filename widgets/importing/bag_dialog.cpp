@@ -40,6 +40,9 @@ BagDialog::BagDialog(const QString& file, QWidget* parent)
   resize(560, 320);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   import_ = buttons->addButton(tr("Import…"), QDialogButtonBox::AcceptRole);
+  import_->setDefault(true);
+  // It has the focus while it is all that can be pressed: Return would leave.
+  buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
   import_->setEnabled(false);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -64,6 +64,9 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
   columns->addLayout(form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   import_ = buttons->addButton(tr("Import…"), QDialogButtonBox::AcceptRole);
+  import_->setDefault(true);
+  // It has the focus while it is all that can be pressed: Return would leave.
+  buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
   auto* another = buttons->addButton(tr("&Another File…"), QDialogButtonBox::ActionRole);
   another->setToolTip(tr("Such as the poses that belong to the scans."));
   another->setObjectName("import_another");

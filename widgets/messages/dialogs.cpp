@@ -29,6 +29,17 @@ void takeEnding(QFileDialog& dialog, const QString& filter) {
   if (!name.isEmpty()) dialog.selectFile(name + QLatin1Char('.') + ending);
 }
 
+/// "Campus v1.2" is a name without an ending, and "plan.jpg" no PNG: what tells its kind is added.
+QString withEnding(const QString& path, const QFileDialog& dialog) {
+  static const QRegularExpression kEnding(QStringLiteral(R"(\*(\.[\w.]+))"));
+  auto endings = kEnding.globalMatch(dialog.nameFilters().join(u' '));
+  if (path.isEmpty() || !endings.hasNext() || dialog.defaultSuffix().isEmpty()) return path;
+  while (endings.hasNext()) {
+    if (path.endsWith(endings.next().captured(1), Qt::CaseInsensitive)) return path;
+  }
+  return path + QLatin1Char('.') + dialog.defaultSuffix();
+}
+
 class SystemDialogs : public Dialogs {
  public:
   explicit SystemDialogs(QWidget& window) : window_(window) {}
@@ -44,7 +55,10 @@ class SystemDialogs : public Dialogs {
     dialog.selectFile(file.suggestion);
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
                      [&dialog](const QString& filter) { takeEnding(dialog, filter); });
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    if (dialog.exec() != QDialog::Accepted) return {};
+    const QString chosen = dialog.selectedFiles().value(0);
+    const QString path = withEnding(chosen, dialog);
+    return path == chosen || mayReplace(path) ? path : QString();
   }
 
   QString folderToOpen(const QString& title, const QString& folder) override {
@@ -103,6 +117,16 @@ class SystemDialogs : public Dialogs {
   }
 
  private:
+  /// The dialog has asked for another name.
+  bool mayReplace(const QString& path) {
+    if (!QFileInfo::exists(path)) return true;
+    const int answer =
+        choose({QObject::tr("Replace?"),
+                QObject::tr("“%1” is there already.").arg(QFileInfo(path).fileName()),
+                {QObject::tr("&Replace")}});
+    return answer == 0;
+  }
+
   QWidget& window_;
 };
 
