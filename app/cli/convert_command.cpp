@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/messages.h"
 #include "app/cli/options.h"
+#include "core/base/text.h"
 #include "core/geodata/geo_map.h"
 #include "core/geodata/geo_writer.h"
 #include "core/geodata/robot_map.h"
@@ -10,6 +13,7 @@
 #include "core/map/map_limits.h"
 #include "core/map/references.h"
 #include "core/map_match/grid_place.h"
+#include "core/report/plan.h"
 
 namespace handmap {
 
@@ -22,6 +26,12 @@ struct ConvertArguments {
 };
 
 bool isDrawing(const std::filesystem::path& path) { return path.extension() == ".handmap"; }
+
+bool isPlan(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return !ending.empty() &&
+         std::ranges::find(planEndings(), ending.substr(1)) != planEndings().end();
+}
 
 /// A robot's map becomes a picture under the drawing.
 int layOnto(const ConvertArguments& arguments) {
@@ -75,6 +85,10 @@ int convert(const ConvertArguments& arguments) {
   checkOutputFiles({arguments.out}, {arguments.in});
   if (from_drawing) {
     const Map map = readMap(arguments.in);
+    if (isPlan(arguments.out)) {
+      writeFileAtomically(arguments.out, formatPlan(map, arguments.out));
+      return 0;
+    }
     writeGeoMap(map, arguments.out);
     tellCoarseCells(map, arguments.out);
     return 0;
@@ -110,7 +124,8 @@ void addConvertCommand(CLI::App& app, ChosenCommand& chosen) {
                    "The drawing (.handmap); or of one GeoJSON, OpenStreetMap XML, KML, GeoPackage "
                    "(these need a georeference), DXF, a map of map_server (.yaml and .pgm), for "
                    "fleets Open-RMF's NAME.building.yaml and the reference coordinates of the "
-                   "robot's map under it, NAME.fleet.yaml")
+                   "robot's map under it, NAME.fleet.yaml; or the plan with scale bar and legend "
+                   "(.pdf, .svg, .png)")
       ->required()
       ->option_text("OUT");
   command

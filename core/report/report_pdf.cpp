@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/pdf/pdf_document.h"
+#include "core/report/plan.h"
 #include "core/report/report_data.h"
 
 namespace handmap {
@@ -31,12 +32,6 @@ Polygon pointsOf(const Json& outline) {
   Polygon points;
   for (const Json& p : outline) points.emplace_back(p[0].get<double>(), p[1].get<double>());
   return points;
-}
-
-/// 1, 2 or 5 times a power of ten, at most so much.
-double roundLength(double most) {
-  const double power = std::pow(10.0, std::floor(std::log10(most)));
-  return power * (most >= 5.0 * power ? 5.0 : most >= 2.0 * power ? 2.0 : 1.0);
 }
 
 bool isWithin(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }  // a character

@@ -133,6 +133,18 @@ TEST_F(Others, FindNothingWrongInPlans) {
   EXPECT_LT(apart(corners_, read["points"].get<Points>()), 1e-6);
 }
 
+TEST_F(Others, ShowPlans) {
+  HANDMAP_NEEDS("xmllint");
+  HANDMAP_NEEDS("pdftotext");
+  HANDMAP_NEEDS("identify");
+  convert("map.svg");
+  convert("map.pdf");
+  convert("map.png");
+  said("xmllint --noout map.svg && echo well-formed");
+  EXPECT_NE(said("pdftotext map.pdf -").find("N1"), std::string::npos);
+  EXPECT_EQ(said("identify -format '%m %w x %h' map.png"), "PNG 2376 x 1680");
+}
+
 /// A short run, its film and all that is kept of it.
 class OthersOfARun : public Others {
  protected:
