@@ -9,9 +9,7 @@
 #include <unistd.h>
 #include <zstd.h>
 
-#include "core/bags/bag_file.h"
-#include "core/bags/field_reader.h"
-#include "core/bags/mcap_format.h"
+#include "core/bags/mcap_summary.h"
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 
@@ -25,25 +23,6 @@ constexpr int kZstdLevel = 1;
 
 std::uint64_t nanosecondsOf(double time_s) {
   return static_cast<std::uint64_t>(std::llround(std::max(0.0, time_s) * 1e9));
-}
-
-std::string record(McapRecord kind, std::string_view content) {
-  FieldWriter writer;
-  writer.put(static_cast<std::uint8_t>(kind));
-  writer.sized<std::uint64_t>(content);
-  return writer.bytes();
-}
-
-std::string tailOf(std::string_view summary, std::uint64_t at) {
-  FieldWriter end;
-  end.put(std::uint32_t{0});  // no checksum of the data
-  const std::string data_end = record(McapRecord::DataEnd, end.bytes());
-  FieldWriter footer;
-  footer.put(summary.empty() ? std::uint64_t{0} : at + data_end.size());
-  footer.put(std::uint64_t{0});  // no offsets of the parts of the summary
-  footer.put(std::uint32_t{0});
-  return data_end + std::string(summary) + record(McapRecord::Footer, footer.bytes()) +
-         std::string(kMcapMagic);
 }
 
 std::string packedByZstd(const std::string& plain) {
@@ -62,57 +41,15 @@ FieldWriter textMap(const std::map<std::string, std::string>& values) {
   return inner;
 }
 
-/// Where what was written last is no more whole; nullopt: nowhere.
-std::optional<std::uint64_t> cutOf(const BagFile& file) {
-  std::uint64_t at = kMcapMagic.size();
-  std::uint64_t end = 0;  // of the data: behind it there is what can be made again
-  while (file.has(at, kMcapRecordHead)) {
-    const std::string head = file.read(at, kMcapRecordHead);
-    FieldReader reader(head, file.name());
-    const auto kind = static_cast<McapRecord>(reader.get<std::uint8_t>());
-    const auto bytes = reader.get<std::uint64_t>();
-    const bool is_known = kind >= McapRecord::Header && kind <= McapRecord::DataEnd;
-    if (!is_known || !file.has(at + kMcapRecordHead, bytes)) break;
-    if (kind == McapRecord::DataEnd) end = at;
-    at += kMcapRecordHead + bytes;
-    const std::uint64_t magic = kMcapMagic.size();
-    const bool is_whole = kind == McapRecord::Footer && at + magic == file.size() &&
-                          file.read(at, magic) == kMcapMagic;
-    if (is_whole) return std::nullopt;
-  }
-  return end != 0 ? end : at;
-}
-
 }  // namespace
-
-bool finishMcap(const std::filesystem::path& path) {
-  const BagFile file(path);
-  if (!file.has(0, kMcapMagic.size()) || file.read(0, kMcapMagic.size()) != kMcapMagic) {
-    throwBadInput(file.name(), "", phrase("another beginning"), "MCAP0");
-  }
-  const auto cut = cutOf(file);
-  if (!cut) return false;
-  const std::string tail = tailOf({}, *cut);
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const auto bytes = static_cast<off_t>(*cut);
-  const bool is_written =
-      descriptor >= 0 &&
-      pwrite(descriptor, tail.data(), tail.size(), bytes) == static_cast<ssize_t>(tail.size()) &&
-      ftruncate(descriptor, bytes + static_cast<off_t>(tail.size())) == 0;
-  const int reason = errno;
-  if (descriptor >= 0) close(descriptor);
-  if (is_written) return true;
-  throw Error(ErrorCode::RunFailed,
-              phrase("{}: cannot be written: {}", file.name(), std::strerror(reason)));
-}
 
 McapWriter::McapWriter(const std::filesystem::path& path)
     : path_(path), descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   FieldWriter header;
   header.text("ros2");
   header.text("handmap " HANDMAP_VERSION);
-  const std::string head = std::string(kMcapMagic) + record(McapRecord::Header, header.bytes());
-  append(head, tailOf({}, head.size()));
+  const std::string head = std::string(kMcapMagic) + mcapRecord(McapRecord::Header, header.bytes());
+  append(head, mcapTail({}, head.size()));
 }
 
 McapWriter::~McapWriter() {
@@ -150,19 +87,20 @@ std::uint16_t McapWriter::addTopic(const std::string& name, const std::string& t
     fields.text(type);
     fields.text("ros2msg");
     fields.sized<std::uint32_t>(definition);
-    records += record(McapRecord::Schema, fields.bytes());
+    records += mcapRecord(McapRecord::Schema, fields.bytes());
+    summary_.addSchema(records);
   }
-  const auto topic = static_cast<std::uint16_t>(counts_.size());
+  const auto topic = static_cast<std::uint16_t>(summary_.topics());
   FieldWriter fields;
   fields.put(topic);
   fields.put(schema);
   fields.text(name);
   fields.text("cdr");
   fields.sized<std::uint32_t>({});
-  records += record(McapRecord::Channel, fields.bytes());
-  counts_.push_back(0);
-  declared_ += records;
-  append(records, tailOf({}, end_ + records.size()));
+  const std::string channel = mcapRecord(McapRecord::Channel, fields.bytes());
+  summary_.addTopic(topic, channel);
+  records += channel;
+  append(records, mcapTail({}, end_ + records.size()));
   return topic;
 }
 
@@ -174,16 +112,14 @@ void McapWriter::write(std::uint16_t topic, double time_s, std::string_view mess
   if (chunk_.empty()) chunk_first_ = chunk_last_ = time_ns;
   chunk_first_ = std::min(chunk_first_, time_ns);
   chunk_last_ = std::max(chunk_last_, time_ns);
-  first_ = std::min(first_, time_ns);
-  last_ = std::max(last_, time_ns);
   index_[topic].messages.emplace_back(time_ns, chunk_.size());
   FieldWriter fields;
   fields.put(topic);
-  fields.put(static_cast<std::uint32_t>(counts_[topic]++));
+  fields.put(static_cast<std::uint32_t>(written_[topic]++));
   fields.put(time_ns);
   fields.put(time_ns);
   fields.raw(message);
-  chunk_ += record(McapRecord::Message, fields.bytes());
+  chunk_ += mcapRecord(McapRecord::Message, fields.bytes());
 }
 
 void McapWriter::writeChunk() {
@@ -196,12 +132,13 @@ void McapWriter::writeChunk() {
   fields.text("zstd");
   const std::string packed = packedByZstd(chunk_);
   fields.sized<std::uint64_t>(packed);
-  std::string records = record(McapRecord::Chunk, fields.bytes());
-  const std::uint64_t chunk_bytes = records.size();
-  FieldWriter offsets;
+  std::string records = mcapRecord(McapRecord::Chunk, fields.bytes());
+  McapChunk chunk{chunk_first_, chunk_last_,   end_,         records.size(),
+                  "zstd",       packed.size(), chunk_.size()};
   for (const auto& [topic, indexed] : index_) {
-    offsets.put(topic);
-    offsets.put(end_ + records.size());
+    chunk.offsets.put(topic);
+    chunk.offsets.put(end_ + records.size());
+    chunk.counts[topic] = indexed.messages.size();
     FieldWriter entries;
     for (const auto& [time_ns, place] : indexed.messages) {
       entries.put(time_ns);
@@ -210,21 +147,11 @@ void McapWriter::writeChunk() {
     FieldWriter index;
     index.put(topic);
     index.sized<std::uint32_t>(entries.bytes());
-    records += record(McapRecord::MessageIndex, index.bytes());
+    records += mcapRecord(McapRecord::MessageIndex, index.bytes());
   }
-  FieldWriter index;
-  index.put(chunk_first_);
-  index.put(chunk_last_);
-  index.put(end_);
-  index.put(chunk_bytes);
-  index.sized<std::uint32_t>(offsets.bytes());
-  index.put(static_cast<std::uint64_t>(records.size() - chunk_bytes));
-  index.text("zstd");
-  index.put(static_cast<std::uint64_t>(packed.size()));
-  index.put(static_cast<std::uint64_t>(chunk_.size()));
-  chunk_indexes_ += record(McapRecord::ChunkIndex, index.bytes());
-  ++chunks_;
-  append(records, tailOf({}, end_ + records.size()));
+  chunk.index_bytes = records.size() - chunk.bytes;
+  summary_.add(chunk);
+  append(records, mcapTail({}, end_ + records.size()));
   chunk_.clear();
   index_.clear();
 }
@@ -238,56 +165,23 @@ void McapWriter::attach(const std::string& name, const std::string& media_type, 
   fields.text(media_type);
   fields.sized<std::uint64_t>(content);
   fields.put(mcapChecksum(fields.bytes()));
-  const std::string records = record(McapRecord::Attachment, fields.bytes());
-  FieldWriter index;
-  index.put(end_);
-  index.put(static_cast<std::uint64_t>(records.size()));
-  index.put(nanosecondsOf(time_s));
-  index.put(nanosecondsOf(time_s));
-  index.put(static_cast<std::uint64_t>(content.size()));
-  index.text(name);
-  index.text(media_type);
-  other_indexes_ += record(McapRecord::AttachmentIndex, index.bytes());
-  ++attachments_;
-  append(records, tailOf({}, end_ + records.size()));
+  const std::string records = mcapRecord(McapRecord::Attachment, fields.bytes());
+  summary_.addAttachment(end_, records.size(), fields.bytes());
+  append(records, mcapTail({}, end_ + records.size()));
 }
 
 void McapWriter::note(const std::string& name, const std::map<std::string, std::string>& values) {
   FieldWriter fields;
   fields.text(name);
   fields.sized<std::uint32_t>(textMap(values).bytes());
-  const std::string records = record(McapRecord::Metadata, fields.bytes());
-  FieldWriter index;
-  index.put(end_);
-  index.put(static_cast<std::uint64_t>(records.size()));
-  index.text(name);
-  other_indexes_ += record(McapRecord::MetadataIndex, index.bytes());
-  ++notes_;
-  append(records, tailOf({}, end_ + records.size()));
+  const std::string records = mcapRecord(McapRecord::Metadata, fields.bytes());
+  summary_.addNote(end_, records.size(), name);
+  append(records, mcapTail({}, end_ + records.size()));
 }
 
 void McapWriter::finish() {
   writeChunk();
-  std::uint64_t messages = 0;
-  FieldWriter counts;
-  for (std::size_t topic = 0; topic < counts_.size(); ++topic) {
-    messages += counts_[topic];
-    counts.put(static_cast<std::uint16_t>(topic));
-    counts.put(counts_[topic]);
-  }
-  FieldWriter statistics;
-  statistics.put(messages);
-  statistics.put(static_cast<std::uint16_t>(schemas_.size()));
-  statistics.put(static_cast<std::uint32_t>(counts_.size()));
-  statistics.put(attachments_);
-  statistics.put(notes_);
-  statistics.put(chunks_);
-  statistics.put(messages > 0 ? first_ : std::uint64_t{0});
-  statistics.put(last_);
-  statistics.sized<std::uint32_t>(counts.bytes());
-  append({}, tailOf(declared_ + record(McapRecord::Statistics, statistics.bytes()) +
-                        chunk_indexes_ + other_indexes_,
-                    end_));
+  append({}, summary_.tail(end_));
 }
 
 }  // namespace handmap

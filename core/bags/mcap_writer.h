@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/bags/field_writer.h"
+#include "core/bags/mcap_summary.h"
 
 namespace handmap {
 
@@ -50,20 +50,13 @@ class McapWriter {
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uint64_t end_ = 0;  ///< of what stays
-  std::string declared_;   ///< schemas and channels, once more for the summary
+  McapSummary summary_;
   std::map<std::string, std::uint16_t> schemas_;
-  std::vector<std::uint64_t> counts_;  ///< messages by topic
+  std::map<std::uint16_t, std::uint64_t> written_;  ///< messages by topic
   std::string chunk_;
   std::map<std::uint16_t, Indexed> index_;  ///< of the chunk
   std::uint64_t chunk_first_ = 0;
   std::uint64_t chunk_last_ = 0;
-  std::string chunk_indexes_;
-  std::string other_indexes_;  ///< of attachments and notes
-  std::uint32_t chunks_ = 0;
-  std::uint32_t attachments_ = 0;
-  std::uint32_t notes_ = 0;
-  std::uint64_t first_ = UINT64_MAX;
-  std::uint64_t last_ = 0;
 };
 
 }  // namespace handmap

@@ -5,6 +5,7 @@
 
 #include "core/bag_import/bag_facts.h"
 #include "core/bags/bag.h"
+#include "core/bags/mcap_writer.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace handmap;
@@ -41,6 +42,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
               },
               {});
   });
+  if (path.extension() == ".mcap") {
+    fuzz::takenOrRefused([&] {
+      finishMcap(path);
+      fuzz::require(!finishMcap(path));
+    });
+  }
   std::filesystem::remove(path);
   return result;
 }
