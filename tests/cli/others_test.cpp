@@ -183,6 +183,34 @@ TEST_F(OthersOfARun, ShowThePage) {
       << "particles of the first frame";
 }
 
+TEST_F(OthersOfARun, ThePageCanBeUsed) {
+  HANDMAP_NEEDS("chromium");
+  ASSERT_EQ(run({"report", "--run", "kept", "--out", "page.html"}).status, 0);
+  std::string page = contentOf("page.html");
+  page.insert(page.rfind("</body>"),
+              "<script>" + contentOf(HANDMAP_SOURCES "/tests/cli/peers/use_page.js") + "</script>");
+  writeText("used.html", page);
+  const std::string shown = said(
+      "chromium --headless --no-sandbox --disable-gpu --user-data-dir=profile --dump-dom "
+      "--virtual-time-budget=3000 \"file://$PWD/used.html\"");
+  const std::string begin = "<pre id=\"told\">";
+  const std::size_t at = shown.find(begin);
+  ASSERT_NE(at, std::string::npos) << "it stopped on the way";
+  const std::size_t from = at + begin.size();
+  const Json told = Json::parse(shown.substr(from, shown.find("</pre>", from) - from));
+  EXPECT_TRUE(told["moved"].get<bool>()) << "the timeline moves the robot";
+  EXPECT_NEAR(told["charted"].get<double>(), 0.5, 0.1) << "the chart, too";
+  EXPECT_NEAR(told["measured"].get<double>(), told["expected"].get<double>(), 0.01);
+  EXPECT_GE(told["layers"], 4);
+  EXPECT_TRUE(told["hidden"].get<bool>());
+  EXPECT_TRUE(told["zoomed"].get<bool>());
+  EXPECT_EQ(told["marked"], 1);
+  EXPECT_NE(told["titles"]["en"].get<std::string>().find("Report of a run"), std::string::npos);
+  EXPECT_NE(told["titles"]["ja"].get<std::string>().find("実行の報告"), std::string::npos);
+  EXPECT_GE(told["links"].size(), 6U);
+  for (const Json& link : told["links"]) EXPECT_TRUE(link["is_here"].get<bool>()) << link["name"];
+}
+
 TEST_F(OthersOfARun, RerunShowsIt) {
   HANDMAP_NEEDS("chromium");
   if (!exists(std::filesystem::path(HANDMAP_PEERS "/node_modules/@rerun-io/web-viewer"))) {
