@@ -871,6 +871,14 @@
         <source>Save the moments of the run as a video of the map.</source>
         <translation>実行の各時点を地図の動画として保存します。</translation>
     </message>
+    <message>
+        <source>E&amp;xport Recording…</source>
+        <translation>記録を書き出す(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Save what the robot meets, and what was said, as a recording.</source>
+        <translation>ロボットが見たものと、述べたことを記録として保存します。</translation>
+    </message>
 </context>
 <context>
     <name>FigureWords</name>
@@ -8817,6 +8825,26 @@ Corrected by a run.</source>
     <message>
         <source>The film of the run</source>
         <translation>実行の動画</translation>
+    </message>
+    <message>
+        <source>a live drive is recorded as it goes on</source>
+        <translation>ライブ走行は走行中に記録されます</translation>
+    </message>
+    <message>
+        <source>there is no robot yet</source>
+        <translation>ロボットがまだありません</translation>
+    </message>
+    <message>
+        <source>A new folder for the recording</source>
+        <translation>記録のための新しいフォルダー</translation>
+    </message>
+    <message>
+        <source>-recording</source>
+        <translation>-記録</translation>
+    </message>
+    <message>
+        <source>The recording</source>
+        <translation>記録</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,8 @@
 #include "app/gui/files/file_actions.h"
 #include "core/bags/bag.h"
 #include "core/map/map_io.h"
+#include "core/recording/recording.h"
+#include "core/session/acts.h"
 #include "tests/journeys/scripted_dialogs.h"
 #include "tests/journeys/window_test.h"
 #include "widgets/canvas/map_canvas.h"
@@ -164,6 +166,35 @@ TEST_F(DocumentWindow, AMapOfRobotsTakesNoPictureFromTheDrawing) {
   trigger("file.export_other");
   EXPECT_TRUE(texts().first().contains("belongs to the drawing")) << texts().first().toStdString();
   EXPECT_EQ(contentOf("plan.pgm"), plan);
+  document_.undoStack().setClean();
+}
+
+/// With what was said of it.
+TEST_F(DocumentWindow, ARunOfTheSimulatorBecomesARecording) {
+  EXPECT_FALSE(window_->findChild<QAction*>("file.export_recording")->isEnabled());
+  runSimulator(*window_);
+  ASSERT_TRUE(waitFor(*window_, RunState::Idle));
+  const auto before = window_->run().result()->last->trajectory.all();
+  const std::string gone = document_.map().buildings[1].id;
+  document_.setSelection({QString::fromStdString(gone)});
+  trigger("run.not_there");
+  dialogs_->paths = {path("drive")};
+  trigger("file.export_recording");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return texts().filter("The recording is in “drive”").size() == 1; }, kPatienceMs))
+      << texts().join('\n').toStdString();
+  const Recording recording = openRecording(path("drive").toStdString());
+  EXPECT_EQ(recording.rows.size(), before.size());
+  EXPECT_EQ(recording.truth.poses().size(), before.size());
+  const auto acts = readActs(path("drive").toStdString());
+  ASSERT_EQ(acts.size(), 1U);
+  EXPECT_EQ(acts[0].kind, Act::Kind::BuildingIsNotThere);
+  EXPECT_EQ(acts[0].building, gone);
+  dialogs_->paths = {path("drive")};
+  trigger("file.export_recording");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return texts().filter("drive").size() >= 2; }, kPatienceMs))
+      << "not over one that is there: " << texts().join('\n').toStdString();
+  EXPECT_EQ(openRecording(path("drive").toStdString()).rows.size(), before.size());
   document_.undoStack().setClean();
 }
 

@@ -64,6 +64,10 @@ constexpr std::array kActions = {
     ActionSpec{"file.export_film", QT_TRANSLATE_NOOP("Actions", "Export Run as Fi&lm…"), "", "",
                QT_TRANSLATE_NOOP("Actions", "Save the moments of the run as a video of the map."),
                Menu::File},
+    ActionSpec{"file.export_recording", QT_TRANSLATE_NOOP("Actions", "E&xport Recording…"), "", "",
+               QT_TRANSLATE_NOOP("Actions",
+                                 "Save what the robot meets, and what was said, as a recording."),
+               Menu::File},
     ActionSpec{"file.compare", QT_TRANSLATE_NOOP("Actions", "Compare &Drawings…"), "", "",
                QT_TRANSLATE_NOOP(
                    "Actions", "Tell by figures and arrows how far the drawing is off a true map."),

@@ -175,9 +175,10 @@ bool FileActions::saveTo(const QString& path) {
 
 QString FileActions::askPath(const QString& title, const QString& suggestion, const QString& filter,
                              const QString& suffix) {
-  QString path = shell_.dialogs.fileToSave(
-      {title, shell_.settings.value(kFolderKey).toString(), filter,
-       QFileInfo(suggestion).completeBaseName() + QLatin1Char('.') + suffix, suffix});
+  const QString ending = suffix.isEmpty() ? QString() : QLatin1Char('.') + suffix;
+  QString path =
+      shell_.dialogs.fileToSave({title, shell_.settings.value(kFolderKey).toString(), filter,
+                                 QFileInfo(suggestion).completeBaseName() + ending, suffix});
   if (!path.isEmpty()) shell_.settings.setValue(kFolderKey, QFileInfo(path).path());
   return path;
 }
@@ -317,7 +318,8 @@ void FileActions::exportToOthers() {
     writeGeoMap(*map, file);
     if (!isMapServer(file)) return;
     const double cell_m = robotMapCell(*map, file);
-    if (cell_m > kRobotMapCell_m) what = tr("%1 (in cells of %2 m, it is a large place)").arg(what).arg(cell_m);
+    if (cell_m > kRobotMapCell_m)
+      what = tr("%1 (in cells of %2 m, it is a large place)").arg(what).arg(cell_m);
   });
 }
 

@@ -163,11 +163,15 @@ void RevisionActions::connectSaid() {
 void RevisionActions::onWanted() {
   if (!run_.history()) return;  // it is gone
   if (const auto folder = recordingFolder(); !folder.empty()) {
-    std::vector<Act> acts;
-    for (const Said& said : acts_.all()) acts.push_back(said.act);
-    recorder_.replace(folder, acts);
+    recorder_.replace(folder, acts());
   }
   revise(acts_.poses(), Then::Take, tr("Recomputing with what is still said"));
+}
+
+std::vector<Act> RevisionActions::acts() const {
+  std::vector<Act> acts;
+  for (const Said& said : acts_.all()) acts.push_back(said.act);
+  return acts;
 }
 
 QString RevisionActions::inWords(const Said& said) const {

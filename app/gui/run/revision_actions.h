@@ -41,6 +41,7 @@ class RevisionActions : public QObject {
 
   QString whyNot() const;
   void updateActions();
+  std::vector<Act> acts() const;  ///< that were said of this run
   /// In place of those that were given.
   void takePoses(const std::vector<StampedPose>& poses);
 

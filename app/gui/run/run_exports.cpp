@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/map/map_io.h"
 #include "core/map/references.h"
+#include "core/recording/recording.h"
 #include "core/report/report.h"
 #include "core/run_log/run_film.h"
 #include "core/run_log/run_log.h"
@@ -61,6 +62,40 @@ std::vector<ReportedParticles> particlesOf(const RunHistory& history) {
   return all;
 }
 
+/// Anew from its beginning, into a new folder. False where it was stopped: then nothing is left.
+bool writeRecording(const Robot& robot, const std::vector<Act>& acts,
+                    const std::filesystem::path& folder, const std::stop_token& stop) {
+  const auto source = robot.connect({}, stop, [](double) {});
+  if (!source) return false;
+  const Trajectory truth(source->info().truth, "truth");
+  auto writer = std::make_unique<RecordingWriter>(folder, source->info());
+  const auto remove = [&] {
+    writer.reset();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+  };
+  try {
+    while (!stop.stop_requested()) {
+      std::optional<Observation> observation;
+      try {
+        observation = source->next();
+      } catch (const FrameError&) {
+        continue;  // a run passes over it, too
+      }
+      if (!observation) {
+        if (!acts.empty()) writeActs(folder, acts);
+        return true;
+      }
+      writer->add(*observation, truth.at(observation->time_s));
+    }
+  } catch (...) {
+    remove();
+    throw;
+  }
+  remove();
+  return false;
+}
+
 }  // namespace
 
 RunExports::RunExports(const Shell& shell, MapDocument& document, FileActions& files,
@@ -77,6 +112,7 @@ RunExports::RunExports(const Shell& shell, MapDocument& document, FileActions& f
   actions.on("file.export_report", this, [this] { exportReport(); });
   actions.on("file.export_mcap", this, [this] { exportMcap(); });
   actions.on("file.export_film", this, [this] { exportFilm(); });
+  actions.on("file.export_recording", this, [this] { exportRecording(); });
   files_.setCorrected([this] { return refinedMap(); });
   connect(&run_, &RunController::begun, this, &RunExports::updateActions);
   connect(&run_, &RunController::stateChanged, this, &RunExports::updateActions);
@@ -90,6 +126,10 @@ void RunExports::updateActions() {
   shell_.actions.setEnabled(
       {"file.export_map", "file.export_trajectory", "file.export_mcap", "file.export_film"},
       result != nullptr, tr("no run has corrected anything yet"));
+  const auto& robot = sources_.robot();
+  shell_.actions.setEnabled(
+      {"file.export_recording"}, robot && !robot->live,
+      robot ? tr("a live drive is recorded as it goes on") : tr("there is no robot yet"));
   shell_.actions.setEnabled({"file.export_report"}, result && !result->report.empty(),
                             tr("no run has come to its end yet"));
 }
@@ -194,6 +234,17 @@ void RunExports::exportFilm() {
             *history, path.toStdString(), stop,
             [&] { return RunFilm(path.toStdString(), drawing); },
             [](RunFilm& film) { film.finish(); });
+      });
+}
+
+void RunExports::exportRecording() {
+  const auto& robot = sources_.robot();
+  if (!robot || robot->live) return;
+  files_.exportInBackground(
+      {tr("A new folder for the recording"), nameOf(tr("-recording")), {}, {}, tr("The recording")},
+      [robot = *robot, acts = acts_ ? acts_() : std::vector<Act>()](const QString& path,
+                                                                    const std::stop_token& stop) {
+        return writeRecording(robot, acts, path.toStdString(), stop);
       });
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "app/gui/shell/shell.h"
 #include "core/map/map.h"
+#include "core/session/acts.h"
 
 namespace handmap {
 
@@ -21,6 +24,9 @@ class RunExports : public QObject {
   RunExports(const Shell& shell, MapDocument& document, FileActions& files,
              const SourceActions& sources, RunController& run);
 
+  /// What a person has said of the run, for its recording.
+  void setActs(std::function<std::vector<Act>()> acts) { acts_ = std::move(acts); }
+
  private:
   /// With where the drawing is now said to lie. nullopt: no run has a result.
   std::optional<Map> refinedMap() const;
@@ -30,6 +36,7 @@ class RunExports : public QObject {
   void exportReport();
   void exportMcap();
   void exportFilm();
+  void exportRecording();
   void updateActions();
 
   const Shell& shell_;
@@ -37,6 +44,7 @@ class RunExports : public QObject {
   FileActions& files_;
   const SourceActions& sources_;
   RunController& run_;
+  std::function<std::vector<Act>()> acts_;
 };
 
 }  // namespace handmap

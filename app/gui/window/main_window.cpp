@@ -126,7 +126,8 @@ void MainWindow::makeRun() {
       new RunViews(shell_, *canvas_, document_, *files_, *sources_, run_, *overlays_, run_panels_);
   runs_ = new TransportActions(shell_, document_, *files_, *sources_, run_, *views_, *transport_);
   results_ = new ResultActions(shell_, document_, *files_, *sources_, run_, run_panels_.buildings);
-  new RunExports(shell_, document_, *files_, *sources_, run_);
+  auto* exports = new RunExports(shell_, document_, *files_, *sources_, run_);
+  exports->setActs([this] { return revisions_->acts(); });
   new CompareActions(shell_, document_, *canvas_, *files_, *sources_, run_, this);
   rigs_ = new RigActions(shell_, run_, *sources_, *files_, this);
   live_watch_ = new LiveWatch(shell_, run_, *sources_, this);
