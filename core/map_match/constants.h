@@ -1,10 +1,10 @@
 // The numbers of the room, each with its unit and where it comes from.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "core/geometry/pose2.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap::map_match {
 
@@ -13,9 +13,9 @@ inline constexpr double kKeyframe_m = 3.0;  // m; choice: a seventh of a window,
 inline constexpr double kBehind_m = 20.0;   // m; choice: of way, enough for walls of two directions
 inline constexpr double kAside_m = kBehind_m / 2.0;  // m; derived: the same window, at the end
 inline constexpr double kSpacing_m = 0.25;           // m; choice: of points, half the last gate
-inline constexpr std::array kGates_m{1.5, 1.0, 0.7, 0.5, 0.5};  // m; choice: coarse to fine
 inline constexpr int kLeastMatched = 30;  // points; choice: 7 m of wall, less fits anywhere
-inline constexpr double kOnWall_m = kGates_m.back();  // m; derived: what the last gate lets in
+inline constexpr double kOnWall_m =
+    trajectory::kGates_m.back();          // m; derived: what the last gate lets in
 inline constexpr int kLeastOnWalls = 10;  // points; choice: 2 m of a building, else it is not seen
 inline constexpr double kNear_m = 60.0;   // m; limit: a point map holds 64 m around one place
 inline constexpr double kStale_m = 10.0;  // m; choice: of way, what is within 50 m is then there
@@ -27,10 +27,8 @@ inline constexpr double kStart_m = 1.0;                    // m; choice: a start
 inline constexpr double kStartTurn = toRadians(3.0);       // rad; choice: the same
 inline constexpr double kLeastStart_m = 0.05;              // m; choice: a start said to be exact
 inline constexpr double kLeastStartTurn = toRadians(0.2);  // rad; choice: the same
-inline constexpr double kKernel = 9.0;  // χ²; choice: 3 σ, walls may be others, odometry may slip
 
 // How long is worked.
-inline constexpr int kSteps = 12;         // iterations; limit: it has settled before
 inline constexpr std::size_t kAlike = 8;  // keyframes; choice: in a row about as uncertain
 inline constexpr int kMostRounds = 4;     // rounds; limit: at the end, of laying all anew
 inline constexpr double kStill_m = 0.02;  // m; choice: no pose moves by more, a laser's noise

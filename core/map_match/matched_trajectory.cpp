@@ -162,7 +162,7 @@ void MatchedTrajectory::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoi
   if (!prior_root) return;
   const MotionPrior prior{Pose2{}, {keyframe.pose, *prior_root}};
   const PointMap& walls = walls_.around(keyframe.pose.position());
-  const auto match = matchScan(features, walls, keyframe.pose, kGates_m, prior);
+  const auto match = matchScan(features, walls, keyframe.pose, trajectory::kGates_m, prior);
   visible_ = 0;
   if (!match || match->matched < kLeastMatched) return;
   const auto root = rootInformation(*match, {kFloor_m, kFloor_m, kFloorTurn});
@@ -178,11 +178,12 @@ PoseGraph MatchedTrajectory::graph() const {
     const Keyframe& keyframe = keyframes_[i];
     graph.addPose(keyframe.pose);
     if (i == 0) {
-      graph.addEdge({0, 1, {start_, start_sigma_.cwiseInverse().asDiagonal()}, kKernel});
+      graph.addEdge(
+          {0, 1, {start_, start_sigma_.cwiseInverse().asDiagonal()}, trajectory::kKernel});
     } else {
-      graph.addEdge({i, i + 1, motion(keyframes_[i - 1], keyframe), kKernel});
+      graph.addEdge({i, i + 1, motion(keyframes_[i - 1], keyframe), trajectory::kKernel});
     }
-    if (keyframe.on_walls) graph.addEdge({0, i + 1, *keyframe.on_walls, kKernel});
+    if (keyframe.on_walls) graph.addEdge({0, i + 1, *keyframe.on_walls, trajectory::kKernel});
   }
   return graph;
 }
@@ -190,7 +191,7 @@ PoseGraph MatchedTrajectory::graph() const {
 void MatchedTrajectory::optimize() {
   if (keyframes_.empty()) return;
   PoseGraph poses = graph();
-  poses.optimize(kSteps);
+  poses.optimize(trajectory::kGraphSteps);
   for (std::size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].pose = poses.poses()[i + 1];
   const Keyframe& last = keyframes_.back();
   const std::size_t newest = travelled_m_.size() - 1;

@@ -6,22 +6,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/trajectory/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kWindow_m = 100.0;  // of way: what was seen longer ago is out of sight
-constexpr double kKeep_m = 0.8;
-constexpr double kKeep = 0.15;  // radians
-constexpr std::array kOdometryGates_m{1.5, 1.0, 0.7, 0.5, 0.5};
-constexpr int kLeastMatched = 20;
-constexpr double kExplained = 0.7;  // of the straight returns: no other turn is looked for
-constexpr std::array kOtherTurns{0.12, -0.12, 0.25, -0.25, 0.4, -0.4, 0.6, -0.6};  // radians
-// Times what chance tells of any direction: two long walls, seen with noise of 1, 2 or 5 cm, have
-// at most 1.43.
-constexpr double kHeld = 1.5;
-constexpr double kTurnSigmas = 3.0;
-constexpr double kMoveSquare = 18.0;  // in σ²
+namespace {
 
 std::optional<Vec2> unheldOf(const ScanMatch& match) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
@@ -46,13 +37,12 @@ LocalMapOdometry LocalMapOdometry::ofGuesses() {
 std::optional<ScanMatch> LocalMapOdometry::bestMatch(const std::vector<ScanPoint>& scan,
                                                      const MotionPrior& prior) const {
   const Pose2 start = prior.from * prior.motion.motion;
-  auto best = matchScan(scan, map_, start, kOdometryGates_m, prior);
+  auto best = matchScan(scan, map_, start, kGates_m, prior);
   if (!guessed_ || explained(best) >= kExplained) return best;
   for (const double turn : kOtherTurns) {
     MotionPrior turned = prior;  // along a wall nothing else holds it
     turned.motion.motion.heading += turn;
-    auto other =
-        matchScan(scan, map_, turned.from * turned.motion.motion, kOdometryGates_m, turned);
+    auto other = matchScan(scan, map_, turned.from * turned.motion.motion, kGates_m, turned);
     if (explained(other) > explained(best)) best = std::move(other);
   }
   return best;

@@ -4,32 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/trajectory/constants.h"
 #include "core/trajectory/scan_match.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr std::size_t kSourceReach = 6;  // keyframes on either side
-constexpr std::size_t kTargetReach = 12;
-constexpr double kRange_m = 35.0;  // farther returns are sparse and tell little
-constexpr double kThin_m = 0.25;
-constexpr double kApart_m = 80.0;   // of way: nearer is no loop
-constexpr double kPassing_m = 6.0;  // two lanes
-constexpr double kShift_m = 2.5;    // drift, and by metre of way since the last loop
-constexpr double kShiftPerMetre = 0.012;
-constexpr double kMostShift_m = 12.0;
-constexpr double kTurn = 0.06;
-constexpr double kTurnPerMetre = 0.0002;
-constexpr double kMostTurn = 0.22;
-constexpr std::array kLoopGates_m{1.0, 0.7, 0.5, 0.4};
-constexpr double kLeastShare = 0.45;  // of straight pieces that find theirs
-constexpr int kLeastNear = 60;
-constexpr double kLeastEigenRatio = 0.04;  // a corridor tells nothing along itself
-constexpr double kLeastLoopSigma_m = 0.1;
-constexpr double kFloorTurn = 0.0045;
-
-}  // namespace
+using namespace trajectory;
 
 void LoopSearch::add(const Pose2& smooth, const std::vector<ScanPoint>& scan) {
   Keyframe keyframe{smooth, 0.0, {}};
@@ -75,7 +55,7 @@ std::vector<ScanPoint> LoopSearch::submap(std::size_t middle, std::size_t reach)
     const std::vector<ScanPoint> there = moved(seen, pose);
     points.insert(points.end(), there.begin(), there.end());
   }
-  return thinned(points, kThin_m);
+  return thinned(points, kNear_m);
 }
 
 /// Of each visit, a run of keyframes within reach, the nearest.
@@ -128,7 +108,7 @@ std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
     return std::nullopt;
   }
   if (match->straight_near < kLeastShare * match->straight) return std::nullopt;
-  const auto root = rootInformation(*match, {kLeastLoopSigma_m, kLeastLoopSigma_m, kFloorTurn});
+  const auto root = rootInformation(*match, {kWall_m, kWall_m, kFloorTurn});
   if (!root) return std::nullopt;
   return Loop{from, to, {match->pose, *root}};
 }

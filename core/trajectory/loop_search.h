@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/trajectory/constants.h"
 #include "core/trajectory/factors.h"
 #include "core/trajectory/submap.h"
 
@@ -21,7 +22,8 @@ class LoopSearch {
  public:
   /// With more than `most_points`, 20 bytes each, every second scan of those passed is let go: of a
   /// planar scanner after four kilometres.
-  explicit LoopSearch(std::size_t most_points = 2'000'000) : most_points_(most_points) {}
+  explicit LoopSearch(std::size_t most_points = trajectory::kMostPoints)
+      : most_points_(most_points) {}
 
   /// The next keyframe: its pose by local map odometry, which is right over some tens of metres,
   /// and what was seen there.

@@ -10,14 +10,15 @@
 #include "core/base/phrase.h"
 #include "core/odometry/visual_odometry_source.h"
 #include "core/perception/joined_frames.h"
+#include "core/trajectory/constants.h"
 #include "core/trajectory/scan_odometry_source.h"
 #include "core/trajectory/scan_trajectory.h"
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kClearlySharper = 0.015;  // below it runs on real places went either way
+namespace {
 
 /// What the range sensor saw, placed by each odometry.
 struct Look {

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/trajectory/constants.h"
+
 namespace handmap {
+
+using namespace trajectory;
 
 namespace {
 
-constexpr double kMapCell_m = 0.5;
-constexpr int kSide = 256;
-constexpr std::ptrdiff_t kMostOfAKind = 8;  // in a cell: one every 6 cm along a wall
-
-int indexOf(double v) { return static_cast<int>(std::floor(v / kMapCell_m)); }
+int indexOf(double v) { return static_cast<int>(std::floor(v / kCell_m)); }
 
 std::size_t cellOf(int x, int y) {
   return static_cast<std::size_t>((y & (kSide - 1)) * kSide + (x & (kSide - 1)));
@@ -20,8 +20,8 @@ std::size_t cellOf(int x, int y) {
 
 /// How far a coordinate is outside its cell's row or column.
 double outside(double v, int index) {
-  const double low = index * kMapCell_m;
-  return std::max({low - v, v - (low + kMapCell_m), 0.0});
+  const double low = index * kCell_m;
+  return std::max({low - v, v - (low + kCell_m), 0.0});
 }
 
 bool sameKind(const ScanPoint& a, const ScanPoint& b) {
@@ -61,7 +61,7 @@ const ScanPoint* PointMap::nearest(const ScanPoint& point, double within_m) cons
   const int middle_x = indexOf(point.at.x());
   const int middle_y = indexOf(point.at.y());
   search(middle_x, middle_y);
-  const int reach = static_cast<int>(std::ceil(within_m / kMapCell_m));
+  const int reach = static_cast<int>(std::ceil(within_m / kCell_m));
   for (int y = middle_y - reach; y <= middle_y + reach; ++y) {
     const double aside_y = outside(point.at.y(), y);
     if (aside_y * aside_y >= best_square) continue;

@@ -4,15 +4,13 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "core/trajectory/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kLeastGain = 1e-4;  // of the cost: less is not worth a step
-constexpr double kFirstDamping = 1e-6;
-constexpr double kLeastInformation = 1e-9;  // so that a pose that nothing holds stays
-constexpr double kMostDamping = 1e6;
-constexpr double kDampingFactor = 10.0;
+namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 

@@ -4,20 +4,12 @@
 #include <cmath>
 
 #include "core/perception/range_walls.h"
+#include "core/trajectory/constants.h"
 #include "core/trajectory/scan_noise.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr double kLeastRange_m = 0.3;   // the robot itself
-constexpr float kLow_m = 1.8F;          // above the robot's ground: cars and low hedges end below
-constexpr float kHigh_m = 9.0F;         // roofs recede
-constexpr double kSharpRange_m = 38.0;  // farther, neighbouring returns are metres apart
-constexpr double kSharpShare = 0.95;    // of the range limit: silence is reported there
-constexpr std::size_t kSharpPoints = 100;
-
-}  // namespace
+using namespace trajectory;
 
 Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_m) {
   Returns returns;

@@ -8,19 +8,13 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/geometry/to_outer.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr int kNeighbours = 6;         // on either side
-constexpr int kLeastPoints = 5;        // of a piece: two parameters and something to judge by
-constexpr double kGap_m = 0.25;        // between neighbours of one piece, near by
-constexpr double kGapSpacings = 4.5;   // and far off: a wall seen at 13°
-constexpr double kThickness_m = 0.08;  // of a straight piece: plaster, window frames
-constexpr double kThicknessPerMetre = 0.002;
-constexpr double kLeastLength = 5.0;      // in thicknesses
-constexpr double kStandingCell_m = 0.35;  // of standing points: a piece is three of them wide
+namespace {
 
 /// Sums of a few points, for the line through them.
 class LineSums {
@@ -45,7 +39,7 @@ class LineSums {
     axes.computeDirect(scatter / (count_ - 2));
     const double thickness = std::sqrt(std::max(axes.eigenvalues()(0), 0.0));
     const double length = std::sqrt(12.0 * axes.eigenvalues()(1));
-    if (thickness > kThickness_m + kThicknessPerMetre * mean.norm()) return {at};
+    if (thickness > kRough_m + kRoughPerMetre * mean.norm()) return {at};
     if (length < kLeastLength * thickness) return {at};
     const Vec2 normal = axes.eigenvectors().col(0);
     const double slope = axes.eigenvalues()(0) / axes.eigenvalues()(1);

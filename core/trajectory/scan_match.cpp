@@ -7,20 +7,13 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/geometry/to_outer.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kLine_m = 0.08;              // σ of a return about the line of another
-constexpr double kPoint_m = 0.3;              // about the nearest point of a bush
-constexpr double kShared = 0.4;               // neighbouring returns are wrong together
-constexpr double kKernelGates = 0.3;          // where Cauchy's kernel begins to bend, in gates
-constexpr double kNear_m = 0.25;              // what counts as explained
-constexpr std::size_t kMostScanPoints = 400;  // more tell the same
-constexpr int kMatchSteps = 4;
-constexpr double kStill_m = 1e-3;
-constexpr double kStill = 1e-4;  // radians
+namespace {
 
 struct NormalEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -46,7 +39,7 @@ NormalEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& m
     const ScanPoint* near = map.nearest(outer, gate_m);
     if (!near) continue;
     ++sums.matched;
-    const double sigma = p.straight() ? kLine_m : kPoint_m;
+    const double sigma = p.straight() ? kRough_m : kPoint_m;
     const double chance = std::max(p.chance, near->chance);
     const double bend = (kKernelGates * gate_m / sigma) * (kKernelGates * gate_m / sigma);
     if (p.straight()) {
@@ -94,7 +87,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
       const Eigen::LDLT<Eigen::Matrix3d> solver(sums.information);
       if (solver.info() != Eigen::Success || !solver.isPositive()) return std::nullopt;
       const Eigen::Vector3d step = -solver.solve(sums.gradient);
-      if (!step.allFinite() || step.head<2>().norm() > 10.0 * gate_m) return std::nullopt;
+      if (!step.allFinite() || step.head<2>().norm() > kDivergedGates * gate_m) return std::nullopt;
       match.pose = stepped(match.pose, step);
       if (step.head<2>().norm() < kStill_m && std::abs(step.z()) < kStill) break;
     }
@@ -111,7 +104,6 @@ double weakerShare(const ScanMatch& match) {
 
 std::optional<Eigen::Matrix3d> rootInformation(const ScanMatch& match,
                                                const Eigen::Vector3d& floor_sigma) {
-  constexpr double kTogether = 0.02;  // of what independent returns would tell
   const Eigen::LLT<Eigen::Matrix3d> known(kTogether * match.information);
   if (known.info() != Eigen::Success) return std::nullopt;
   Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());

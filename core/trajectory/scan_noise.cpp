@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trajectory/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kBin_m = 10.0;
-constexpr int kLeastCount = 100;
-constexpr double kLeast_m = 1e-3;  // of the histogram
-constexpr double kStepsPerDecade = 15.0;
-constexpr double kLeastNoise_m = 0.01;
-constexpr double kUsual_m = 0.03;
-
-}  // namespace
+using namespace trajectory;
 
 void ScanNoise::add(const std::vector<Vec2>& returns) {
   struct Return {
@@ -32,9 +25,9 @@ void ScanNoise::add(const std::vector<Vec2>& returns) {
     const double t = width > 0.0 ? (scan[i].bearing - scan[i - 1].bearing) / width : 0.5;
     const double line = scan[i - 1].range + t * (scan[i + 1].range - scan[i - 1].range);
     const double spread = std::sqrt(1.0 + t * t + (1.0 - t) * (1.0 - t));
-    const double off = std::max(std::abs(scan[i].range - line) / spread, kLeast_m);
+    const double off = std::max(std::abs(scan[i].range - line) / spread, kLeastOff_m);
     const auto bin = std::min(static_cast<std::size_t>(scan[i].range / kBin_m), kRanges - 1);
-    const auto step = static_cast<std::size_t>(kStepsPerDecade * std::log10(off / kLeast_m));
+    const auto step = static_cast<std::size_t>(kStepsPerDecade * std::log10(off / kLeastOff_m));
     ++deviations_[bin][std::min(step, kSteps - 1)];
     ++counts_[bin];
   }
@@ -45,7 +38,7 @@ double ScanNoise::median(const Histogram& histogram, int count) {
   std::size_t step = 0;
   while (2 * (below + histogram[step]) < count) below += histogram[step++];
   const double within = (0.5 * count - below) / std::max(histogram[step], 1);
-  return kLeast_m * std::pow(10.0, (static_cast<double>(step) + within) / kStepsPerDecade);
+  return kLeastOff_m * std::pow(10.0, (static_cast<double>(step) + within) / kStepsPerDecade);
 }
 
 double ScanNoise::sigma(double range_m) const {
@@ -63,7 +56,7 @@ double ScanNoise::sigma(double range_m) const {
     before_m = middle_m;
     before = here;
   }
-  return before > 0.0 ? before : kUsual_m;
+  return before > 0.0 ? before : kUsualNoise_m;
 }
 
 }  // namespace handmap

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
-
-/// Of a Gaussian: σ over the median of what is off.
-inline constexpr double kMedianToSigma = 1.48;
 
 /// Collects how far each return is off the line between its two neighbours in bearing; the median
 /// of many is noise, since most neighbours are on one surface.
@@ -22,13 +20,11 @@ class ScanNoise {
   double sigma(double range_m) const;
 
  private:
-  static constexpr std::size_t kRanges = 8;
-  static constexpr std::size_t kSteps = 60;
-  using Histogram = std::array<int, kSteps>;
+  using Histogram = std::array<int, trajectory::kSteps>;
   static double median(const Histogram& histogram, int count);
 
-  std::array<Histogram, kRanges> deviations_{};
-  std::array<int, kRanges> counts_{};
+  std::array<Histogram, trajectory::kRanges> deviations_{};
+  std::array<int, trajectory::kRanges> counts_{};
 };
 
 }  // namespace handmap

@@ -6,15 +6,15 @@
 #include "core/base/phrase.h"
 #include "core/base/stopwatch.h"
 #include "core/odometry/odometry_noise.h"
+#include "core/trajectory/constants.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kWorthAWord_m = 0.5;  // what a guess may be off
-constexpr double kMostOfBefore = 3.0;  // after a gap: a robot does not keep its speed for long
+namespace {
 
 class ScanOdometrySource : public ObservationSource {
  public:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/trajectory/constants.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
 #include "core/trajectory/scan_noise.h"
@@ -12,12 +13,9 @@
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kLeastStraight = 0.1;  // share of returns
-// Points that sharpness is judged by, 24 bytes each.
-constexpr std::size_t kMostSeen = 1'000'000;
-constexpr double kLeastNoise = 0.1;  // of the recorded odometry's: a scan itself may be off
+namespace {
 
 /// How far the motions of two ways are apart in heading, the median.
 double usualTurnOff(const std::vector<Pose2>& trajectory, const std::vector<Pose2>& other) {
@@ -53,10 +51,10 @@ struct ScanTrajectory::State {
   std::vector<SharpnessFrame> seen;
   long returns = 0;
   long straight = 0;
-  double look_m = 1.0;            ///< between frames that sharpness is judged by
-  std::size_t seen_count = 0;     ///< points in them
-  std::optional<Vec2> looked_at;  ///< where the newest frame of `seen` was, recorded
-  std::size_t judge_at = 20;      ///< observations
+  double look_m = kLook_m;              ///< between frames that sharpness is judged by
+  std::size_t seen_count = 0;           ///< points in them
+  std::optional<Vec2> looked_at;        ///< where the newest frame of `seen` was, recorded
+  std::size_t judge_at = kFirstJudged;  ///< observations
   bool sharper = false;
   bool never = false;             ///< to be used
   std::size_t covariance_of = 0;  ///< keyframes
@@ -95,8 +93,8 @@ void ScanTrajectory::State::thinOut() {
 
 void ScanTrajectory::State::judge() {
   if (poses.size() < judge_at) return;
-  judge_at = poses.size() + poses.size() / 4;
-  const SharpnessOptions rough{.samples = 2000};
+  judge_at = poses.size() + poses.size() / kJudgedAnew;
+  const SharpnessOptions rough{.samples = kRoughSamples};
   sharper = sharpnessOf(seen, poses, rough) >= sharpnessOf(seen, recorded, rough);
 }
 

@@ -6,16 +6,13 @@
 
 #include "core/base/random.h"
 #include "core/geometry/to_outer.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr double kSharpnessCell_m = 2.0;
-constexpr double kWall2 = 0.1 * 0.1;   // m²: plaster, frames, drainpipes, added along the ray
-constexpr double kRound2 = 0.02;       // m², in every direction: of the spacing of returns
-constexpr double kMostSquare = 16.0;   // Mahalanobis: farther adds nothing
-constexpr double kBackground = 0.001;  // density where nothing was seen, 1/m²
+namespace {
 
 struct Placed {
   Vec2 at;
@@ -40,10 +37,10 @@ std::vector<Placed> placed(const std::vector<SharpnessFrame>& frames,
     for (const SharpnessPoint& p : *frames[i]) {
       const Vec2 at = outer(p.at);
       const Vec2 ray = (at - poses[i].position()).normalized();
-      const double along = p.sigma * p.sigma + kWall2;
+      const double along = p.sigma * p.sigma + kWall_m * kWall_m;
       points.push_back({at,
-                        {along * ray.x() * ray.x() + 0.5 * kRound2, along * ray.x() * ray.y(),
-                         along * ray.y() * ray.y() + 0.5 * kRound2},
+                        {along * ray.x() * ray.x() + 0.5 * kRound_m2, along * ray.x() * ray.y(),
+                         along * ray.y() * ray.y() + 0.5 * kRound_m2},
                         travelled});
     }
   }

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
 /// A return in the plane of the robot, metres.
 struct SharpnessPoint {
   Vec2 at = Vec2::Zero();
-  double sigma = 0.03;  ///< noise along the ray from the robot, one σ
+  double sigma = trajectory::kUsualNoise_m;  ///< noise along the ray from the robot, one σ
 };
 
 /// What one observation saw, near enough to be measured well; nullptr where it adds nothing to the
@@ -20,8 +21,9 @@ struct SharpnessPoint {
 using SharpnessFrame = std::shared_ptr<const std::vector<SharpnessPoint>>;
 
 struct SharpnessOptions {
-  int samples = 6000;
-  double apart_m = 4.0;  ///< of way between two looks at one place that are compared
+  int samples = trajectory::kSamples;
+  double apart_m =
+      trajectory::kElsewhere_m;  ///< of way between two looks at one place that are compared
   std::uint64_t seed = 1;
 };
 

@@ -5,21 +5,15 @@
 #include <cmath>
 
 #include "core/geometry/to_outer.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
+using namespace trajectory;
+
 namespace {
 
-constexpr double kSubmapCell_m = 0.5;
-constexpr double kTurnStep = 0.02;     // radians: 0.5 m at 25 m
-constexpr double kHalf_m = 75.0;       // half the side of the grid
-constexpr double kOtherShift_m = 2.5;  // farther off is another place
-constexpr double kOtherTurn = 0.09;
-constexpr double kMostOther = 0.85;  // of the best place's hits
-constexpr std::size_t kMostSubmapPoints = 250;
-constexpr double kFaceReach = 0.5;  // cosine: a piece at 45° to two ways counts as both
-
-int cellOf(double v) { return static_cast<int>(std::floor((v + kHalf_m) / kSubmapCell_m)); }
+int cellOf(double v) { return static_cast<int>(std::floor(v / kCell_m) + kSide / 2); }
 
 int nearestFace(const Vec2& normal) {
   if (std::abs(normal.x()) >= std::abs(normal.y())) return normal.x() > 0.0 ? 0 : 2;
@@ -67,7 +61,7 @@ std::optional<Pose2> clearBest(const std::vector<Placement>& placements) {
   if (best == placements.end() || best->hits == 0 || best->at_edge) return std::nullopt;
   const bool doubtful = std::any_of(placements.begin(), placements.end(), [&](const Placement& p) {
     const Pose2 off = between(best->pose, p.pose);
-    const bool other = off.position().norm() > kOtherShift_m || std::abs(off.heading) > kOtherTurn;
+    const bool other = off.position().norm() > kShift_m || std::abs(off.heading) > kOtherTurn;
     return other && p.hits > kMostOther * best->hits;
   });
   return doubtful ? std::nullopt : std::optional(best->pose);
@@ -76,13 +70,11 @@ std::optional<Pose2> clearBest(const std::vector<Placement>& placements) {
 }  // namespace
 
 WallGrid::WallGrid(const std::vector<ScanPoint>& points)
-    : side_(cellOf(kHalf_m)),
-      faces_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {
-  constexpr double kReach_m = 0.5 * kSubmapCell_m;
+    : faces_(static_cast<std::size_t>(kSide) * static_cast<std::size_t>(kSide)) {
   for (const ScanPoint& p : points) {
     if (!p.straight()) continue;
-    for (const double dx : {-kReach_m, kReach_m}) {
-      for (const double dy : {-kReach_m, kReach_m}) mark(p.at + Vec2(dx, dy), faces(p.normal));
+    for (const double dx : {-kNear_m, kNear_m}) {
+      for (const double dy : {-kNear_m, kNear_m}) mark(p.at + Vec2(dx, dy), faces(p.normal));
     }
   }
 }
@@ -90,8 +82,8 @@ WallGrid::WallGrid(const std::vector<ScanPoint>& points)
 void WallGrid::mark(const Vec2& at, std::uint8_t faces) {
   const int x = cellOf(at.x());
   const int y = cellOf(at.y());
-  if (x < 0 || y < 0 || x >= side_ || y >= side_) return;
-  faces_[static_cast<std::size_t>(y * side_ + x)] |= faces;
+  if (x < 0 || y < 0 || x >= kSide || y >= kSide) return;
+  faces_[static_cast<std::size_t>(y * kSide + x)] |= faces;
 }
 
 std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const Pose2& expected,
@@ -99,7 +91,7 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
   std::vector<ScanPoint> straight;
   std::copy_if(points.begin(), points.end(), std::back_inserter(straight),
                [](const ScanPoint& p) { return p.straight(); });
-  const int shifts = static_cast<int>(std::ceil(window.shift_m / kSubmapCell_m));
+  const int shifts = static_cast<int>(std::ceil(window.shift_m / kCell_m));
   const int turns = static_cast<int>(std::ceil(window.turn / kTurnStep));
   std::vector<Placement> placements;
   for (int turn = -turns; turn <= turns; ++turn) {
@@ -112,13 +104,13 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
         for (const CellOf& cell : cells) {
           const int x = cell.x + dx;
           const int y = cell.y + dy;
-          if (x < 0 || y < 0 || x >= side_ || y >= side_) continue;
-          hits += (faces_[static_cast<std::size_t>(y * side_ + x)] & cell.face) != 0;
+          if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
+          hits += (faces_[static_cast<std::size_t>(y * kSide + x)] & cell.face) != 0;
         }
         const bool edge =
             std::abs(dx) == shifts || std::abs(dy) == shifts || std::abs(turn) == turns;
         placements.push_back(
-            {{pose.x + dx * kSubmapCell_m, pose.y + dy * kSubmapCell_m, pose.heading}, hits, edge});
+            {{pose.x + dx * kCell_m, pose.y + dy * kCell_m, pose.heading}, hits, edge});
       }
     }
   }

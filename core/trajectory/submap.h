@@ -12,8 +12,8 @@ namespace handmap {
 
 /// How far from the expected place is searched.
 struct SearchWindow {
-  double shift_m = 2.5;
-  double turn = 0.06;  ///< radians
+  double shift_m;
+  double turn;  ///< radians
 };
 
 /// Where straight pieces are, in cells of 0.5 m and by which of four ways they face.
@@ -29,7 +29,6 @@ class WallGrid {
  private:
   void mark(const Vec2& at, std::uint8_t faces);
 
-  int side_;
   std::vector<std::uint8_t> faces_;  ///< a bit for each way
 };
 

@@ -1,17 +1,11 @@
 #include "core/trajectory/trajectory_graph.h"
 
 #include "core/odometry/odometry_noise.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr double kKeyframe_m = 1.8;
-constexpr double kOdometryKernel = 9.0;  // χ²: the odometry may slip
-constexpr double kLoopKernel = 30.0;     // a loop after long drift is far off at first
-constexpr int kGraphSteps = 12;
-
-}  // namespace
+using namespace trajectory;
 
 MotionFactor TrajectoryGraph::edge(const Odometry& to) const {
   const Pose2 motion = between(last_.pose, to.pose);
@@ -32,7 +26,7 @@ bool TrajectoryGraph::add(const Odometry& now, const std::vector<ScanPoint>& sca
     if (!far) return false;
     const std::size_t last = smooth_.size() - 1;
     graph_.addPose(graph_.poses().back() * motion);
-    graph_.addEdge({last, last + 1, edge(now), kOdometryKernel});
+    graph_.addEdge({last, last + 1, edge(now), kKernel});
   }
   unmatched_.setZero();
   smooth_.push_back(smooth);

@@ -5,21 +5,14 @@
 #include <vector>
 
 #include "core/odometry/odometry_noise.h"
+#include "core/trajectory/constants.h"
 #include "core/trajectory/scan_noise.h"
 
 namespace handmap {
 
-namespace {
+using namespace trajectory;
 
-constexpr std::size_t kDeviations = 80;
-constexpr std::size_t kLeastDeviations = 10;
-constexpr std::size_t kRatios = 300;
-constexpr std::size_t kLeastRatios = 40;
-constexpr double kRatioMotion_m = 0.3;  // shorter ones tell no length
-constexpr double kPulled = 1.6;         // a match lies between the odometry and what the scan says
-constexpr double kLeast = 0.7;
-constexpr double kMostTurn = 6.0;
-constexpr double kMostMove = 4.0;
+namespace {
 
 double median(const std::deque<double>& values) {
   std::vector<double> sorted(values.begin(), values.end());
@@ -34,22 +27,17 @@ void remember(std::deque<double>& values, double value, std::size_t most) {
 }
 
 double learntScale(const std::deque<double>& deviations, double most) {
-  return std::clamp(kPulled * kMedianToSigma * median(deviations), kLeast, most);
+  return std::clamp(kPulled * kMedianToSigma * median(deviations), kLeastScale, most);
 }
 
 }  // namespace
 
 WheelNoise WheelNoise::ofGuesses() {
-  // As measured on a campus and in simulated quarters, scans a metre apart: within a third of each
-  // the way is off by a tenth to a quarter of what it is with three times as much.
-  constexpr double kMove = 10.0;   // 0.1 m and 30 % of the way: it keeps its speed
-  constexpr double kAside = 3.0;   // 0.03 m and 3 %: it drives where it looks
-  constexpr double kTurn = 150.0;  // 9° and more the farther
   WheelNoise noise;
   noise.learns_ = false;
-  noise.move_ = kMove;
-  noise.aside_ = kAside;
-  noise.turn_ = kTurn;
+  noise.move_ = kGuessedMove;
+  noise.aside_ = kGuessedAside;
+  noise.turn_ = kGuessedTurn;
   return noise;
 }
 
@@ -72,9 +60,9 @@ void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
   const double length = recorded.position().norm();
   if (length > kRatioMotion_m) remember(ratios_, matched.position().norm() / length, kRatios);
   if (move_deviations_.size() >= kLeastDeviations) {
-    move_ = learntScale(move_deviations_, kMostMove);
+    move_ = learntScale(move_deviations_, kMostMoveScale);
     aside_ = move_;
-    turn_ = learntScale(turn_deviations_, kMostTurn);
+    turn_ = learntScale(turn_deviations_, kMostTurnScale);
   }
   if (ratios_.size() >= kLeastRatios) length_ = median(ratios_);
 }

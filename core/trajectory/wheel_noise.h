@@ -3,6 +3,7 @@
 
 #include <deque>
 
+#include "core/trajectory/constants.h"
 #include "core/trajectory/factors.h"
 
 namespace handmap {
@@ -26,9 +27,9 @@ class WheelNoise {
  private:
   bool learns_ = true;
   double length_ = 1.0;
-  double move_ = 2.0;  // until it is known: a start with too little doubt turns the whole way
-  double aside_ = 2.0;
-  double turn_ = 3.0;
+  double move_ = trajectory::kFirstMoveScale;
+  double aside_ = trajectory::kFirstMoveScale;
+  double turn_ = trajectory::kFirstTurnScale;
   std::deque<double> move_deviations_;
   std::deque<double> turn_deviations_;
   std::deque<double> ratios_;

@@ -17,9 +17,10 @@ struct Room {
   const char* folder;
   std::size_t most;
 };
-constexpr Room kRooms[] = {{"core/map_match", 37},       {"core/outlines", 110},
+constexpr Room kRooms[] = {{"core/map_match", 34},       {"core/outlines", 110},
                            {"core/explain", 15},         {"core/estimation/drawing", 8},
-                           {"core/estimation/loops", 7}, {"core/estimation/labels", 24}};
+                           {"core/estimation/loops", 7}, {"core/estimation/labels", 24},
+                           {"core/trajectory", 108}};
 
 const std::regex kNumber(
     R"((?:^|\n)[ \t]*(?:(?:static|inline)[ \t]+)*constexpr[ \t]+)"
