@@ -119,7 +119,12 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   const Pose2 onto_map = inverse(refined->motion);
   WallRays::of(refined->map, placed, onto_map).state(drawing, refined->map);
   for (Pose2& pose : trajectory.poses) pose = onto_map * pose;
-  return Conclusion{std::move(trajectory), std::move(refined->map), std::nullopt};
+  Conclusion conclusion{std::move(trajectory), std::move(refined->map), std::nullopt,
+                        refined->start_variance};
+  if (refined->refutes_start && drawing.start) {
+    conclusion.start_off = between(*drawing.start, onto_map * *drawing.start);
+  }
+  return conclusion;
 }
 
 }  // namespace handmap

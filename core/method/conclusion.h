@@ -39,6 +39,9 @@ struct Conclusion {
   TrajectoryHypothesis trajectory;  ///< on the map; what tells it goes on from there
   Map map;
   std::optional<Eigen::Matrix3d> covariance;  ///< of its newest pose, where it was laid on a map
+  /// See RefinedMap.
+  std::optional<Eigen::Matrix3d> start_variance = {};
+  std::optional<Pose2> start_off = {};  ///< the drawn start, where the buildings refute it
 };
 
 /// Outlines are fitted late: a conclusion on the way that leaves a building as it is drawn, and has

@@ -82,10 +82,22 @@ class HandmapMethod : public EstimationMethod {
   }
 
   std::vector<RunWarning> warnings() const override {
-    if (conclusions_.trouble().empty()) return {};
-    return {{"conclusion_failed",
-             phrase("The correction on the way failed: {}", conclusions_.trouble()),
-             phrase("The end of the run does not depend on it.")}};
+    std::vector<RunWarning> warnings;
+    if (!conclusions_.trouble().empty()) {
+      warnings.push_back({"conclusion_failed",
+                          phrase("The correction on the way failed: {}", conclusions_.trouble()),
+                          phrase("The end of the run does not depend on it.")});
+    }
+    if (concluded_ && concluded_->start_off) {
+      const Pose2& off = *concluded_->start_off;
+      warnings.push_back(
+          {"start_refuted",
+           phrase("The drawn buildings together say that the run began {:.1f} m and {:.0f}° off "
+                  "the drawn start: they were believed.",
+                  off.position().norm(), std::abs(toDegrees(off.heading))),
+           phrase("Correct the start, or state how sure it is.")});
+    }
+    return warnings;
   }
 
   void describe(FrameReport& report) const override {
@@ -311,7 +323,11 @@ class HandmapMethod : public EstimationMethod {
     const bool laid =
         by == TrajectoryHypothesis::By::Walls || (concluded_ && concluded_->covariance);
     if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);
-    if (const auto& start = drawing_.start_uncertainty) {
+    if (concluded_ && concluded_->start_variance) {
+      Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+      slope.topRightCorner<2, 1>() = perpendicular(pose().position() - drawing_.start->position());
+      covariance += slope * *concluded_->start_variance * slope.transpose();
+    } else if (const auto& start = drawing_.start_uncertainty) {
       // The walls are corrected from where the robot is: what its start is off, all is off.
       turnAboutStart(start->heading, covariance);
       covariance.diagonal().head<2>().array() += start->position * start->position;

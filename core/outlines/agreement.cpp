@@ -97,8 +97,9 @@ class Mixture {
       : buildings_(std::move(buildings)),
         prior_(sigma.array().square().inverse().matrix().asDiagonal()) {}
 
-  /// `start_is_known`: as well as nothing but buildings that are right can tell better.
-  void solve(bool start_is_known) {
+  /// `start_is_known`: as well as nothing but buildings that are right can tell better, unless all
+  /// refute it. Returns whether they do.
+  bool solve(bool start_is_known, double way_turn) {
     iterate();
     // As if all were right: a way that lies askew on the drawing has none of them where it is
     // drawn.
@@ -108,23 +109,26 @@ class Mixture {
     askew.share_ = 0.5;
     askew.iterate();
     if (askew.log_density_ > log_density_) *this = std::move(askew);
-    if (countOfRight() >= kLeastTogether) return;
-    if (start_is_known) {
+    if (countOfRight() >= kLeastTogether) return false;
+    Mixture all = *this;
+    if (start_is_known) all.forgetStart();
+    all.takeAllAsDrawn();
+    const bool refuted = start_is_known && all.refutes(prior_, way_turn);
+    if (!start_is_known || refuted) {
+      *this = std::move(all);
+    } else {
       lie_.head<3>().setZero();
       covariance_ = prior_.inverse();
-    } else {  // all tell how the whole lies, each as well as it is drawn
-      for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
-      for (int round = 0; round < kMostRounds; ++round) maximize();
     }
     expect();
+    return refuted;
   }
 
   const Lie& lie() const { return lie_; }
   const LieMatrix& covariance() const { return covariance_; }
   /// 0 where nothing was seen.
   double shareSeen() const {
-    const auto seen = std::count_if(buildings_.begin(), buildings_.end(),
-                                    [](const Compared& b) { return !b.sides.empty(); });
+    const auto seen = countOfSeen();
     return seen > 0 ? together() / static_cast<double>(seen) : 0.0;
   }
   const std::vector<Compared>& buildings() const { return buildings_; }
@@ -139,6 +143,27 @@ class Mixture {
     }
   }
 
+  void forgetStart() {
+    prior_.topLeftCorner<3, 3>().diagonal() =
+        Eigen::Array3d(kRefutedStart_m, kRefutedStart_m, kRefutedStartTurn).square().inverse();
+  }
+  /// All tell how the whole lies, each as well as it is drawn.
+  void takeAllAsDrawn() {
+    for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
+    for (int round = 0; round < kMostRounds; ++round) maximize();
+  }
+  /// Whether it lies where a start of this information cannot have it.
+  bool refutes(const LieMatrix& start, double way_turn) const {
+    Eigen::Matrix3d variance =
+        covariance_.topLeftCorner<3, 3>() + start.topLeftCorner<3, 3>().inverse();
+    variance(2, 2) += way_turn * way_turn;
+    const Eigen::Vector3d off = lie_.head<3>();
+    return countOfSeen() >= kLeastToRefute && off.dot(variance.inverse() * off) > kRefuted;
+  }
+
+  std::ptrdiff_t countOfSeen() const {
+    return std::ranges::count_if(buildings_, [](const Compared& b) { return !b.sides.empty(); });
+  }
   std::ptrdiff_t countOfRight() const {
     return std::ranges::count_if(
         buildings_, [](const Compared& b) { return !b.sides.empty() && b.right > 0.5; });
@@ -222,7 +247,8 @@ class Mixture {
 
 }  // namespace
 
-Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, double start_turn) {
+Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, double start_turn,
+                      double way_turn) {
   const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
   std::vector<Compared> buildings;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
@@ -231,8 +257,8 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
   }
   const double together = std::max(drawing.shiftSigma(), kLeastSigma_m);
   Mixture mixture(std::move(buildings), Lie{start_m, start_m, start_turn, together, together});
-  mixture.solve(!drawing.start_uncertainty);
   Agreement agreement;
+  agreement.refutes_start = mixture.solve(!drawing.start_uncertainty, way_turn);
   const Lie& motion = mixture.lie();
   const Pose2 about{origin.x(), origin.y(), 0.0};
   agreement.motion =

@@ -16,6 +16,8 @@ struct Agreement {
   /// of those that are.
   std::vector<double> right;
   double share = 0.0;  ///< of those that were seen that are drawn right
+  /// The buildings together say that the drawn start is off, by the motion.
+  bool refutes_start = false;
   /// Of the motion: shift and turn about the start.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
@@ -24,10 +26,12 @@ struct Agreement {
   double sigmaAt(const Vec2& from_start) const;
 };
 
-/// `start_turn`, `start_m`: how well the start tells how the map as a whole lies, one σ. The sides
-/// that were seen are compared (sidesOf()): a mixture of buildings that are drawn right, up to what
+/// `start_turn`, `start_m`: how well the start tells how the map as a whole lies, one σ;
+/// `way_turn`: what was seen may beside that be turned about the start with the way. The sides that
+/// were seen are compared (sidesOf()): a mixture of buildings that are drawn right, up to what
 /// fitting is off, and others. How many are right, and how far the others are off, is found by
 /// expectation and maximization (README.md).
-Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, double start_turn);
+Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, double start_turn,
+                      double way_turn = 0.0);
 
 }  // namespace handmap

@@ -199,9 +199,12 @@ double sharedBetween(double drawn_m, double way_m) {
 RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, bool by_start,
                    double way_turn) {
   RefinedMap refined{std::move(fitted), agreement.motion, agreement.share};
+  refined.refutes_start = agreement.refutes_start;
+  const bool start_is_off = drawing.start_uncertainty || agreement.refutes_start;
+  if (start_is_off) refined.start_variance = agreement.covariance;
   const Pose2 back = inverse(agreement.motion);
   const Vec2 origin = drawing.start ? drawing.start->position() : Vec2::Zero();
-  const bool told_by_start = by_start || drawing.start_uncertainty;
+  const bool told_by_start = by_start || start_is_off;
   for (std::size_t b = 0; b < drawing.buildings.size(); ++b) {
     const Building& drawn = drawing.buildings[b];
     Building& building = refined.map.buildings[b];
@@ -264,7 +267,7 @@ std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMa
   Map fitted = fittedMap(drawing, found, tasks, results);
   const StartUncertainty start = startOf(drawing);
   const Agreement agreement = agreementOf(drawing, fitted, std::max(start.position, kLeastStart_m),
-                                          std::max(start.heading, kLeastStartTurn));
+                                          std::max(start.heading, kLeastStartTurn), way_turn);
   return settled(drawing, std::move(fitted), agreement, !found, way_turn);
 }
 

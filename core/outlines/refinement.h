@@ -20,6 +20,9 @@ struct RefinedMap {
   /// drawn right they tell better than the start how the way lies.
   Pose2 motion;
   double right = 0.0;  ///< share of the buildings that were seen that are as drawn
+  /// Of shift and turn about the start, where the drawing says that it is off or the buildings do.
+  std::optional<Eigen::Matrix3d> start_variance = {};
+  bool refutes_start = false;  ///< they do, and it is off by the motion
 };
 
 /// Where rays meet the drawn outlines: the share of the buildings for which they speak there.

@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/recording/recording.h"
 #include "drivers/connected/connected_devices.h"
 #include "drivers/emulators/foxglove_bridge_emulator.h"
 #include "drivers/emulators/hokuyo_emulator.h"
