@@ -12,7 +12,7 @@
 #include "core/estimation/buildings/box_finder.h"
 #include "core/estimation/labels/assignment.h"
 #include "core/map/map.h"
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
 #include "core/perception/local_map.h"
 #include "core/recording/trajectory.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/map_match/wall_map.h"
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
 #include "core/outlines/seen_frames.h"
 #include "core/trajectory/pose_graph.h"
 

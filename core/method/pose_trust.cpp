@@ -8,7 +8,7 @@
 
 #include "core/map/certainty.h"
 #include "core/method/recognition.h"
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
 
 namespace handmap {
 
@@ -76,7 +76,9 @@ Eigen::Matrix3d poseCovariance(const FrameReport& report) {
 
 void stateBlind(double blind_s, FrameReport& report) {
   if (blind_s <= 0.0) return;
-  const Eigen::Array3d off = blind_s * Eigen::Array3d(kUnheard_m_s, kUnheard_m_s, kUnheard_rad_s);
+  const Eigen::Array3d off =
+      blind_s *
+      Eigen::Array3d(odometry::kUnheard_m_s, odometry::kUnheard_m_s, odometry::kUnheard_rad_s);
   Eigen::Matrix3d covariance = poseCovariance(report);
   covariance.diagonal().array() += off.square();
   stateTrust(covariance, report);

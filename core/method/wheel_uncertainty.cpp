@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
 
 namespace handmap {
 

@@ -7,24 +7,17 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/odometry/constants.h"
+
 namespace handmap {
+
+using namespace odometry;
 
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Matrix36d = Eigen::Matrix<double, 3, 6>;
-
-// With three matches each, of which half may be wrong: 1 − (1 − 0.5³)^150, all but certain.
-constexpr int kHypotheses = 150;
-constexpr int kSampleIterations = 6;  // of Gauss–Newton on a sample: near is enough
-constexpr int kRefinements = 3;       // of the set of inliers
-constexpr int kIterations = 8;
-constexpr double kInlier_px = 2.0;    // some 6 σ of a tracked corner
-constexpr double kPixelSigma = 0.35;  // of a tracked corner
-constexpr double kConverged = 1e-7;   // metres and radians
-constexpr double kNearestSeen_m = 0.1;
-constexpr std::size_t kMinInliers = 15;  // 45 numbers for six: chance does not agree so well
 
 /// A match with its point, in the frame before, and what the point would move by with the pixels
 /// that it comes from.
@@ -80,7 +73,7 @@ double improve(const StereoCamera& camera, const std::vector<Landmark>& landmark
   const Eigen::LDLT<Matrix6d> factors(normal);
   if (factors.info() != Eigen::Success || !factors.isPositive()) return -1.0;
   const Vector6d step = factors.solve(right);
-  if (!step.allFinite() || step.norm() > 1e3) return -1.0;
+  if (!step.allFinite() || step.norm() > kDiverged) return -1.0;
   const Eigen::Vector3d turn = step.tail<3>();
   Eigen::Isometry3d change = Eigen::Isometry3d::Identity();
   if (turn.norm() > 0.0) {
@@ -131,7 +124,7 @@ CameraMotion consensus(const StereoCamera& camera, const std::vector<Landmark>& 
     if (sample[0] == sample[1] || sample[1] == sample[2] || sample[0] == sample[2]) continue;
     Eigen::Isometry3d motion = guess;
     double step = 1.0;
-    for (int i = 0; i < kSampleIterations && step > 1e-4; ++i) {
+    for (int i = 0; i < kSampleIterations && step > kSampleConverged; ++i) {
       step = improve(camera, landmarks, sample, motion, noWeight);
     }
     if (step < 0.0) continue;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/random.h"
+#include "core/odometry/constants.h"
 #include "core/recording/camera.h"
 
 namespace handmap {
@@ -37,6 +38,6 @@ StereoPixel projected(const StereoCamera& camera, const Eigen::Vector3d& point);
 std::optional<CameraMotion> estimateMotion(const StereoCamera& camera,
                                            const std::vector<StereoMatch>& matches,
                                            const Eigen::Isometry3d& guess, RandomStream random,
-                                           double min_share = 0.3);
+                                           double min_share = odometry::kMinShare);
 
 }  // namespace handmap

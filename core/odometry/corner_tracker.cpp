@@ -6,23 +6,16 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "core/odometry/constants.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
 
+using namespace odometry;
+
 namespace {
 
-const cv::Size kWindow(15, 15);
-constexpr int kLevels = 4;    // above the full image
-constexpr int kContrast = 8;  // of FAST, grey levels: low, for shade; the grid takes the best
-// Spread over the image, some 640 corners: near ones tell the way, far ones the turn.
-constexpr int kGridColumns = 20;
-constexpr int kGridRows = 8;
-constexpr std::size_t kCornersPerCell = 4;
-constexpr float kMinDistance_px = 8.0F;
-constexpr double kMinEigenvalue = 1e-3;     // of the tracker; OpenCV scales it to the window
-constexpr float kMaxReturnError_px = 0.5F;  // tracked there and back
-constexpr int kFeatures = 1500;             // of ORB, where tracking is lost
+const cv::Size kWindow(kWindow_px, kWindow_px);
 
 }  // namespace
 
@@ -60,7 +53,8 @@ Tracked track(const std::vector<cv::Mat>& from, const std::vector<cv::Mat>& to,
               const std::vector<cv::Point2f>& points, std::vector<cv::Point2f> places) {
   Tracked tracked{std::move(places), {}};
   if (points.empty()) return tracked;
-  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01);
+  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kTrackerSteps,
+                               kTracked_px);
   cv::calcOpticalFlowPyrLK(from, to, points, tracked.points, tracked.found, cv::noArray(), kWindow,
                            kLevels, until, cv::OPTFLOW_USE_INITIAL_FLOW, kMinEigenvalue);
   return tracked;
@@ -75,7 +69,7 @@ std::vector<std::optional<StereoPixel>> stereoPixels(const TrackedPair& pair,
     const cv::Point2f& l = points[i];
     const cv::Point2f& r = right.points[i];
     const bool good = right.found[i] != 0 && back.found[i] != 0 &&
-                      std::abs(l.y - r.y) < kMaxRowError_px && l.x - r.x > kMinDisparity_px &&
+                      std::abs(l.y - r.y) < kPixel_px && l.x - r.x > kPixel_px &&
                       cv::norm(back.points[i] - l) < kMaxReturnError_px;
     if (good) pixels[i] = StereoPixel(l.x, l.y, r.x);
   }

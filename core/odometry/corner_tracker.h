@@ -10,10 +10,6 @@
 
 namespace handmap {
 
-/// What the two places of a corner in a rectified pair must be like.
-inline constexpr float kMaxRowError_px = 1.0F;
-inline constexpr float kMinDisparity_px = 1.0F;
-
 /// An image pair made ready for tracking.
 struct TrackedPair {
   cv::Mat left;  ///< grey

@@ -5,12 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/odometry/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace odometry;
 
-constexpr double kMetresARadian = 1.0;  // how much of the way a turn on the spot is
+namespace {
 
 /// One piece of the way, laid by odometry alone: its first pose is right, its last is to be `end`.
 void bend(std::span<const StampedPose> laid, const Pose2& begin, const Pose2& end,

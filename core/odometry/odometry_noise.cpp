@@ -5,7 +5,11 @@
 
 #include <Eigen/Geometry>
 
+#include "core/odometry/constants.h"
+
 namespace handmap {
+
+using namespace odometry;
 
 Eigen::Vector3d OdometryNoise::sigmaOf(const Pose2& motion) const {
   const double length = motion.position().norm();
@@ -20,8 +24,11 @@ Eigen::Matrix3d guessedOf(const Odometry& from, const Odometry& to) {
   return own * (to.guessed - from.guessed) * own.transpose();
 }
 
+bool mayBeFar(const Eigen::Matrix3d& guessed) {
+  return guessed.topLeftCorner<2, 2>().trace() > kKeyframe_m * kKeyframe_m;
+}
+
 double Guess::off_m() const {
-  constexpr double kAnySpeed_s = 20.0;  // 0.05 m/s²: stretches of 3 to 13 s were 0.02 to 2.6 m off
   const double share = knows_speed_ ? std::min(1.0, since_s_ / kAnySpeed_s) : 1.0;
   return kUnheard_m_s * since_s_ * share;
 }

@@ -27,14 +27,7 @@ struct OdometryNoise {
 Eigen::Matrix3d guessedOf(const Odometry& from, const Odometry& to);
 
 /// Whether what was guessed may be as much as what is driven between two keyframes.
-inline bool mayBeFar(const Eigen::Matrix3d& guessed) {
-  constexpr double kFar_m = 2.0;
-  return guessed.topLeftCorner<2, 2>().trace() > kFar_m * kFar_m;
-}
-
-/// So a robot moves that nothing is heard of, among people.
-inline constexpr double kUnheard_m_s = 1.0;    ///< of one axis
-inline constexpr double kUnheard_rad_s = 0.5;  ///< as they turn at corners
+bool mayBeFar(const Eigen::Matrix3d& guessed);
 
 /// What becomes of motions that are guessed, at the speed of before: the longer nothing holds them,
 /// the less that speed says.
@@ -61,10 +54,5 @@ class Guess {
   bool knows_speed_ = false;
   Eigen::Matrix3d variance_ = Eigen::Matrix3d::Zero();
 };
-
-/// Wheels on roads: FIELD.md (a), METHOD.md's scenes.
-inline constexpr OdometryNoise kWheels{0.03, 0.01, 0.01, 2e-5, 0.02, 0.001};
-/// Scans matched with those of the last hundred metres: prototypes on the laser of a campus.
-inline constexpr OdometryNoise kMatchedScans{0.012, 0.006, 0.02, 4.9e-7, 0.006, 0.0015};
 
 }  // namespace handmap

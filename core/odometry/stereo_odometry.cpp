@@ -4,15 +4,13 @@
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/odometry/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace odometry;
 
-constexpr double kKeepKey = 0.5;         // of its corners that must still be seen
-constexpr std::size_t kMinCorners = 30;  // of a key pair
-constexpr double kNearestKept_m = 0.5;
-constexpr double kMinAlike = 0.15;  // of the features: most that look alike are not the same
+namespace {
 
 void check(const cv::Mat& left, const cv::Mat& right, cv::Size size) {
   for (const cv::Mat* image : {&left, &right}) {
@@ -104,7 +102,7 @@ std::vector<StereoMatch> StereoOdometry::matches(const TrackedPair& now,
     const cv::Point2f& l = left.points[i];
     const cv::Point2f& r = right.points[i];
     const bool good = left.found[i] != 0 && right.found[i] != 0 &&
-                      std::abs(l.y - r.y) < kMaxRowError_px && l.x - r.x > kMinDisparity_px;
+                      std::abs(l.y - r.y) < kPixel_px && l.x - r.x > kPixel_px;
     if (good) result.push_back({key_->pixels[indices[i]], {l.x, l.y, r.x}});
   }
   return result;

@@ -6,13 +6,14 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/stopwatch.h"
+#include "core/odometry/constants.h"
 #include "core/odometry/stereo_odometry.h"
 
 namespace handmap {
 
-namespace {
+using namespace odometry;
 
-constexpr double kBelieved_s = 3.0;
+namespace {
 
 const View& viewAhead(const Observation& observation) {
   return *std::min_element(

@@ -11,12 +11,9 @@
 namespace handmap::outlines {
 
 // Seen frames.
-inline constexpr double kFrameTurn = 0.15;   // rad; choice: between kept frames
 inline constexpr double kFrameStep_m = 0.5;  // m; choice: between them, before any is thinned out
 inline constexpr double kRaysPerMetre = 1000.0;  // rays; measured: structure needs no more
 inline constexpr double kMostRays = 4000.0;      // rays; limit: of a frame, after a jump
-inline constexpr float kTall_m = 1.8F;           // m; choice: above most cars, hedges and fences
-inline constexpr float kHighest_m = 9.0F;        // m; choice: roofs and crowns are higher
 inline constexpr float kLow_m = 0.5F;            // m; choice: above kerbs and what lies about
 inline constexpr float kLeastRange_m = 0.5F;     // m; choice: nearer is the robot itself
 inline constexpr std::size_t kBearings = 360;    // 1; choice: a degree each, a look tells one thing

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/odometry/constants.h"
 #include "core/outlines/constants.h"
+#include "core/perception/constants.h"
 
 namespace handmap {
 
@@ -18,8 +20,8 @@ std::size_t bearingBin(float bearing) {
 }
 
 Echo echoAt(float height) {
-  if (height > kHighest_m) return Echo::Ground;
-  return height >= kTall_m ? Echo::Tall : height >= kLow_m ? Echo::Low : Echo::Ground;
+  if (height > perception::kHighest_m) return Echo::Ground;
+  return height >= perception::kTall_m ? Echo::Tall : height >= kLow_m ? Echo::Low : Echo::Ground;
 }
 
 void shareOut(std::vector<SeenRay>& rays) {
@@ -66,7 +68,8 @@ void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan&
   if (!scan.first_looked_at.empty()) addSilent(scan.first_looked_at);
   const Pose2 motion = between(last_, odometry);
   const double driven = std::hypot(motion.x, motion.y);
-  if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < kFrameTurn) return;
+  if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < odometry::kKeyframeTurn)
+    return;
   std::vector<SeenRay> rays;
   if (points.empty() || scan.ray_by_ray) {
     rays = raysOf(scan, range_limit_m_);

@@ -4,26 +4,24 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/perception/constants.h"
 #include "core/perception/range_walls.h"
 
 namespace handmap {
 
-namespace {
+using namespace perception;
 
-constexpr double kSame_m = 0.005;  // joined points 0.001 (83 to 87 % of them), lasers 0.6 %
-constexpr double kMoved_m = 0.3;   // a robot that stands may well see the same
-constexpr std::size_t kSample = 16;
-constexpr double kWay_m = 200.0;  // along which frames may be joined
-constexpr std::size_t kMostPlaces = 200'000;
+namespace {
 
 bool areSame(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return (a - b).squaredNorm() <= kSame_m * kSame_m;
 }
 
 using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
-constexpr double kCell_m = 2.0 * kSame_m;
 
-Cell cellOf(const Eigen::Vector3d& p) { return (p / kCell_m).array().floor().cast<std::int64_t>(); }
+Cell cellOf(const Eigen::Vector3d& p) {
+  return (p / kSameCell_m).array().floor().cast<std::int64_t>();
+}
 std::int64_t keyOf(const Cell& cell) {
   return (cell.x() * 73'856'093) ^ (cell.y() * 19'349'663) ^ (cell.z() * 83'492'791);
 }
@@ -54,7 +52,7 @@ bool JoinedFrames::repeat(const std::vector<Eigen::Vector3d>& placed) const {
 bool JoinedFrames::wasThere(const Eigen::Vector3d& p) const {
   if (!p.allFinite()) return false;
   // What is the same lies in the cell or in one of those at its nearest corner.
-  const Cell first = cellOf(p.array() - 0.5 * kCell_m);
+  const Cell first = cellOf(p.array() - 0.5 * kSameCell_m);
   for (int i = 0; i < 8; ++i) {
     if (seen_.contains(keyOf(first + Cell(i & 1, (i >> 1) & 1, i >> 2)))) return true;
   }
@@ -78,7 +76,8 @@ std::vector<RangePoint> JoinedFrames::without(std::vector<RangePoint> points,
     }
     points.resize(kept);
     if (seen_.size() > kMostPlaces) {
-      std::erase_if(seen_, [&](const auto& place) { return driven_m_ - place.second > kWay_m; });
+      std::erase_if(seen_,
+                    [&](const auto& place) { return driven_m_ - place.second > kJoinedWay_m; });
     }
   }
   last_ = odometry;

@@ -7,20 +7,14 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
+#include "core/perception/constants.h"
 #include "core/perception/vote_grid.h"
 
 namespace handmap {
+
+using namespace perception;
+
 namespace {
-
-// A scan nearer than this to the one before it tells nothing new: a robot that waits keeps one.
-constexpr double kMinStep_m = 0.1;
-constexpr double kMinTurn = toRadians(1.0);
-constexpr int kMaxSide = 8192;    // cells
-constexpr int kMaxRaySteps = 50;  // cells to either side, 2σ
-
-// Within ±σ lies this share of a Gaussian. Smoothed votes are divided by it, so that a saturated
-// straight wall as wide as 2σ of the smoothing has the value 1.
-constexpr double kShareWithinSigma = 0.6827;
 
 /// Throws BadInput.
 int sideOf(double cell_m, double range_m) {
@@ -73,12 +67,10 @@ class Voter {
     const Vec2 step = steps > 0 ? Vec2((point - origin) / range) : Vec2::Zero();
     const Vec2 p =
         point / cell_ + Vec2::Constant(range_ / cell_) - static_cast<double>(steps) * step;
-    // Fixed point, 16 bits of fraction.
-    constexpr double kOne = 65536.0;
-    auto x = static_cast<std::int64_t>(p.x() * kOne);
-    auto y = static_cast<std::int64_t>(p.y() * kOne);
-    const auto dx = static_cast<std::int64_t>(step.x() * kOne);
-    const auto dy = static_cast<std::int64_t>(step.y() * kOne);
+    auto x = static_cast<std::int64_t>(p.x() * kFraction);
+    auto y = static_cast<std::int64_t>(p.y() * kFraction);
+    const auto dx = static_cast<std::int64_t>(step.x() * kFraction);
+    const auto dy = static_cast<std::int64_t>(step.y() * kFraction);
     for (const float share : kernels_[static_cast<std::size_t>(steps)]) {
       grid_.add(x >> 16, y >> 16, wall.weight * share);
       x += dx;
@@ -145,7 +137,8 @@ LocalMap LocalMapBuilder::render(double range_m, const LocalMapOptions& options,
       voter.vote(placed.position(), placed.position() + turned, wall);
     }
   }
-  // Saturation comes before smoothing: a dense near wall is as sure as a far one and no wider.
+  // What is as wide as 2σ of the smoothing has the value 1. Saturation comes before smoothing: a
+  // dense near wall is as sure as a far one and no wider.
   const double share = options.smoothing_sigma_m > 0.0 ? kShareWithinSigma : 1.0;
   LocalMap map(options.cell_m, range_m);
   votes.moveTo(map.cells(), static_cast<float>(options.saturation_votes),

@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/lazy.h"
+#include "core/perception/constants.h"
 #include "core/perception/wall_points.h"
 #include "core/recording/observation.h"
 
@@ -40,10 +41,13 @@ class LocalMap {
 };
 
 struct LocalMapOptions {
-  double cell_m = 0.1;
-  double smoothing_sigma_m = 0.2;  ///< Gaussian; so wide as the noise of near points
-  double saturation_votes = 3.0;   ///< a cell with this many votes is as sure as can be
-  double path_m = 30.0;            ///< a moving robot's map holds the points of its last metres
+  double cell_m = perception::kMapCell_m;
+  double smoothing_sigma_m =
+      perception::kSmoothing_m;  ///< Gaussian; so wide as the noise of near points
+  double saturation_votes =
+      perception::kSaturation;  ///< a cell with this many votes is as sure as can be
+  double path_m =
+      perception::kPath_m;  ///< a moving robot's map holds the points of its last metres
 };
 
 /// A local map that is rendered when somebody reads it.
@@ -74,9 +78,6 @@ class LazyLocalMap {
 /// robot's those of its last metres, placed by odometry.
 class LocalMapBuilder {
  public:
-  /// Bounds memory for a robot that turns on the spot for ever.
-  static constexpr std::size_t kMostScans = 400;
-
   LocalMapBuilder(double range_m, const LocalMapOptions& options);
 
   /// `walls` in the robot frame at `odometry`.

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/perception/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace perception;
 
-constexpr double kLowCell_m = 0.5;  ///< less than a hedge is thick
-constexpr int kLeastPasses = 4;     ///< fewer rays over a thing may be strays
-constexpr int kPassesAStop = 4;     // windows let rays pass, but the frame around them does not
+namespace {
 
 void count(std::uint16_t& counter) {
   if (counter < std::numeric_limits<std::uint16_t>::max()) ++counter;
@@ -45,7 +45,7 @@ LowThings::Cell& LowThings::ownCell(const Vec2& at) {
 
 std::size_t LowThings::binOf(double height_m) const {
   const double share = std::min((height_m - low_) / (high_ - low_), 1.0);
-  return static_cast<std::size_t>(share * kBins);
+  return static_cast<std::size_t>(share * kLowBins);
 }
 
 void LowThings::addStop(const Vec2& at, double height_m) {
@@ -60,12 +60,12 @@ bool LowThings::isLow(const Vec2& at) const {
   const Place place = placeOf(at);
   const Cell& cell = cells_[indexOf(place)];
   if (cell.place != place) return false;
-  int stops = cell.stops[kBins];
+  int stops = cell.stops[kLowBins];
   int passes = 0;
-  for (std::size_t bin = kBins; bin-- > 0;) {
+  for (std::size_t bin = kLowBins; bin-- > 0;) {
     stops += cell.stops[bin];
     passes += cell.passes[bin];
-    if (passes >= kLeastPasses && passes > kPassesAStop * stops) return true;
+    if (passes >= kPasses && passes > kPasses * stops) return true;
   }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/geometry/pose2.h"
+#include "core/perception/constants.h"
 
 namespace handmap {
 
@@ -26,7 +27,6 @@ class LowThings {
   bool isLow(const Vec2& at) const;
 
  private:
-  static constexpr std::size_t kBins = 10;  ///< and one for all above
   struct Place {
     std::int64_t column = 0;
     std::int64_t row = 0;
@@ -34,8 +34,8 @@ class LowThings {
   };
   struct Cell {
     Place place;
-    std::array<std::uint16_t, kBins + 1> stops{};
-    std::array<std::uint16_t, kBins + 1> passes{};
+    std::array<std::uint16_t, perception::kLowBins + 1> stops{};
+    std::array<std::uint16_t, perception::kLowBins + 1> passes{};
   };
 
   static Place placeOf(const Vec2& at);

@@ -7,17 +7,13 @@
 #include <iterator>
 #include <limits>
 
-namespace handmap {
-namespace {
+#include "core/perception/constants.h"
 
-constexpr float kRangeSigma_m = 0.03F;   ///< of spinning lidars and scanners, by their data sheets
-constexpr float kPlanar_m = 0.3F;        ///< heights of a plane scanner that is not quite level
-constexpr float kColumn_m = 0.25F;       ///< cells in which vertical extent is measured
-constexpr int kMinPoints = 3;            ///< in a column
-constexpr float kSpot_m = 0.1F;          ///< a cell of the local map
-constexpr std::uint8_t kSpotPoints = 3;  ///< a spot gives no more: near walls are dense enough
-constexpr float kEmpty = std::numeric_limits<float>::infinity();
-constexpr float kStep_m = 0.4F;  ///< along a ray, less than the cells of what it passes over
+namespace handmap {
+
+using namespace perception;
+
+namespace {
 
 std::vector<RangePoint> inRange(const std::vector<RangePoint>& points, float min, float max) {
   std::vector<RangePoint> kept;
@@ -29,7 +25,9 @@ std::vector<RangePoint> inRange(const std::vector<RangePoint>& points, float min
   return kept;
 }
 
-WallPoint wallPoint(const RangePoint& p) { return {p.x, p.y, kRangeSigma_m, std::min(p.w, 1.0F)}; }
+WallPoint wallPoint(const RangePoint& p) {
+  return {p.x, p.y, static_cast<float>(kLaserSigma_m), std::min(p.w, 1.0F)};
+}
 
 }  // namespace
 
@@ -37,22 +35,20 @@ bool isPlanar(const std::vector<RangePoint>& points) {
   const auto [low, high] =
       std::minmax_element(points.begin(), points.end(),
                           [](const RangePoint& a, const RangePoint& b) { return a.z < b.z; });
-  return points.empty() || high->z - low->z <= kPlanar_m;
+  return points.empty() || high->z - low->z <= kLevel_m;
 }
 
 bool givesOneReturnADirection(const std::vector<RangePoint>& points) {
-  constexpr std::size_t kDirections = 360;  // wider than the steps of any scanner
-  constexpr double kMost = 2.5;  // points a direction that has any; a column of a wall has more
   if (isPlanar(points)) return true;
-  std::array<bool, kDirections> any{};
+  std::array<bool, kDegrees> any{};
   for (const RangePoint& p : points) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
     const double share =
         (std::atan2(static_cast<double>(p.y), static_cast<double>(p.x)) + kPi) / (2.0 * kPi);
-    any[std::min(static_cast<std::size_t>(share * kDirections), kDirections - 1)] = true;
+    any[std::min(static_cast<std::size_t>(share * kDegrees), kDegrees - 1)] = true;
   }
   const auto directions = static_cast<double>(std::count(any.begin(), any.end(), true));
-  return static_cast<double>(points.size()) <= kMost * directions;
+  return static_cast<double>(points.size()) <= kMostADirection * directions;
 }
 
 RangeWalls::RangeWalls(double range_limit_m, const WallFilter& filter)
@@ -73,10 +69,10 @@ std::vector<WallPoint> RangeWalls::operator()(const std::vector<RangePoint>& poi
 
 std::vector<WallPoint> RangeWalls::standing(const std::vector<RangePoint>& points,
                                             const Pose2& odometry) {
-  columns_.assign(cells_.count(), {kEmpty, -kEmpty, 0});
+  columns_.assign(cells_.count(), {kUnknownHeight_m, -kUnknownHeight_m, 0});
   const GroundHeight ground(points, range_limit_m_);
   for (const RangePoint& p : points) add(p, ground, odometry);
-  const PlaneCells spots(range_limit_m_, kSpot_m);
+  const PlaneCells spots(range_limit_m_, static_cast<float>(kMapCell_m));
   std::vector<std::uint8_t> taken(spots.count(), 0);
   std::vector<WallPoint> walls;
   for (const RangePoint& p : points) {
@@ -105,8 +101,8 @@ void RangeWalls::add(const RangePoint& p, const GroundHeight& ground, const Pose
   const float lowest = static_cast<float>(low_things_.low()) - sensor;
   const float highest = static_cast<float>(low_things_.high()) - sensor;
   const float rise = (p.z - sensor) / range;
-  const float last = std::min(range - 2.0F * kStep_m, highest / rise);
-  for (float at = std::max(lowest / rise, kStep_m); at < last; at += kStep_m) {
+  const float last = std::min(range - 2.0F * kPassStep_m, highest / rise);
+  for (float at = std::max(lowest / rise, kPassStep_m); at < last; at += kPassStep_m) {
     const float x = p.x * at / range;
     const float y = p.y * at / range;
     low_things_.addPass(odometry.toOuter({x, y}), sensor + at * rise - ground.at(x, y));

@@ -3,25 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/perception/constants.h"
 #include "core/perception/range_walls.h"
 
 namespace handmap {
 
+using namespace perception;
+
 namespace {
 
-constexpr std::size_t kDirections = 720;  // half a degree, as most scanners
-
-constexpr double kDirectionWidth = 2.0 * kPi / kDirections;
-constexpr float kScanSigma_m = 0.05F;  // noise and the spread of a wall within a direction
-constexpr float kGround_m = 0.3F;      // lower returns of a tilted sensor are from the ground
-
 std::size_t directionOf(double bearing) {
-  const auto index = static_cast<long>(std::lround((bearing + kPi) / kDirectionWidth));
+  const auto index = static_cast<long>(std::lround((bearing + kPi) / kDirection));
   return static_cast<std::size_t>(index) % kDirections;
 }
 
 float bearingOf(std::size_t direction) {
-  const double bearing = -kPi + static_cast<double>(direction) * kDirectionWidth;
+  const double bearing = -kPi + static_cast<double>(direction) * kDirection;
   return static_cast<float>(direction == 0 ? kPi : bearing);
 }
 
@@ -32,9 +29,6 @@ void keepNearest(Ray& kept, const Ray& ray) {
 }  // namespace
 
 bool Sweeps::areRegular(const std::vector<RangePoint>& points) {
-  constexpr double kOneStep = 1.6;  // of the median step
-  constexpr double kRegular = 0.8;  // of steps; of scanners 0.93 to 0.98, at random 0.67
-  constexpr double kAtFirst = 10;   // steps that are supposed to be a scanner's
   std::vector<float> bearings;
   for (const RangePoint& p : points) bearings.push_back(std::atan2(p.y, p.x));
   std::ranges::sort(bearings);
@@ -89,7 +83,7 @@ void ScanBuilder::addRays(const std::vector<RangePoint>& points, Scan& scan) {
     if (!looked_at_[direction]) scan.first_looked_at.push_back(bearingOf(direction));
     looked_at_[direction] = true;
     const float range = std::hypot(p.x, p.y);
-    if (tilted && p.z < kGround_m) {
+    if (tilted && p.z < kLevel_m) {
       keepNearest(nearest_[direction], {bearing, range, 0.0F, 0.0F, false});
       continue;
     }

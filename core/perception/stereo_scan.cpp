@@ -8,16 +8,15 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/perception/constants.h"
+
 namespace handmap {
+
+using namespace perception;
 
 namespace {
 
-constexpr double kStereoDirection = toRadians(0.5);
-constexpr std::size_t kSupport = 8;  ///< pixels of a column that a farthest surface needs
-
-int stereoDirection(double bearing) {
-  return static_cast<int>(std::lround(bearing / kStereoDirection));
-}
+int stereoDirection(double bearing) { return static_cast<int>(std::lround(bearing / kDirection)); }
 
 }  // namespace
 

@@ -11,21 +11,16 @@
 #include "core/base/phrase.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
+#include "core/perception/constants.h"
 #include "core/perception/stereo_scan.h"
 #include "core/perception/wall_columns.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
-namespace {
 
-constexpr double kNearest_m = 4.0;       ///< that near a wall should still be seen
-constexpr int kUniqueness_percent = 10;  ///< by which a match must beat the second best
-constexpr int kPreFilterCap = 31;        ///< of gradients, grey levels: what OpenCV advises
-constexpr int kTextureWindow_px = 9;     ///< as wide as what is matched
-constexpr float kMinTexture = 0.3F;      ///< mean gradient, grey levels: less is sky or plaster
-constexpr int kMinSide_px = 32;          ///< two windows of the classifier
-constexpr float kUnknown = -1.0F;
-constexpr double kSureExtent_m = 2.0;  ///< a column with this extent has the whole weight
+using namespace perception;
+
+namespace {
 
 [[noreturn]] void refuse(const std::string& place, const std::string& found,
                          const std::string& expected) {
@@ -150,7 +145,7 @@ cv::Mat1f StereoWalls::Matcher::match(const cv::Mat& left_image, const cv::Mat& 
   sgbm->setNumDisparities(disparities);
   sgbm->compute(upper, right.rowRange(0, rows), sixteenths);
   const cv::Mat1f texture = textureOf(upper);
-  cv::Mat1f disparity(size, kUnknown);
+  cv::Mat1f disparity(size, kUnknownDisparity);
   for (int row = 0; row < rows; ++row) {
     const short* in = sixteenths[row] + disparities;
     const float* contrast = texture[row] + disparities;
@@ -160,7 +155,7 @@ cv::Mat1f StereoWalls::Matcher::match(const cv::Mat& left_image, const cv::Mat& 
       // Farther left the match would lie in the padding.
       const bool known =
           d > 0.0F && d <= static_cast<float>(column) && contrast[column] >= kMinTexture;
-      out[column] = known ? d : kUnknown;
+      out[column] = known ? d : kUnknownDisparity;
     }
   }
   return disparity;
@@ -193,9 +188,9 @@ std::vector<WallPoint> StereoWalls::Matcher::inRobotFrame(const std::vector<Wall
 }
 
 double stereoScale(const StereoCamera& camera) {
-  constexpr double kLeast = 180.0;  // pixels times metres
   double scale = 1.0;
-  while (scale > 0.25 && camera.fx * camera.baseline * scale / 2.0 >= kLeast) scale /= 2.0;
+  while (scale > 0.25 && camera.fx * camera.baseline * scale / 2.0 >= kLeastFocal_px_m)
+    scale /= 2.0;
   return scale;
 }
 

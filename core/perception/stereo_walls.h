@@ -15,13 +15,15 @@ namespace handmap {
 struct StereoOptions {
   /// Images are reduced by this before matching; 0: as far as depth allows, see stereoScale().
   double scale = 0.0;
-  int num_disparities = 0;        ///< at the reduced size, a multiple of 16; 0: to see 4 m
-  int block_size = 7;             ///< odd
-  double left_right_px = 1.0;     ///< consistency, at the reduced size; rounded, at least 1
-  int speckle_window = 100;       ///< pixels
-  double speckle_range = 1.0;     ///< pixels of disparity
-  double sigma_disparity = 0.25;  ///< σ_d at the reduced size, pixels: σ_z = z² σ_d / (f B)
-  double max_sigma_m = 1.0;       ///< points noisier than this are dropped
+  int num_disparities = 0;  ///< at the reduced size, a multiple of 16; 0: to see 4 m
+  int block_size = perception::kBlockSize_px;  ///< odd
+  double left_right_px =
+      perception::kLeftRight_px;  ///< consistency, at the reduced size; rounded, at least 1
+  int speckle_window = perception::kSpeckle_px;         ///< pixels
+  double speckle_range = perception::kSpeckleRange_px;  ///< pixels of disparity
+  double sigma_disparity =
+      perception::kDisparitySigma_px;  ///< σ_d at the reduced size, pixels: σ_z = z² σ_d / (f B)
+  double max_sigma_m = perception::kMostSigma_m;  ///< points noisier than this are dropped
   WallFilter filter;
 };
 

@@ -5,7 +5,11 @@
 #include <Eigen/Core>
 #include <opencv2/imgproc.hpp>
 
+#include "core/perception/constants.h"
+
 namespace handmap {
+
+using namespace perception;
 
 namespace {
 

@@ -7,6 +7,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "core/perception/constants.h"
+
 namespace handmap {
 
 class VoteGrid {
@@ -20,7 +22,7 @@ class VoteGrid {
     const auto y = static_cast<std::uint64_t>(row);
     if (x >= side_ || y >= side_) return;
     votes_[(y + pad_) * stride_ + x + pad_] += weight;
-    voted_[(y + pad_) / kBlock * blocks_ + (x + pad_) / kBlock] = 1;
+    voted_[(y + pad_) / perception::kBlock * blocks_ + (x + pad_) / perception::kBlock] = 1;
   }
 
   /// Votes, at most `saturation` a cell, smoothed, times `scale` and at most 1, into `cells`, which
@@ -28,8 +30,6 @@ class VoteGrid {
   void moveTo(cv::Mat1f& cells, float saturation, float scale);
 
  private:
-  static constexpr std::size_t kBlock = 16;  ///< cells, either way
-
   using Flags = std::vector<std::uint8_t>;  ///< by block, row by row
   /// The blocks that a flagged one is smoothed into, along rows (step 1) or columns (`blocks_`).
   Flags spread(const Flags& flags, std::size_t step) const;

@@ -5,11 +5,13 @@
 
 #include <opencv2/core.hpp>
 
-namespace handmap {
-namespace {
+#include "core/perception/constants.h"
 
-constexpr double kBinsPerPixel = 2.0;
-constexpr int kReach = 1;  ///< bins to either side that belong to one wall
+namespace handmap {
+
+using namespace perception;
+
+namespace {
 
 struct Bin {
   float metres = 0.0F;  ///< vertical; the weight of the rest

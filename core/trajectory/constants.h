@@ -5,14 +5,13 @@
 #include <array>
 #include <cstddef>
 
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
+#include "core/perception/constants.h"
 
 namespace handmap::trajectory {
 
 // What can be used of the returns.
 inline constexpr double kLeastRange_m = 0.3;   // m; choice: nearer is the robot itself
-inline constexpr float kLow_m = 1.8F;          // m; measured: FIELD.md's part 2, 2, above cars
-inline constexpr float kHigh_m = 9.0F;         // m; measured: FIELD.md's part 2, 2, roofs recede
 inline constexpr double kLeastStraight = 0.1;  // 1; measured: README, of the returns
 
 // Straight pieces.
@@ -34,7 +33,6 @@ inline constexpr std::size_t kStepsPerDecade = 15;          // 1; choice: of 17 
 inline constexpr std::size_t kSteps = 4 * kStepsPerDecade;  // 1; derived: to 10 m
 inline constexpr double kLeastNoise_m = 0.01;               // m; choice: data sheets of lasers
 inline constexpr double kMedianToSigma = 1.48;  // 1; derived: σ of a Gaussian by its median
-inline constexpr double kUsualNoise_m = 0.03;   // m; choice: a laser's, before it is measured
 
 // A scan laid on a map.
 inline constexpr double kCell_m = 0.5;             // m; measured: FIELD.md (a) and (b)
@@ -54,7 +52,6 @@ inline constexpr double kDivergedGates = 10.0;  // gates; limit: of a step
 // Odometry by scans.
 inline constexpr double kWindow_m = 100.0;   // m; choice: of way, the rest is out of sight
 inline constexpr double kKeep_m = 0.8;       // m; measured: FIELD.md (a), between scans of the map
-inline constexpr double kKeep = 0.15;        // rad; measured: FIELD.md (a), the same
 inline constexpr int kLeastMatched = 20;     // returns; measured: FIELD.md (a)
 inline constexpr double kTurnSigmas = 3.0;   // σ; measured: FIELD.md (a), more is a wrong match
 inline constexpr double kMoveSquare = 18.0;  // σ²; measured: FIELD.md (a), the same

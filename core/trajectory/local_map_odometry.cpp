@@ -88,7 +88,8 @@ Pose2 LocalMapOdometry::whereHeld(const ScanMatch& match, const MotionPrior& pri
 void LocalMapOdometry::keep(const std::vector<ScanPoint>& scan) {
   if (kept_at_) {
     const Pose2 since = between(*kept_at_, pose_);
-    if (since.position().norm() < kKeep_m && std::abs(since.heading) < kKeep) return;
+    if (since.position().norm() < kKeep_m && std::abs(since.heading) < odometry::kKeyframeTurn)
+      return;
   }
   kept_at_ = pose_;
   kept_.push_back({scans_, travelled_m_});

@@ -20,7 +20,8 @@ Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_
       });
   returns.planar = isPlanar(returns.all);
   for (const RangePoint& p : returns.all) {
-    if (returns.planar || (p.z > kLow_m && p.z < kHigh_m)) returns.upright.emplace_back(p.x, p.y);
+    if (returns.planar || (p.z > perception::kTall_m && p.z < perception::kHighest_m))
+      returns.upright.emplace_back(p.x, p.y);
   }
   return returns;
 }

@@ -56,7 +56,7 @@ double ScanNoise::sigma(double range_m) const {
     before_m = middle_m;
     before = here;
   }
-  return before > 0.0 ? before : kUsualNoise_m;
+  return before > 0.0 ? before : perception::kLaserSigma_m;
 }
 
 }  // namespace handmap

@@ -13,7 +13,7 @@ namespace handmap {
 /// A return in the plane of the robot, metres.
 struct SharpnessPoint {
   Vec2 at = Vec2::Zero();
-  double sigma = trajectory::kUsualNoise_m;  ///< noise along the ray from the robot, one σ
+  double sigma = perception::kLaserSigma_m;  ///< noise along the ray from the robot, one σ
 };
 
 /// What one observation saw, near enough to be measured well; nullptr where it adds nothing to the

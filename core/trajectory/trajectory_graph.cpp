@@ -1,6 +1,6 @@
 #include "core/trajectory/trajectory_graph.h"
 
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
 #include "core/trajectory/constants.h"
 
 namespace handmap {

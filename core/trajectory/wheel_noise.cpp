@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/odometry/odometry_noise.h"
+#include "core/odometry/constants.h"
 #include "core/trajectory/constants.h"
 #include "core/trajectory/scan_noise.h"
 

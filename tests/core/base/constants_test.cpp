@@ -17,15 +17,18 @@ struct Room {
   const char* folder;
   std::size_t most;
 };
-constexpr Room kRooms[] = {{"core/map_match", 34},       {"core/outlines", 110},
-                           {"core/explain", 15},         {"core/estimation/drawing", 8},
-                           {"core/estimation/loops", 7}, {"core/estimation/labels", 24},
-                           {"core/trajectory", 108}};
+constexpr Room kRooms[] = {
+    {"core/map_match", 34},         {"core/outlines", 109},       {"core/explain", 15},
+    {"core/estimation/drawing", 8}, {"core/estimation/loops", 7}, {"core/estimation/labels", 24},
+    {"core/trajectory", 104},       {"core/perception", 72},      {"core/odometry", 48}};
 
 const std::regex kNumber(
     R"((?:^|\n)[ \t]*(?:(?:static|inline)[ \t]+)*constexpr[ \t]+)"
     R"((?:static[ \t]+|const[ \t]+)*(?:double|float|int|auto|(?:std::)?u?int\d+_t|)"
-    R"(std::size_t|std::array\b[^\n=]*?)[ \t]+(k[A-Z]\w*)\s*[={][^;]*;([^\n]*(?:\n[ \t]*//[^\n]*)*))");
+    R"(std::size_t|std::ptrdiff_t|long|std::array\b[^\n=]*?)[ \t]+(k[A-Z]\w*)(?:\[\w*\])?\s*[={][^;]*;([^\n]*(?:\n[ \t]*//[^\n]*)*))");
+const std::regex kMember(R"(\n[ \t]*\.(\w+) = [^,;}\n]*[,;}]+([^\n]*(?:\n[ \t]*//[^\n]*)*))");
+const std::regex kStruct(
+    R"((?:^|\n)[^\n/]*constexpr[ \t]+(?:\w+::)*[A-Z]\w*[ \t]+(k[A-Z]\w*)\s*[={])");
 const std::regex kSourced(R"(^\s*//\s*[^\s;]+; (choice|derived|limit|measured|paper): \S)");
 
 std::string contentOf(const fs::path& file) {
@@ -38,11 +41,22 @@ struct Number {
   std::string comment;
 };
 
-std::vector<Number> numbersIn(const std::string& source) {
+std::vector<Number> foundIn(const std::string& source, const std::regex& number) {
   std::vector<Number> numbers;
-  for (std::sregex_iterator at(source.begin(), source.end(), kNumber), end; at != end; ++at) {
+  for (std::sregex_iterator at(source.begin(), source.end(), number), end; at != end; ++at) {
     numbers.push_back({(*at)[1], (*at)[2]});
   }
+  return numbers;
+}
+
+std::vector<Number> numbersIn(const std::string& source) { return foundIn(source, kNumber); }
+
+/// And each member of what holds several.
+std::vector<Number> numbersOfHeader(const fs::path& header) {
+  const std::string source = contentOf(header);
+  std::vector<Number> numbers = numbersIn(source);
+  const std::vector<Number> members = foundIn(source, kMember);
+  numbers.insert(numbers.end(), members.begin(), members.end());
   return numbers;
 }
 
@@ -53,17 +67,24 @@ TEST(Constants, AreFoundHoweverTheyAreWritten) {
       "inline constexpr std::array<double, 2> kC = {1.0, 2.0};\n"
       "constexpr std::array kD{1.0};\n"
       "inline constexpr std::size_t kE = 1;  // s;\n    // choice: more\n"
-      "constexpr auto kF = 3.0F;\nconstexpr double f(double x) { return x; }\n");
-  ASSERT_EQ(numbers.size(), 6U);
+      "constexpr auto kF = 3.0F;\nconstexpr double kG[] = {1.0};\nconstexpr double f(double x) { "
+      "return x; }\n");
+  ASSERT_EQ(numbers.size(), 7U);
   EXPECT_TRUE(std::regex_search(numbers[1].comment, kSourced));
   EXPECT_FALSE(std::regex_search(numbers[0].comment, kSourced));
+  const auto members =
+      foundIn("constexpr Noise kN{\n    .a = 0.1,  // m; choice: so\n    .b = 2e-5};\n", kMember);
+  ASSERT_EQ(members.size(), 2U);
+  EXPECT_TRUE(std::regex_search(members[0].comment, kSourced));
+  EXPECT_FALSE(std::regex_search(members[1].comment, kSourced));
+  EXPECT_EQ(foundIn("  constexpr Room::Noise kN{1.0};\n", kStruct).size(), 1U);
 }
 
 TEST(Constants, StandInOneHeaderOfTheirRoomWithUnitAndSource) {
   const fs::path sources = HANDMAP_SOURCES;
   for (const auto& [room, most] : kRooms) {
     const fs::path header = sources / room / "constants.h";
-    const std::vector<Number> numbers = numbersIn(contentOf(header));
+    const std::vector<Number> numbers = numbersOfHeader(header);
     EXPECT_FALSE(numbers.empty()) << room;
     EXPECT_LE(numbers.size(), most) << room;
     for (const Number& number : numbers) {
@@ -74,9 +95,12 @@ TEST(Constants, StandInOneHeaderOfTheirRoomWithUnitAndSource) {
     for (const auto& entry : fs::directory_iterator(sources / room)) {
       const bool is_source = entry.path().extension() == ".h" || entry.path().extension() == ".cpp";
       if (!is_source || entry.path() == header) continue;
-      for (const Number& number : numbersIn(contentOf(entry.path()))) {
-        ADD_FAILURE() << entry.path().string() << ": found " << number.name << ", expected it in "
-                      << header.string();
+      const std::string content = contentOf(entry.path());
+      for (const auto& kind : {kNumber, kStruct}) {
+        for (const Number& number : foundIn(content, kind)) {
+          ADD_FAILURE() << entry.path().string() << ": found " << number.name << ", expected it in "
+                        << header.string();
+        }
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "core/estimation/smoothing/odometry_factor.h"
 
+#include "core/odometry/constants.h"
 #include "tests/core/estimation/smoothing/numeric.h"
 
 namespace handmap {

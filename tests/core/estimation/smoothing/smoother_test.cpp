@@ -7,6 +7,7 @@
 
 #include "core/estimation/buildings/noise_estimate.h"
 #include "core/estimation/smoothing/landmarks.h"
+#include "core/odometry/constants.h"
 #include "tests/core/estimation/scene.h"
 
 namespace handmap {
