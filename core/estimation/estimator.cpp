@@ -4,9 +4,12 @@
 #include <limits>
 #include <utility>
 
+#include "core/estimation/constants.h"
 #include "core/estimation/estimator_state.h"
 
 namespace handmap {
+
+using namespace estimation;
 
 HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& options,
                                    std::uint64_t seed) {
@@ -124,7 +127,6 @@ void HandmapEstimator::State::workToTheEnd(const std::stop_token& stop,
 }
 
 void HandmapEstimator::finish(const std::stop_token& stop) {
-  constexpr std::size_t kMostLabelled = 60;  // buildings all together; choice
   State& state = *state_;
   if (state.frames.empty()) return;
   state.workToTheEnd(stop);

@@ -10,6 +10,7 @@
 
 #include "core/base/shared_list.h"
 #include "core/estimation/buildings/box_finder.h"
+#include "core/estimation/constants.h"
 #include "core/estimation/labels/assignment.h"
 #include "core/map/map.h"
 #include "core/odometry/constants.h"
@@ -19,20 +20,21 @@
 namespace handmap {
 
 struct EstimatorOptions {
-  double range_limit_m = 40.0;
-  int particles = 100;
+  double range_limit_m = estimation::kRangeLimit_m;
+  int particles = estimation::kParticles;
   SensorOptions sensor;
   OdometryNoise odometry = kWheels;
   DetectionOptions detection;
   FinderOptions finder;
   AssignmentOptions assignment;
-  double cell_m = 0.5;      ///< of the evidence; choice: METHOD.md's 0.25 costs twice as much
-  double key_step_m = 2.0;  ///< nearer than this to the last key frame only the robot moves; choice
-  double key_turn = 0.15;   ///< radians, the same; choice
-  double active_m = 50.0;   ///< frames farther behind are no longer searched for buildings
-  int window = 12;          ///< poses that an observation may correct; choice: 24 m
-  int most_active = 40;     ///< key frames that are searched for buildings; choice: 80 m
-  int most_kept = 1500;     ///< key frames that the end may still correct; choice: 3 km
+  double cell_m = walls::kCell_m;  ///< of the evidence
+  /// Nearer than this to the last key frame only the robot moves.
+  double key_step_m = odometry::kKeyframe_m;
+  double key_turn = odometry::kKeyframeTurn;  ///< radians, the same
+  double active_m = estimation::kActive_m;    ///< frames farther behind are not searched
+  int window = estimation::kWindow;           ///< poses that an observation may correct
+  int most_active = estimation::kMostActive;  ///< key frames searched for buildings
+  int most_kept = estimation::kMostKept;      ///< key frames that the end may still correct
 };
 
 /// A sample of where the robot is.

@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/constants.h"
 #include "core/estimation/estimator_state.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr std::size_t kLastPoses = 200;  // that tell which side a building is on; choice
-/// Key frames nearer to each other take turns. Choice: a robot that stops drives farther.
-constexpr double kClose_m = 3.0;
-
-}  // namespace
+using namespace estimation;
 
 bool HandmapEstimator::State::isInSight(const FoundBox& box) const {
   return !box.dormant && isInReach(box);

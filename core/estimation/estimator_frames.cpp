@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/constants.h"
 #include "core/estimation/estimator_state.h"
 
 namespace handmap {
 
-namespace {
-
-/// Key frames whose odometry is never better than usual: the start is placed by hand, and the
-/// trajectory has to turn to the drawing somewhere. Choice: 20 m.
-constexpr std::size_t kFromStart = 10;
-
-}  // namespace
+using namespace estimation;
 
 /// A motion between sights of nothing is told by the wheels alone, whatever tells the others.
 double HandmapEstimator::State::noiseTo(std::size_t frame) const {

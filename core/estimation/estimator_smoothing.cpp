@@ -3,33 +3,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/estimation/constants.h"
 #include "core/estimation/estimator_state.h"
 #include "core/estimation/loops/loop_closure.h"
 
 namespace handmap {
 
-namespace {
-
-// Slacks across walls, metres, one after the other: wide to catch, narrow to settle. Choices.
-constexpr double kWindowSlacks[] = {0.3, 0.1};
-constexpr double kLoopSlacks[] = {0.5, 0.1};
-constexpr double kPeriodicSlacks[] = {0.1};
-constexpr double kFinalSlacks[] = {0.2, 0.1, 0.03};
-
-constexpr int kMostIterations = 10;       // with one slack; choice
-constexpr int kPeriodicIterations = 3;    // now and then; choice
-constexpr double kSettled_m = 0.02;       // choice: no pose moves any more
-constexpr std::size_t kLeastPeriod = 25;  // key frames; choice: two windows
-constexpr std::size_t kPeriodShare = 8;  // of the run so far; choice: an observation costs the same
-constexpr std::size_t kMostSmoothed = 300;  // of the buildings settled far away; choice
-
-// Drift of a trajectory that buildings in sight hold, one σ. Choices.
-constexpr double kShiftPerMetre = 0.01;
-constexpr double kLeastShift_m = 1.0;
-constexpr double kTurnPerMetre = 0.0001;  // radians
-constexpr double kLeastTurn = 0.03;       // radians
-
-}  // namespace
+using namespace estimation;
 
 void HandmapEstimator::State::smoothWindow() {
   std::vector<FoundBox> boxes;
@@ -43,7 +23,7 @@ void HandmapEstimator::State::smoothWindow() {
   const std::size_t fixed = active.size() > count ? active.size() - count : 1;
   first_moved = std::min(first_moved, frames.size() - (active.size() - fixed));
   const SmoothingGraph graph{active, fixed, boxes, landmarks.positions()};
-  for (const double slack : kWindowSlacks) smoother.iterate(graph, slack);
+  for (const double slack : kWindowSlacks_m) smoother.iterate(graph, slack);
   if (const auto since = smoother.covariances(boxes)) {
     carryCovariance(frames.size() - active.size() + fixed - 1, *since);
   }
@@ -59,12 +39,12 @@ bool HandmapEstimator::State::smoothPeriodically(const std::stop_token& stop) {
   }
   if (iterations_due == 0) return false;
   --iterations_due;
-  smoothAll(kPeriodicSlacks, 1, {}, stop);
+  smoothAll(kPeriodicSlacks_m, 1, {}, stop);
   return true;
 }
 
 void HandmapEstimator::State::smoothToTheEnd(const std::stop_token& stop) {
-  smoothAll(kFinalSlacks, kMostIterations, {}, stop);
+  smoothAll(kFinalSlacks_m, kMostIterations, {}, stop);
 }
 
 /// All poses and boxes together, with each slack until nothing moves any more or so many times.
@@ -122,7 +102,7 @@ bool HandmapEstimator::State::closeLoop(const std::stop_token& stop) {
   }
   const auto pairs = handmap::closeLoop(found, candidates, *drift);
   if (!pairs) return false;
-  smoothAll(kLoopSlacks, kMostIterations, *pairs, stop);
+  smoothAll(kLoopSlacks_m, kMostIterations, *pairs, stop);
   found = merged(found, *pairs);
   evidence.reinsertAll(stop);
   return true;

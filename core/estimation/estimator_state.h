@@ -6,6 +6,7 @@
 
 #include "core/estimation/buildings/clutter_estimate.h"
 #include "core/estimation/buildings/noise_estimate.h"
+#include "core/estimation/constants.h"
 #include "core/estimation/estimator.h"
 #include "core/estimation/labels/labels.h"
 #include "core/estimation/loops/loop_closure.h"
@@ -67,7 +68,9 @@ struct HandmapEstimator::State {
   void setAllFound(const std::vector<FoundBox>& all);
   void labelBuildings(double near_m);
   /// Buildings farther from the robot keep the labels that they have: no active frame sees them.
-  double nearM() const { return 2.5 * options.range_limit_m + options.active_m; }
+  double nearM() const {
+    return estimation::kNearLimits * options.range_limit_m + options.active_m;
+  }
   std::size_t firstActive() const;
   std::size_t firstKept() const;
   std::vector<Frame*> framesFrom(std::size_t first);

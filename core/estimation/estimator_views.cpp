@@ -3,11 +3,14 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/estimation/constants.h"
 #include "core/estimation/estimator_state.h"
 #include "core/estimation/samples.h"
 #include "core/map/certainty.h"
 
 namespace handmap {
+
+using namespace estimation;
 
 const Pose2& HandmapEstimator::pose() const { return state_->pose; }
 const Eigen::Matrix3d& HandmapEstimator::poseCovariance() const { return state_->covariance; }
@@ -31,9 +34,8 @@ int HandmapEstimator::visibleBuildings() const {
 
 namespace {
 
-// Purposes of random streams.
-constexpr std::uint32_t kPose = 0;
-constexpr std::uint32_t kBuilding = 1;
+/// Purposes of random streams.
+enum Purpose : std::uint32_t { kPose = 0, kBuilding = 1 };
 
 }  // namespace
 
@@ -99,7 +101,6 @@ std::vector<FoundWall> HandmapEstimator::walls() const {
 
 /// Whatever the direction of the wall: the strongest counts.
 LocalMap HandmapEstimator::evidence() const {
-  constexpr float kSure = 5.0F;  // nats in a cell: as strong as is shown
   const State& state = *state_;
   LocalMap map(state.options.cell_m, state.options.range_limit_m);
   if (state.frames.empty()) return map;
@@ -114,7 +115,7 @@ LocalMap HandmapEstimator::evidence() const {
             image.at(static_cast<int>(std::floor(image.along().dot(at) / image.cell())),
                      static_cast<int>(std::floor(image.across().dot(at) / image.cell())));
         float& cell = map.cells()(row, column);
-        cell = std::max(cell, std::min(static_cast<float>(nats) / kSure, 1.0F));
+        cell = std::max(cell, std::min(static_cast<float>(nats) / kSureCell, 1.0F));
       }
     }
   }

@@ -5,9 +5,12 @@
 #include <limits>
 #include <optional>
 
+#include "core/estimation/constants.h"
 #include "core/map/certainty.h"
 
 namespace handmap {
+
+using namespace estimation;
 
 namespace {
 
@@ -40,7 +43,6 @@ Building MapCorrection::stated(std::size_t b, const RefinedBuilding& refined,
 
 void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
                             const HasReached& has_reached) {
-  constexpr double kSlightDoubt = 0.1;  // choice: nobody asks about less
   const Labels::Label label = labels_.of(b, found);
   const Building& drawn = drawing_.buildings[b];
   if (drawn.fixed) return;
@@ -59,7 +61,6 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
 
 /// As the drawing would have it without the other buildings.
 void MapCorrection::compare(std::size_t b, std::span<const FoundBox> found) {
-  constexpr double kLeast_m = 0.1;  // choice: no drawing is surer of its buildings
   const FoundBox* box = labels_.of(b, found).found;
   displaced_[b].reset();
   if (!box) return;
@@ -67,7 +68,7 @@ void MapCorrection::compare(std::size_t b, std::span<const FoundBox> found) {
   const Uncertainty uncertainty = drawing_.uncertaintyOf(drawn);
   const RefinedBuilding alone = refinedBuilding(drawn, uncertainty, labels_.expectedMotion(), box);
   displaced_[b] = {drawn.box().centre, alone.box().centre,
-                   std::max(uncertainty.position, kLeast_m)};
+                   std::max(uncertainty.position, kLeastDrawn_m)};
 }
 
 void MapCorrection::predict() {
@@ -112,11 +113,10 @@ void MapCorrection::correctAll(std::span<const FoundBox> found, const HasReached
 }
 
 void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReached& has_reached) {
-  constexpr std::size_t kOthers = 100;  // a key frame; choice
   for (const std::size_t b : labels_.nearby()) compare(b, found);
   predict();
   for (const std::size_t b : labels_.nearby()) correct(b, found, has_reached);
-  for (std::size_t i = 0; i < std::min(kOthers, drawing_.buildings.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostCorrected, drawing_.buildings.size()); ++i) {
     last_ = (last_ + 1) % drawing_.buildings.size();
     if (!labels_.isNearby(last_)) correct(last_, found, has_reached);
   }

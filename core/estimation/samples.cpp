@@ -5,7 +5,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "core/estimation/constants.h"
+
 namespace handmap {
+
+using namespace estimation;
 
 std::vector<std::size_t> sampledHypotheses(std::span<const Hypothesis> hypotheses,
                                            std::size_t count) {
@@ -20,7 +24,8 @@ std::vector<std::size_t> sampledHypotheses(std::span<const Hypothesis> hypothese
 }
 
 PoseSampler::PoseSampler(const Pose2& mean, const Eigen::Matrix3d& covariance) : mean_(mean) {
-  const Eigen::LLT<Eigen::Matrix3d> factor(covariance + 1e-9 * Eigen::Matrix3d::Identity());
+  const Eigen::LLT<Eigen::Matrix3d> factor(covariance +
+                                           kLeastVariance * Eigen::Matrix3d::Identity());
   root_ = factor.matrixL();
 }
 
@@ -36,14 +41,13 @@ BuildingSampler::BuildingSampler(const RefinedBuilding& refined) : walls_(refine
 }
 
 Rectangle BuildingSampler::operator()(RandomStream& random) const {
-  constexpr double kLeast = 1.0;  // metres; choice: what is drawn has an inside
   const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
   const Eigen::Vector4d offset = root_ * unit;
   Box box = walls_;
   for (std::size_t k = 0; k < 4; ++k) box.reach[k] += offset[static_cast<Eigen::Index>(k)];
   Rectangle rectangle = box.rectangle();
-  rectangle.width = std::max(rectangle.width, kLeast);
-  rectangle.depth = std::max(rectangle.depth, kLeast);
+  rectangle.width = std::max(rectangle.width, kLeastShown_m);
+  rectangle.depth = std::max(rectangle.depth, kLeastShown_m);
   return rectangle;
 }
 

@@ -5,28 +5,13 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/estimation/buildings/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace buildings;
 
-constexpr double kParallel = toRadians(7.0);  // choice: tilts of 4.5° and the box
-constexpr double kNear = 2.0;    // metres between a wall and the box that explains it; choice
-constexpr double kAgreed = 0.5;  // metres between the ends of a wall and of its box; choice: a cell
-constexpr double kPromising = 30.0;      // nats that a local search may bring; choice
-constexpr int kMostSeeds = 3;            // an observation; choice: so much time
-constexpr std::size_t kMostRivals = 20;  // choice: so much memory
-constexpr double kLeastGap = 1.0;        // metres between two buildings; choice: two cells
-constexpr double kGain = 1.0;            // nats that a change must bring; choice
-constexpr double kCommonArea = 0.15;     // of the smaller of two that cannot both be; choice
-constexpr double kAlike = 0.8;           // of the larger of two that are the same; choice
-constexpr std::size_t kHeading = 4;      // index of the heading among the parameters
-constexpr double kImpossible = -1e9;     // nats
-// Metres that a search looks at first: what was seen before, halves of a box, a
-// seed. Choices.
-constexpr double kSettledStep_m = 0.1;
-constexpr double kPieceStep_m = 0.5;
-constexpr double kSeedStep_m = 1.5;
+namespace {
 
 void change(Box& box, std::size_t parameter, double by) {
   if (parameter == kHeading) {
@@ -51,7 +36,7 @@ std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec2 normal = box.normal(k);
     if (normal.dot(outward) < std::cos(kParallel)) continue;
-    if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear) continue;
+    if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear_m) continue;
     Stretch stretch{k, 0.0, 0.0};
     const Vec2 along = box.normal(stretch.second());
     stretch.begin = along.dot(wall.a - box.pivot);
@@ -71,7 +56,7 @@ bool isLookedAt(const Box& box, const Frame& frame, const SensorModel& sensor) {
   view.forRays(frame.rays, [&](const FrameRay& ray) {
     if (looked_at) return;
     const Entry entry = view.entry(ray);
-    looked_at = entry.distance >= 0.0F && sensor(ray.sight, entry.distance, kWallSlack) != 0.0F;
+    looked_at = entry.distance >= 0.0F && sensor(ray.sight, entry.distance, kWallSlack_m) != 0.0F;
   });
   return looked_at;
 }
@@ -116,17 +101,16 @@ Box BoxFinder::seed(const FoundWall& wall) const {
 
 void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
                        const SensorModel& sensor) const {
-  constexpr double kLeastStep = 0.04;  // metres; choice: below the noise
   const double long_side =
       std::max(found.box.reach[0] + found.box.reach[2], found.box.reach[1] + found.box.reach[3]);
   BoxScorer scorer(found.box, frames, sensor);
   found.score = objective(found.box, scorer);
-  for (double step = step_m; step >= kLeastStep; step /= 2.0) {
+  for (double step = step_m; step >= kLeastStep_m; step /= 2.0) {
     for (std::size_t parameter = 0; parameter <= kHeading; ++parameter) {
       const double by = parameter == kHeading ? step / long_side : step;
       for (const double sign : {1.0, -1.0}) {
         bool better = false;
-        for (int tries = 0; tries < 4; ++tries) {
+        for (int tries = 0; tries < kTries; ++tries) {
           Box changed = found.box;
           change(changed, parameter, sign * by);
           const double score = objective(changed, scorer);
@@ -143,11 +127,9 @@ void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* co
 
 void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> frames,
                              const SensorModel& sensor) const {
-  constexpr double kProbe = 2.0;    // metres; choice
-  constexpr double kTelling = 4.0;  // nats; choice
   BoxScorer scorer(found.box, frames, sensor, 1);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (found.reachSigma(k) < kProbe / 2.0) continue;
+    if (found.reachSigma(k) < kNear_m / 2.0) continue;
     const auto score_at = [&](double reach) {
       Box changed = found.box;
       changed.reach[k] = reach;
@@ -155,16 +137,16 @@ void BoxFinder::locateUnseen(FoundBox& found, std::span<const Frame* const> fram
     };
     double best = found.box.reach[k];
     double best_score = score_at(best);
-    for (double off = -2.0 * kProbe; off <= 2.0 * kProbe; off += kProbe / 4.0) {
+    for (double off = -2.0 * kNear_m; off <= 2.0 * kNear_m; off += kNear_m / 4.0) {
       const double score = score_at(found.box.reach[k] + off);
       if (score <= best_score) continue;
       best = found.box.reach[k] + off;
       best_score = score;
     }
-    const double drop = best_score - std::max(score_at(best - kProbe), score_at(best + kProbe));
+    const double drop = best_score - std::max(score_at(best - kNear_m), score_at(best + kNear_m));
     if (drop < kTelling) continue;
     found.box.reach[k] = best;
-    found.setReachSigma(k, std::min(found.reachSigma(k), kProbe / std::sqrt(2.0 * drop)));
+    found.setReachSigma(k, std::min(found.reachSigma(k), kNear_m / std::sqrt(2.0 * drop)));
   }
 }
 
@@ -173,8 +155,8 @@ bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Fr
                       const SensorModel& sensor) const {
   const auto stretch = stretchOn(found.box, wall);
   if (stretch) {
-    const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed &&
-                        std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed;
+    const bool agrees = std::abs(stretch->begin + found.box.reach[stretch->first()]) < kAgreed_m &&
+                        std::abs(stretch->end - found.box.reach[stretch->second()]) < kAgreed_m;
     if (agrees || !found.in_sight || found.predates(frames)) return true;
     BoxScorer scorer(found.box, frames, sensor);
     const Box before = found.box;
@@ -190,7 +172,7 @@ bool BoxFinder::adopt(FoundBox& found, const FoundWall& wall, std::span<const Fr
     return true;
   }
   const Polygon corners = found.box.polygon();
-  return distanceTo(corners, wall.a) < kNear && distanceTo(corners, wall.b) < kNear;
+  return distanceTo(corners, wall.a) < kNear_m && distanceTo(corners, wall.b) < kNear_m;
 }
 
 std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<FoundWall>& walls,
@@ -207,7 +189,7 @@ std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<
     for (std::size_t i = 0; i + 1 < stretches.size(); ++i) {
       const double gap_begin = stretches[i].end;
       const double gap_end = stretches[i + 1].begin;
-      if (gap_end - gap_begin < kLeastGap) continue;
+      if (gap_end - gap_begin < kLeastGap_m) continue;
       FoundBox low = found;
       FoundBox high = found;
       low.box.reach[stretches[i].second()] = gap_begin;

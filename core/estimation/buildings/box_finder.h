@@ -11,9 +11,9 @@
 namespace handmap {
 
 struct FinderOptions {
-  double least_score = 40.0;     ///< nats; less is no building; choice
-  double typical_size_m = 15.0;  ///< of sides that nobody saw; choice: a house
-  double least_size_m = 2.5;     ///< choice: a garage
+  double least_score = buildings::kLeastScore;        ///< nats; less is no building
+  double typical_size_m = buildings::kTypicalSize_m;  ///< of sides that nobody saw
+  double least_size_m = buildings::kLeastSize_m;
 };
 
 /// Keeps a list of buildings up to date with walls detected in the evidence and with the rays

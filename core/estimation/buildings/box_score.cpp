@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/buildings/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kRobotInside = -1e6;  // nats
-constexpr double kAround = 2.0;  // metres that corners may move before rays are sought anew; choice
-constexpr double kMostMargin = 1.6;  // radians; choice: a quarter turn
-
-}  // namespace
+using namespace buildings;
 
 BoxScorer::BoxScorer(const Box& box, std::span<const Frame* const> frames,
                      const SensorModel& sensor, std::size_t stride)
@@ -25,15 +21,14 @@ void BoxScorer::lookAt(const Box& box) {
   looking_.clear();
   for (const Frame* frame : frames_) {
     const BoxView view(box, frame->pose);
-    if (!view.inReach(sensor_.rangeLimit() + kAround)) continue;
-    // Seen from the nearest corner, what lies within kAround of the box.
+    if (!view.inReach(sensor_.rangeLimit() + kNear_m)) continue;
+    // Seen from the nearest corner, what lies within kNear_m of the box.
     double nearest = (box.rectangle().centre - frame->pose.position()).norm();
     for (const Vec2& corner : around_) {
       nearest = std::min(nearest, (corner - frame->pose.position()).norm());
     }
-    const double margin =
-        nearest > kAround ? std::min(std::asin(kAround / nearest), kMostMargin) : kMostMargin;
-    const auto widened = static_cast<float>(view.inReach(kAround) ? 2.0 * kPi : margin);
+    const double margin = nearest > kNear_m ? std::asin(kNear_m / nearest) : kPi / 2.0;
+    const auto widened = static_cast<float>(view.inReach(kNear_m) ? 2.0 * kPi : margin);
     const float span = std::min(view.highBearing() - view.lowBearing() + 2.0F * widened,
                                 static_cast<float>(2.0 * kPi));
     const float low = std::max(view.lowBearing() - widened, static_cast<float>(-2.0 * kPi));
@@ -53,7 +48,7 @@ double BoxScorer::operator()(const Box& box) {
   const std::array<Vec2, 4> corners = box.corners();
   const bool near =
       std::equal(corners.begin(), corners.end(), around_.begin(),
-                 [](const Vec2& a, const Vec2& b) { return (a - b).norm() <= kAround; });
+                 [](const Vec2& a, const Vec2& b) { return (a - b).norm() <= kNear_m; });
   near ? turnTo(box) : lookAt(box);
   double score = 0.0;
   for (const Looking& looking : looking_) {
@@ -66,7 +61,8 @@ double BoxScorer::operator()(const Box& box) {
         [&](const FrameRay& ray) {
           const Entry entry = slabs.entry(ray);
           if (entry.distance < 0.0F) return;
-          sum += sensor_(ray.sight, entry.distance, kWallSlack / std::max(entry.cosine, 0.02F));
+          sum += sensor_(ray.sight, entry.distance,
+                         kWallSlack_m / std::max(entry.cosine, kLeastCosine));
         },
         stride_);
     score += static_cast<double>(sum) * static_cast<double>(stride_);

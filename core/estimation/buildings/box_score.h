@@ -13,7 +13,7 @@ class BoxScorer {
  public:
   /// Looks at each `stride`-th ray: two take half the time for √2 of the noise.
   BoxScorer(const Box& box, std::span<const Frame* const> frames, const SensorModel& sensor,
-            std::size_t stride = 2);
+            std::size_t stride = buildings::kStride);
 
   /// Sum of the log likelihood ratios of all rays that would meet the box; very low where a robot
   /// stands inside it. The box may be any: far from the one given it only takes longer.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/estimation/buildings/box.h"
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/walls/frame.h"
 
 namespace handmap {
@@ -76,12 +77,5 @@ class BoxView : public BoxSlabs {
   float low_bearing_;  ///< of the corners, robot frame; either may lie outside (-π, π]
   float high_bearing_;
 };
-
-/// How far a wall may be off against the poses, metres across the wall. Choice.
-inline constexpr float kWallSlack = 0.05F;
-/// What is measured of noise and clutter: of what is known, kept at a key frame; the least cosine
-/// of the angle of incidence. Choices: 70 m, and no wall seen along itself.
-inline constexpr double kForgetting = 0.97;
-inline constexpr float kSteep = 0.5F;
 
 }  // namespace handmap

@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/buildings/silhouette.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr double kInFront = 2.0;       // metres that are looked at; choice
-constexpr double kClear = 0.5;         // metres between a ray and the end of the wall; choice
-constexpr double kMuchRate = 0.3;      // of a rate; choice
-constexpr double kMuchDensity = 0.01;  // a metre; choice
-
-}  // namespace
+using namespace buildings;
 
 void ClutterEstimate::Share::forget() {
   blocked *= kForgetting;
@@ -42,11 +36,11 @@ void ClutterEstimate::addBefore(const Frame& frame, const Box& box, const Sensor
     const Entry entry = view.entry(ray);
     if (entry.distance < 0.0F || entry.cosine < kSteep) return;
     const auto end = static_cast<double>(entry.distance - sensor.reach(entry.distance));
-    const double begin = end - kInFront;
+    const double begin = end - kNear_m;
     const auto range = static_cast<double>(ray.sight.range);
     if (begin < 0.0 || range < begin) return;
     looked_m_ += std::min(range, end) - begin;
-    if (range > end || ray.sight.label == SensorModel::kSilent) return;
+    if (range > end || ray.sight.label == walls::kSilent) return;
     const double wall = SensorModel::shareOf(ray.sight.label);
     wall_like_ += wall;
     others_ += 1.0 - wall;
@@ -56,7 +50,7 @@ void ClutterEstimate::addBefore(const Frame& frame, const Box& box, const Sensor
 void ClutterEstimate::addAtEnds(const Frame& frame, const Box& box, const SensorModel& sensor) {
   for (const VisibleEnd& end : visibleEnds(box, frame, sensor)) {
     for (const RayBeside& ray : end.rays) {
-      if (std::isinf(ray.distance) || std::abs(ray.outwards) * end.distance < kClear) continue;
+      if (std::isinf(ray.distance) || std::abs(ray.outwards) * end.distance < kAgreed_m) continue;
       Share& share = ray.outwards < 0.0 ? at_walls_ : beside_;
       share.rays += 1.0;
       if (sensor.isBefore(ray.sight, ray.distance, ray.slack)) share.blocked += 1.0;
@@ -71,7 +65,7 @@ Clutter ClutterEstimate::measured() const {
 
 bool differMuch(const Clutter& a, const Clutter& b) {
   const auto differ = [](double one, double other, double least) {
-    return std::abs(one - other) > kMuchRate * other + least;
+    return std::abs(one - other) > kMuch * other + least;
   };
   return differ(a.wall_like_per_m, b.wall_like_per_m, kMuchDensity) ||
          differ(a.others_per_m, b.others_per_m, kMuchDensity) ||

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/buildings/found_box.h"
 
 namespace handmap {
@@ -17,16 +18,16 @@ class ClutterEstimate {
  private:
   /// Shares of the rays that go to a wall, or past its end, and end early.
   struct Share {
-    double blocked = 10.0;  ///< a choice, as are the rays: of either a fifth
-    double rays = 50.0;
+    double blocked = buildings::kFirstBlocked;
+    double rays = buildings::kFirstRays;
     void forget();
   };
 
   void addBefore(const Frame& frame, const Box& box, const SensorModel& sensor);
   void addAtEnds(const Frame& frame, const Box& box, const SensorModel& sensor);
 
-  double looked_m_ = 500.0;  ///< along rays, in front of walls; at first a choice
-  double wall_like_ = 0.0;   ///< returns from there
+  double looked_m_ = buildings::kFirstLooked_m;  ///< along rays, in front of walls
+  double wall_like_ = 0.0;                       ///< returns from there
   double others_ = 0.0;
   Share at_walls_;
   Share beside_;

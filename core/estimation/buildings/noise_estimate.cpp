@@ -6,21 +6,11 @@
 #include <Eigen/Dense>
 
 #include "core/estimation/buildings/box_view.h"
+#include "core/estimation/buildings/constants.h"
 
 namespace handmap {
 
-namespace {
-
-constexpr double kLeastReturns = 60.0;       // a bin; choice: σ to 10 %
-constexpr double kLeastSigma = 0.03;         // metres; choice: a laser
-constexpr double kLeastInformation = 400.0;  // 1/m²: 5 cm; choice
-constexpr double kAssumedSystematic = 0.03;  // metres; choice, until it is measured
-constexpr double kLeastSystematic = 0.01;    // metres; choice: plaster
-constexpr double kMostSystematic = 0.2;      // metres; choice: recesses
-constexpr double kMuchRatio = 1.3;           // ratio of σ; choice: as the evidence is sure of
-constexpr double kMuchBias = 0.1;            // of σ; choice
-
-}  // namespace
+using namespace buildings;
 
 void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
                         const SensorModel& sensor) {
@@ -36,15 +26,15 @@ void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
     std::array<double, 4> weights{};
     std::array<double, 4> errors{};
     view.forRays(frame.rays, [&](const FrameRay& ray) {
-      if (ray.sight.label == SensorModel::kSilent) return;
+      if (ray.sight.label == walls::kSilent) return;
       const Entry entry = view.entry(ray);
       if (entry.distance < 0.0F || entry.cosine < kSteep) return;
-      const auto index = static_cast<std::size_t>(entry.distance / kBin);
+      const auto index = static_cast<std::size_t>(entry.distance / kBin_m);
       const RangeNoise& noise = sensor.options().noise;
       const auto distance = static_cast<double>(entry.distance);
       const double error = static_cast<double>(ray.sight.range) - distance - noise.bias(distance);
       const double sigma = noise.at(distance);
-      if (index >= bins_.size() || std::abs(error) > 4.0 * sigma) return;
+      if (index >= bins_.size() || std::abs(error) > walls::kReach * sigma) return;
       const double weight = sensor.responsibility(ray.sight.label, error, sigma);
       bins_[index].weight += weight;
       bins_[index].squares += weight * error * error;
@@ -62,9 +52,9 @@ void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
 }
 
 double NoiseEstimate::systematic() const {
-  if (together_.weight < 5.0) return kAssumedSystematic;
+  if (together_.weight < kLeastTogether) return perception::kLaserSigma_m;
   const double variance = together_.squares / together_.weight;
-  return std::clamp(std::sqrt(std::max(variance, 0.0)), kLeastSystematic, kMostSystematic);
+  return std::clamp(std::sqrt(std::max(variance, 0.0)), kLeastSystematic_m, kMostSystematic_m);
 }
 
 RangeNoise NoiseEstimate::fitted(const RangeNoise& assumed) const {
@@ -73,11 +63,12 @@ RangeNoise NoiseEstimate::fitted(const RangeNoise& assumed) const {
   int bins = 0;
   for (std::size_t i = 0; i < bins_.size(); ++i) {
     if (bins_[i].weight < kLeastReturns) continue;
-    const double distance = (static_cast<double>(i) + 0.5) * kBin;
+    const double distance = (static_cast<double>(i) + 0.5) * kBin_m;
     const double sigma = std::sqrt(bins_[i].squares / bins_[i].weight);
     const Eigen::Vector2d slope(1.0, distance * distance);
     // The relative error of a σ depends on the number of returns alone.
-    const double weight = bins_[i].weight / (sigma * sigma + kLeastSigma * kLeastSigma);
+    const double weight =
+        bins_[i].weight / (sigma * sigma + perception::kLaserSigma_m * perception::kLaserSigma_m);
     matrix += weight * slope * slope.transpose();
     right += weight * sigma * slope;
     ++bins;
@@ -89,17 +80,18 @@ RangeNoise NoiseEstimate::fitted(const RangeNoise& assumed) const {
     noise.offset_m = right[0] / matrix(0, 0);
     noise.quadratic_per_m = 0.0;
   }
-  if (noise.offset_m < kLeastSigma) {
-    noise.offset_m = kLeastSigma;
-    noise.quadratic_per_m = std::max(0.0, (right[1] - kLeastSigma * matrix(0, 1)) / matrix(1, 1));
+  if (noise.offset_m < perception::kLaserSigma_m) {
+    noise.offset_m = perception::kLaserSigma_m;
+    noise.quadratic_per_m =
+        std::max(0.0, (right[1] - perception::kLaserSigma_m * matrix(0, 1)) / matrix(1, 1));
   }
   return noise;
 }
 
 bool differMuch(const RangeNoise& a, const RangeNoise& b) {
-  for (const double distance : {8.0, 24.0}) {
+  for (const double distance : kCompared_m) {
     const double ratio = a.at(distance) / b.at(distance);
-    if (ratio > kMuchRatio || ratio < 1.0 / kMuchRatio) return true;
+    if (ratio > 1.0 + kMuch || ratio < 1.0 / (1.0 + kMuch)) return true;
     if (std::abs(a.bias(distance) - b.bias(distance)) > kMuchBias * b.at(distance)) return true;
   }
   return false;

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/buildings/found_box.h"
 
 namespace handmap {
@@ -23,8 +24,7 @@ class NoiseEstimate {
     double weight = 0.0;
     double squares = 0.0;
   };
-  static constexpr double kBin = 4.0;  // metres; choice
-  std::array<Bin, 16> bins_{};
+  std::array<Bin, buildings::kBins> bins_{};
   Bin together_;  ///< squares of the mean errors of frames, less what range noise explains
 };
 

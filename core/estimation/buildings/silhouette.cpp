@@ -5,15 +5,13 @@
 #include <limits>
 #include <optional>
 
+#include "core/estimation/buildings/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace buildings;
 
-constexpr double kSideways = 2.5;     // metres around the corner that are looked at; choice
-constexpr double kWidest = 0.15;      // radians, the same; choice
-constexpr double kMostSigma = 1.2;    // metres; what is known no better is not told; choice
-constexpr double kPoseSigma = 0.002;  // radians; choice: of a laser
-constexpr double kGrazing = -0.03;    // cosine; choice
+namespace {
 
 struct Boundary {
   double outwards;  ///< bearing from the corner, radians
@@ -26,14 +24,14 @@ float evenHanded(const SensorModel& sensor, const RayBeside& ray) {
   if (std::isinf(ray.distance)) return 0.0F;
   if (sensor.isBefore(ray.sight, ray.distance, ray.slack)) return sensor.blocked();
   const float ratio = sensor(ray.sight, ray.distance, ray.slack);
-  if (ray.sight.label == SensorModel::kSilent || ratio > 0.0F) return ratio;
-  const Sight wall_like{ray.sight.range, SensorModel::kLabels - 1};
+  if (ray.sight.label == walls::kSilent || ratio > 0.0F) return ratio;
+  const Sight wall_like{ray.sight.range, walls::kLabels - 1};
   return std::min(0.0F, sensor(wall_like, ray.distance, ray.slack));
 }
 
 /// The bearing at which the sum of what is inside is best, as mean and σ.
 std::optional<SeenEnd> located(const std::vector<Boundary>& boundaries) {
-  if (boundaries.size() < 4) return std::nullopt;
+  if (boundaries.size() < kLeastBearings) return std::nullopt;
   const double best =
       std::max_element(boundaries.begin(), boundaries.end(),
                        [](const Boundary& a, const Boundary& b) { return a.sum < b.sum; })
@@ -49,7 +47,7 @@ std::optional<SeenEnd> located(const std::vector<Boundary>& boundaries) {
   }
   const double outermost = std::exp(boundaries.back().sum - best) / total;
   const double innermost = std::exp(boundaries.front().sum - best) / total;
-  if (outermost > 0.05 || innermost > 0.05) return std::nullopt;
+  if (outermost > kFallen || innermost > kFallen) return std::nullopt;
   mean /= total;
   const double spacing = (boundaries.back().outwards - boundaries.front().outwards) /
                          static_cast<double>(boundaries.size() - 1);
@@ -71,12 +69,12 @@ std::vector<VisibleEnd> visibleEnds(const Box& box, const Frame& frame, const Se
     if (visible[k] == visible[next]) continue;
     const Vec2 offset = box.corner(k) - robot;
     const double distance = offset.norm();
-    if (distance > sensor.rangeLimit() || distance < 1.0) continue;
+    if (distance > sensor.rangeLimit() || distance < kNearest_m) continue;
     // Counter-clockwise along the walls, wall k ends at corner k and wall k + 1 begins there: seen
     // from outside its inside lies to the right of the corner, or to the left.
     const double sign = visible[k] ? -1.0 : 1.0;
     const double bearing = normalizedAngle(std::atan2(offset.y(), offset.x()) - frame.pose.heading);
-    const double width = std::min(kWidest, kSideways / distance);
+    const double width = std::min(kWidest, kSideways_m / distance);
     const Vec2 normal = box.normal(visible[k] ? k : next);
     const Vec2 own_normal = frame.pose.toOwn(robot + normal);
     const double to_wall = normal.dot(offset);
@@ -87,9 +85,9 @@ std::vector<VisibleEnd> visibleEnds(const Box& box, const Frame& frame, const Se
       const double off = sign * normalizedAngle(static_cast<double>(ray.bearing) - bearing);
       const double cosine = own_normal.x() * ray.x + own_normal.y() * ray.y;
       RayBeside beside{off, std::numeric_limits<float>::infinity(), 0.0F, ray.sight};
-      if (cosine < kGrazing && to_wall / cosine < sensor.rangeLimit()) {
+      if (cosine < -kGrazing && to_wall / cosine < sensor.rangeLimit()) {
         beside.distance = static_cast<float>(to_wall / cosine);
-        beside.slack = kWallSlack / static_cast<float>(-cosine);
+        beside.slack = kWallSlack_m / static_cast<float>(-cosine);
       }
       end.rays.push_back(beside);
     });
@@ -110,7 +108,7 @@ std::vector<SeenEnd> silhouette(const Box& box, const Frame& frame, const Sensor
       boundaries.push_back({(visible.rays[i].outwards + visible.rays[i + 1].outwards) / 2.0, sum});
     }
     std::optional<SeenEnd> end = located(boundaries);
-    if (!end || end->sigma * visible.distance > kMostSigma) continue;
+    if (!end || end->sigma * visible.distance > kMostSigma_m) continue;
     end->corner = visible.corner;
     end->bearing = normalizedAngle(visible.bearing + visible.sign * end->bearing);
     seen.push_back(*end);

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
 /// Several residuals of the same states. weight: 1/σ² of each, times what a robust kernel leaves.
@@ -21,21 +23,10 @@ struct ScalarFactor {
   double weight = 0.0;
 };
 
-/// Sizes of the states.
-inline constexpr int kPoseSize = 3;  ///< x, y, heading
-inline constexpr int kBoxSize = 5;   ///< Box::reach, heading
-inline constexpr int kLandmarkSize = 2;
-inline constexpr int kMotionSize = 4;  ///< DrawingMotion::mean
-
-/// How many times as far as a wall the end of one, or the middle of a thing, is off systematically.
-/// Choice: eaves, gutters and branches.
-inline constexpr double kEndsAreWorse = 3.0;
-
 /// Of a pose, a box and the bias of the ranges, in this order: what a frame says of a building.
 struct SightEquations {
-  static constexpr int kSize = kPoseSize + kBoxSize + 1;
-  static constexpr int kBox = kPoseSize;
-  static constexpr int kBias = kPoseSize + kBoxSize;
+  /// Where each begins, and how many there are.
+  enum : int { kBox = smoothing::kPoseSize, kBias = kBox + smoothing::kBoxSize, kSize = kBias + 1 };
 
   Eigen::Matrix<double, kSize, kSize> matrix = Eigen::Matrix<double, kSize, kSize>::Zero();
   Eigen::Matrix<double, kSize, 1> right = Eigen::Matrix<double, kSize, 1>::Zero();

@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kNearest = 0.5;                // metres; choice: no robot comes nearer to a thing
-constexpr double kLandmarkCauchySquared = 4.0;  // σ²; choice: at 2 σ a sighting weighs half
-
-}  // namespace
+using namespace smoothing;
 
 Factor<2, kPoseSize + kLandmarkSize + 1> landmarkFactor(const Pose2& pose, const Vec2& landmark,
                                                         const Sighting& sighting, double bias_per_m,
                                                         double systematic_m) {
   const Vec2 offset = landmark - pose.position();
-  const double range = std::max(offset.norm(), kNearest);
+  const double range = std::max(offset.norm(), kNearest_m);
   const Vec2 along = offset / range;
   const Vec2 sideways = perpendicular(along) / range;
   const double bearing = std::atan2(offset.y(), offset.x()) - pose.heading;
@@ -30,7 +27,7 @@ Factor<2, kPoseSize + kLandmarkSize + 1> landmarkFactor(const Pose2& pose, const
       -along.x(), -along.y(), 0.0, along.x(), along.y(), range * range;
   // Cauchy's weight: some sightings are of something else.
   const double robust =
-      1.0 / (1.0 + factor.residual.cwiseQuotient(sigma).squaredNorm() / kLandmarkCauchySquared);
+      1.0 / (1.0 + factor.residual.cwiseQuotient(sigma).squaredNorm() / (kRobust * kRobust));
   factor.weight = robust * sigma.cwiseInverse().cwiseAbs2();
   return factor;
 }

@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
+
+using namespace smoothing;
 
 namespace {
 
-constexpr float kFarthest = 30.0F;  // metres; choice: farther things are too few rays
-constexpr float kWidest = 3.0F;     // metres across; choice: a tree, a kiosk
-constexpr float kClear =
-    1.5F;  // metres of depth that set a thing apart from what is behind; choice
-constexpr float kMostSpacing =
-    0.03F;  // radians between rays of one thing; choice: three of a laser of 0.5°
-constexpr int kLeastRays = 3;  // choice: fewer have no middle
-constexpr double kLandmarkGate =
-    1.5;  // metres between a sighting and its landmark; choice: trees stand farther apart
-constexpr double kShape = 0.05;       // metres, one σ: things are not quite round; choice
-constexpr double kRangeShape = 0.15;  // metres, one σ, along the ray; choice
-
-bool returned(const FrameRay& ray) { return ray.sight.label != SensorModel::kSilent; }
+bool returned(const FrameRay& ray) { return ray.sight.label != walls::kSilent; }
 
 /// Rays [begin, end) that return from one depth.
 struct Group {
@@ -53,7 +45,7 @@ class Grouping {
 
  private:
   float tolerance(float range) const {
-    return std::max(0.6F, 3.0F * static_cast<float>(sensor_.options().noise.at(range)));
+    return std::max(kDepth_m, kDepthSigmas * static_cast<float>(sensor_.options().noise.at(range)));
   }
   bool continues(std::size_t a, std::size_t b) const {
     return returned(rays_[b]) && rays_[b].bearing - rays_[a].bearing < kMostSpacing &&
@@ -63,12 +55,12 @@ class Grouping {
   bool isBehind(std::size_t from, int step, float range) const {
     const auto count = static_cast<long>(rays_.size());
     int behind = 0;
-    for (int i = 1; i <= 2; ++i) {
+    for (int i = 1; i <= kBeside; ++i) {
       const long at = ((static_cast<long>(from) + i * step) % count + count) % count;
       const FrameRay& ray = rays_[static_cast<std::size_t>(at)];
-      if (!returned(ray) || ray.sight.range > range + kClear + tolerance(range)) ++behind;
+      if (!returned(ray) || ray.sight.range > range + kApart_m + tolerance(range)) ++behind;
     }
-    return behind == 2;
+    return behind == kBeside;
   }
 
   const std::vector<FrameRay>& rays_;
@@ -82,7 +74,7 @@ std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const Sen
   const Grouping grouping(rays, sensor);
   for (const Group& group : grouping.groups()) {
     const auto count = static_cast<int>(group.end - group.begin);
-    if (count < kLeastRays) continue;
+    if (count < kLeastLooks) continue;
     const float low = rays[group.begin].bearing;
     const float high = rays[group.end - 1].bearing;
     const float spacing = (high - low) / static_cast<float>(count - 1);
@@ -90,13 +82,13 @@ std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const Sen
     for (std::size_t i = group.begin; i < group.end; ++i) range += rays[i].sight.range;
     range /= static_cast<float>(count);
     const float width = range * (high - low + spacing);
-    if (range > kFarthest || width > kWidest || !grouping.standsOut(group)) continue;
+    if (range > kFarthest_m || width > kWidest_m || !grouping.standsOut(group)) continue;
     // The mean depth of the near half of a circle is π/4 of its radius before the middle.
-    const double middle = static_cast<double>(range + 0.39F * width);
+    const double middle = static_cast<double>(range + kMiddle * width);
     const double noise = sensor.options().noise.at(middle) / std::sqrt(count);
     sightings.push_back({static_cast<double>(low + high) / 2.0, middle,
-                         std::hypot(kShape / middle, 0.4 * static_cast<double>(spacing)),
-                         std::hypot(kRangeShape, noise), -1});
+                         std::hypot(kShape_m / middle, kBearing * static_cast<double>(spacing)),
+                         std::hypot(kRangeShape_m, noise), -1});
   }
   return sightings;
 }
@@ -106,7 +98,7 @@ void Landmarks::associate(Frame& frame, const RangeNoise& noise, std::size_t mos
   for (Sighting& sighting : frame.sightings) {
     const double range = sighting.range - noise.bias(sighting.range);
     const Vec2 place = frame.pose.toOuter(range * unitVector(sighting.bearing));
-    double nearest = kLandmarkGate;
+    double nearest = kApart_m;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       if (last_seen_[i] + most_frames < frame.number) continue;
       const double distance = (positions_[i] - place).norm();

@@ -1,12 +1,12 @@
 #include "core/estimation/smoothing/normal_equations.h"
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace smoothing;
 
-/// Shares by which the diagonal is raised, one after the other, where a factor fails. Choice: from
-/// above rounding to a step that is half of a gradient step.
-constexpr double kDampings[] = {0.0, 1e-9, 1e-6, 1e-3, 1.0};
+namespace {
 
 Eigen::SparseMatrix<double> damped(const Eigen::SparseMatrix<double>& matrix, double share) {
   Eigen::SparseMatrix<double> raised(matrix.rows(), matrix.cols());

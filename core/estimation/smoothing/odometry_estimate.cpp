@@ -1,11 +1,12 @@
 #include "core/estimation/smoothing/odometry_estimate.h"
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
+using namespace smoothing;
+
 void OdometryEstimate::add(const std::deque<Frame>& frames) {
-  constexpr std::size_t kStretch = 8;    // key frames; choice: 16 m
-  constexpr std::size_t kUnsettled = 3;  // key frames; choice: the newest still move
-  constexpr double kForgetting = 0.98;   // a key frame; choice: 100 m
   if (frames.size() <= kStretch + kUnsettled) return;
   const Frame& to = frames[frames.size() - 1 - kUnsettled];
   const Frame& from = frames[frames.size() - 1 - kUnsettled - kStretch];

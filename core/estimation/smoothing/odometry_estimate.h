@@ -3,6 +3,7 @@
 
 #include <deque>
 
+#include "core/estimation/smoothing/constants.h"
 #include "core/estimation/walls/frame.h"
 
 namespace handmap {
@@ -12,17 +13,15 @@ namespace handmap {
 class OdometryEstimate {
  public:
   /// `assumed`: variance of the heading after a metre, radians².
-  explicit OdometryEstimate(double assumed) : turned_(kAssumed_m * assumed) {}
+  explicit OdometryEstimate(double assumed) : turned_(smoothing::kAssumed_m * assumed) {}
 
   /// After each frame: takes the last stretch of the way that is smoothed well.
   void add(const std::deque<Frame>& frames);
   double headingVariance() const { return turned_ / driven_m_; }
 
  private:
-  static constexpr double kAssumed_m = 100.0;  // that the assumption counts for; choice
-
   double turned_;  ///< sum of squares
-  double driven_m_ = kAssumed_m;
+  double driven_m_ = smoothing::kAssumed_m;
 };
 
 }  // namespace handmap

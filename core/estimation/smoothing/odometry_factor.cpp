@@ -6,6 +6,8 @@
 
 namespace handmap {
 
+using namespace smoothing;
+
 Factor<3, 2 * kPoseSize + 1> odometryFactor(const Frame& from, const Frame& to, double scale,
                                             const OdometryNoise& noise) {
   const Pose2 counted = between(from.odometry, to.odometry);

@@ -14,7 +14,7 @@ inline Pose2 scaled(const Pose2& motion, double scale) {
 
 /// R(from)ᵀ (to − from) less the motion as counted and scaled, and the same of the heading. States:
 /// both poses, the scale.
-Factor<3, 2 * kPoseSize + 1> odometryFactor(const Frame& from, const Frame& to, double scale,
-                                            const OdometryNoise& noise);
+Factor<3, 2 * smoothing::kPoseSize + 1> odometryFactor(const Frame& from, const Frame& to,
+                                                       double scale, const OdometryNoise& noise);
 
 }  // namespace handmap

@@ -5,23 +5,11 @@
 
 #include <Eigen/LU>
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kSizeDamping = 4.0;    // metres an iteration, one σ; choice
-constexpr double kPlaceDamping = 40.0;  // metres an iteration, one σ; choice: of no account
-constexpr double kUnknownHeading =
-    0.2;  // radians, one σ, where the drawing has no direction; choice
-constexpr double kHeadingClamp = 2.0;  // σ; choice: a building may stand as it likes
-constexpr double kLeastKnown = 0.3;    // metres, one σ; choice: as the poses that saw it
-constexpr double kSameWall = 0.1;      // metres, one σ; choice: frames of two visits
-constexpr double kSameHeading = 0.01;  // radians, the same
-constexpr double kTogether = 2.0;  // times σ; choice: what stands together is drawn wrong together
-constexpr double kWallCauchySquared = 4.0;  // a wall; choice: some labels are wrong
-constexpr double kNowhere = 1e6;            // m²
-
-}  // namespace
+using namespace smoothing;
 
 ScalarFactor<1> headingFactor(const Box& box, const HeadingPrior& prior) {
   double turned = 0.0;
@@ -32,24 +20,24 @@ ScalarFactor<1> headingFactor(const Box& box, const HeadingPrior& prior) {
     turned = against;
     sigma = prior.sigma;
   }
-  const double most = kHeadingClamp * sigma;
+  const double most = kRobust * sigma;
   return {std::clamp(turned, -most, most), Eigen::Matrix<double, 1, 1>::Ones(),
           1.0 / (sigma * sigma)};
 }
 
 void addReachDamping(int box_at, NormalEquations& equations) {
-  constexpr double kSize = 1.0 / (kSizeDamping * kSizeDamping);
-  constexpr double kPlace = 0.25 / (kPlaceDamping * kPlaceDamping);
+  const double size = 1.0 / (kSizeDamping_m * kSizeDamping_m);
+  const double place = 0.25 / (kPlaceDamping_m * kPlaceDamping_m);
   for (int k = 0; k < 2; ++k) {
-    equations.add(box_at + k, box_at + k, kSize + kPlace);
-    equations.add(box_at + k + 2, box_at + k + 2, kSize + kPlace);
-    equations.add(box_at + k + 2, box_at + k, kSize - kPlace);
+    equations.add(box_at + k, box_at + k, size + place);
+    equations.add(box_at + k + 2, box_at + k + 2, size + place);
+    equations.add(box_at + k + 2, box_at + k, size - place);
   }
 }
 
 void addKnownWalls(const FoundBox& found, int box_at, NormalEquations& equations) {
   for (int k = 0; k < 4; ++k) {
-    const double sigma = std::max(found.reachSigma(static_cast<std::size_t>(k)), kLeastKnown);
+    const double sigma = std::max(found.reachSigma(static_cast<std::size_t>(k)), kLeastKnown_m);
     equations.add(box_at + k, box_at + k, 1.0 / (sigma * sigma));
   }
 }
@@ -57,7 +45,7 @@ void addKnownWalls(const FoundBox& found, int box_at, NormalEquations& equations
 void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at,
              NormalEquations& equations) {
   for (const SharedParameter& parameter : compare(old, again)) {
-    const double sigma = parameter.old_parameter < 4 ? kSameWall : kSameHeading;
+    const double sigma = parameter.old_parameter < 4 ? kSameWall_m : kSameHeading;
     ScalarFactor<2 * kBoxSize> factor;
     factor.residual = parameter.error;
     factor.slope << parameter.old_slope, parameter.again_slope;
@@ -73,15 +61,15 @@ DrawnWallsFactor drawnWallsFactor(const FoundBox& found, const SeenWalls& seen,
   // Walls that were not seen may be anywhere.
   Eigen::Matrix4d covariance = kTogether * kTogether * drawn.covariance();
   for (Eigen::Index k = 0; k < 4; ++k) {
-    if (!seen.has(k)) covariance(k, k) += kNowhere;
+    if (!seen.has(k)) covariance(k, k) += kNowhere_m2;
   }
   DrawnWallsFactor factor;
   factor.weight = covariance.inverse();
   factor.residual = Eigen::Map<const Eigen::Vector4d>(found.box.reach.data()) - drawn.mean();
   factor.by_motion = drawn.slope();
   // Cauchy's weight.
-  factor.weight /= 1.0 + factor.residual.dot(factor.weight * factor.residual) /
-                             (kWallCauchySquared * seen.count);
+  factor.weight /=
+      1.0 + factor.residual.dot(factor.weight * factor.residual) / (kRobust * kRobust * seen.count);
   return factor;
 }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace smoothing;
 
-constexpr float kLeastCosine = 0.02F;  // choice: a ray along the wall itself
-constexpr double kSightGate = 4.0;     // σ; choice: as far as the sensor model's table
-constexpr double kNearLimit = 2.0;     // σ; choice: 98 % of the returns come back
+namespace {
 
 /// The returns of the frame from the walls of the box. What one frame says of a wall is off as a
 /// whole, however many returns there are.
@@ -21,7 +21,7 @@ bool addReturns(const Frame& frame, const Box& box, const SensorModel& sensor,
   std::array<SightEquations, 4> walls;
   std::array<double, 4> information{};
   view.forRays(frame.rays, [&](const FrameRay& ray) {
-    if (ray.sight.label == SensorModel::kSilent) return;
+    if (ray.sight.label == walls::kSilent) return;
     const Entry entry = view.entry(ray);
     if (entry.distance < 0.0F) return;
     const auto factor = factor_of(ray, entry);
@@ -59,12 +59,12 @@ std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(
   const double noise = sensor_.options().noise.at(entry.distance);
   // Near the limit only the returns that noise makes shorter come back.
   if (entry.distance + kNearLimit * noise > sensor_.rangeLimit()) return std::nullopt;
-  const double cosine = std::max(entry.cosine, kLeastCosine);
+  const double cosine = std::max(entry.cosine, buildings::kLeastCosine);
   const double sigma = std::hypot(noise, errors_.slack_m / cosine);
   const double squared = static_cast<double>(entry.distance * entry.distance);
   const double range_error =
       static_cast<double>(ray.sight.range - entry.distance) - errors_.bias_per_m * squared;
-  if (std::abs(range_error) > kSightGate * sigma) return std::nullopt;
+  if (std::abs(range_error) > walls::kReach * sigma) return std::nullopt;
   const Vec2& n = normals_[static_cast<std::size_t>(entry.wall)];
   // At the hypothesised point: at the measured one the noise would be in the slopes as well.
   const Vec2 direction(cos_ * ray.x - sin_ * ray.y, sin_ * ray.x + cos_ * ray.y);

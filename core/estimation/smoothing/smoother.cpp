@@ -5,18 +5,14 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/estimation/smoothing/constants.h"
 #include "core/estimation/smoothing/landmark_factor.h"
 
 namespace handmap {
 
-namespace {
+using namespace smoothing;
 
-constexpr double kLeastSize = 2.0;   // metres; choice: no building is smaller
-constexpr double kMostTurn = 0.05;   // radians an iteration; choice: as far as slopes hold
-constexpr double kLeastBias = 1e-9;  // 1/m, one σ: where the scan says that there is none
-constexpr double kScale =
-    0.003;  // of the odometry, Cauchy's, for some wheels are worn; choice: of well calibrated ones
-constexpr double kScaleChange = 0.002;  // an iteration, one σ; choice
+namespace {
 
 using Unknowns = NormalEquations::Unknowns;
 
@@ -25,7 +21,7 @@ void move(Box& box, const Eigen::Matrix<double, kBoxSize, 1>& step) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double one = box.reach[axis] + step[static_cast<int>(axis)];
     const double other = box.reach[axis + 2] + step[static_cast<int>(axis) + 2];
-    if (one + other < kLeastSize) continue;
+    if (one + other < kLeastSize_m) continue;
     box.reach[axis] = one;
     box.reach[axis + 2] = other;
   }
@@ -119,7 +115,7 @@ void Smoother::addLandmarks(const SmoothingGraph& graph, NormalEquations& equati
     const Frame& frame = *graph.frames[i];
     for (const Sighting& sighting : frame.sightings) {
       const auto id = static_cast<std::size_t>(sighting.landmark);
-      if (layout_.landmark(id) == StateLayout::kNone) continue;
+      if (layout_.landmark(id) == kNone) continue;
       equations.add(
           landmarkFactor(frame.pose, graph.landmarks[id], sighting, bias_per_m_, systematic_m_),
           std::array{Unknowns{layout_.pose(i), kPoseSize},
@@ -158,7 +154,7 @@ double Smoother::update(const SmoothingGraph& graph, const Eigen::VectorXd& step
   if (graph.drawing) graph.drawing->motion.mean += step.segment<kMotionSize>(layout_.motion());
   for (std::size_t i = 0; i < graph.landmarks.size(); ++i) {
     const int at = layout_.landmark(i);
-    if (at != StateLayout::kNone) graph.landmarks[i] += step.segment<kLandmarkSize>(at);
+    if (at != kNone) graph.landmarks[i] += step.segment<kLandmarkSize>(at);
   }
   return moved;
 }
@@ -174,7 +170,7 @@ std::optional<Eigen::Matrix3d> Smoother::covariances(std::span<FoundBox> boxes) 
   }
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   const int last = layout_.lastPose();
-  for (int k = 0; last != StateLayout::kNone && k < kPoseSize; ++k) {
+  for (int k = 0; last != kNone && k < kPoseSize; ++k) {
     covariance.col(k) = solver_.covarianceColumn(last + k).segment<kPoseSize>(last);
   }
   return covariance;

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "core/estimation/smoothing/constants.h"
+
 namespace handmap {
 
-namespace {
-
-/// Frames that saw a landmark that is to be trusted. Choice: two tell a place, the third tells
-/// whether they are right.
-constexpr int kLeastSightings = 3;
-
-}  // namespace
+using namespace smoothing;
 
 StateLayout::StateLayout(const SmoothingGraph& graph)
     : fixed_(static_cast<int>(graph.fixed)),
@@ -24,7 +20,7 @@ StateLayout::StateLayout(const SmoothingGraph& graph)
     for (const Sighting& s : frame->sightings) ++sightings[static_cast<std::size_t>(s.landmark)];
   }
   for (std::size_t i = 0; i < sightings.size(); ++i) {
-    if (sightings[i] < kLeastSightings) continue;
+    if (sightings[i] < kLeastLooks) continue;
     landmarks_[i] = size_;
     size_ += kLandmarkSize;
   }

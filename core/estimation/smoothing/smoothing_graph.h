@@ -24,19 +24,17 @@ struct SmoothingGraph {
 /// of the odometry, the motion of the drawing.
 class StateLayout {
  public:
-  static constexpr int kNone = -1;  ///< not among the unknowns
-
   StateLayout() = default;
   explicit StateLayout(const SmoothingGraph& graph);
 
   int size() const { return size_; }
-  /// kNone where it stays.
+  /// smoothing::kNone where it stays.
   int pose(std::size_t frame) const;
-  int lastPose() const { return boxes_ == 0 ? kNone : boxes_ - kPoseSize; }
+  int lastPose() const { return boxes_ == 0 ? smoothing::kNone : boxes_ - smoothing::kPoseSize; }
   int box(std::size_t box) const;
   /// Which of the boxes one is.
   std::size_t indexOf(FoundId box) const;
-  /// kNone where too few frames saw it.
+  /// smoothing::kNone where too few frames saw it.
   int landmark(std::size_t landmark) const { return landmarks_[landmark]; }
   int bias() const { return bias_; }
   int scale() const { return bias_ + 1; }

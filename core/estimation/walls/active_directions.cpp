@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "core/estimation/walls/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr int kPatience = 15;  // key frames; choice: 30 m
-constexpr std::size_t kMostDirections =
-    9;  // choice: as many as differ by kDirectionsApart, one left out
-
-}  // namespace
+using namespace walls;
 
 void ActiveDirections::update(std::span<const double> drawn, std::span<const ActiveFrame> held,
                               const SensorModel& sensor, WallEvidence& evidence) {

@@ -2,20 +2,16 @@
 
 #include <cmath>
 
+#include "core/estimation/walls/constants.h"
+
 namespace handmap {
 
-namespace {
-
-constexpr double kMoved = 0.08;    // metres; choice: a sixth of a cell
-constexpr double kTurned = 0.005;  // radians; choice: 10 cm at 20 m
-constexpr int kMostAnew = 4;  // frames put in anew with each that is added; choice: so much time
-
-}  // namespace
+using namespace walls;
 
 bool EvidenceWindow::isOutdated(const ActiveFrame& active) const {
   if (active.held_by != sensor_) return true;
   const Pose2 motion = between(active.held_at, active.frame->pose);
-  return std::hypot(motion.x, motion.y) > kMoved || std::abs(motion.heading) > kTurned;
+  return std::hypot(motion.x, motion.y) > kMoved_m || std::abs(motion.heading) > kTurned;
 }
 
 void EvidenceWindow::add(Frame& frame) {

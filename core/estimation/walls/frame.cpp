@@ -1,11 +1,12 @@
 #include "core/estimation/walls/frame.h"
 
+#include "core/estimation/walls/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace walls;
 
-/// Noise takes some of the returns near the limit beyond it: there silence says nothing. Choice.
-constexpr float kSilentUpTo = 0.9F;
+namespace {
 
 FrameRay rayAlong(float bearing, const Sight& sight) {
   return {std::cos(bearing), std::sin(bearing), bearing, sight};
@@ -16,19 +17,19 @@ FrameRay rayAlong(float bearing, const Sight& sight) {
 void addSilence(Frame& frame, const std::vector<float>& bearings, double range_limit_m) {
   const float range = kSilentUpTo * static_cast<float>(range_limit_m);
   for (const float bearing : bearings) {
-    frame.rays.push_back(rayAlong(bearing, {range, SensorModel::kSilent}));
+    frame.rays.push_back(rayAlong(bearing, {range, kSilent}));
   }
   std::sort(frame.rays.begin(), frame.rays.end(),
             [](const FrameRay& a, const FrameRay& b) { return a.bearing < b.bearing; });
 }
 
 RayStretches raysBetween(const std::vector<FrameRay>& rays, float low, float high) {
-  constexpr auto kTurn = static_cast<float>(2.0 * kPi);
-  constexpr std::array kTurns = {-kTurn, 0.0F, kTurn};
+  const auto whole = static_cast<float>(2.0 * kPi);
+  const std::array turns = {-whole, 0.0F, whole};
   RayStretches stretches;
-  for (std::size_t i = 0; i < kTurns.size(); ++i) {
-    const float turn = kTurns[i];
-    if (high + turn <= -kTurn / 2.0F || low + turn > kTurn / 2.0F) continue;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const float turn = turns[i];
+    if (high + turn <= -whole / 2.0F || low + turn > whole / 2.0F) continue;
     const auto begin =
         std::lower_bound(rays.begin(), rays.end(), low + turn,
                          [](const FrameRay& ray, float bearing) { return ray.bearing < bearing; });
@@ -51,7 +52,7 @@ Frame makeFrame(double time_s, const Pose2& odometry, const Pose2& pose, const S
   frame.rays.reserve(scan.rays.size());
   for (const Ray& ray : scan.rays) {
     const float range = ray.returned ? ray.range : kSilentUpTo * ray.range;
-    const int label = ray.returned ? SensorModel::labelOf(ray.wall) : SensorModel::kSilent;
+    const int label = ray.returned ? SensorModel::labelOf(ray.wall) : kSilent;
     frame.rays.push_back(rayAlong(ray.bearing, {range, label}));
   }
   return frame;

@@ -3,7 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/estimation/walls/constants.h"
+
 namespace handmap {
+
+using namespace walls;
 
 namespace {
 
@@ -23,9 +27,9 @@ SensorModel::SensorModel(const SensorOptions& options, double range_limit_m)
       blocked_(static_cast<float>(options.temper * std::log(options.clutter.at_walls))),
       passed_(static_cast<float>(options.temper * std::log(1.0 - options.hit))),
       silent_(static_cast<float>(options.temper * std::log(options.silent))) {
-  const auto bins = static_cast<std::size_t>(range_limit_m / kDistanceStep) + 2;
+  const auto bins = static_cast<std::size_t>(range_limit_m / kDistanceStep_m) + 2;
   for (std::size_t i = 0; i < bins; ++i) {
-    const double distance = (static_cast<double>(i) + 0.5) * kDistanceStep;
+    const double distance = (static_cast<double>(i) + 0.5) * kDistanceStep_m;
     const double sigma = options.noise.at(distance);
     returns_.push_back(
         {static_cast<float>(sigma * sigma), static_cast<float>(options.noise.bias(distance))});

@@ -7,13 +7,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/estimation/walls/constants.h"
+
 namespace handmap {
 
 /// Noise of a range return at the distance of the wall: σ(d) = offset + quadratic · d², around
 /// d + bias · d². Stereo has such a bias where its disparities are off by a part of a pixel.
 struct RangeNoise {
-  double offset_m = 0.1;           ///< choice: until it is measured; METHOD.md's scenes 0.05
-  double quadratic_per_m = 0.002;  ///< the same; METHOD.md's scenes 0.0021
+  double offset_m = walls::kNoiseOffset_m;
+  double quadratic_per_m = walls::kNoiseQuadratic;
   double bias_per_m = 0.0;
   double bias(double distance_m) const { return bias_per_m * distance_m * distance_m; }
   double at(double distance_m) const {
@@ -32,19 +34,18 @@ struct Clutter {
 
 struct SensorOptions {
   RangeNoise noise;
-  Clutter clutter;   ///< as measured
-  double hit = 0.9;  ///< a wall returns the ray; else it is looked through (FIELD.md 1, (c))
-  /// A wall gives no return at all (with `hit`: of those that do). Choice; FIELD.md 1, table C:
-  /// 0.02 to 20 m, 0.2 at 45 m.
-  double silent = 0.1;
-  double recognised = 0.85;       ///< share of the returns from walls that look so (METHOD.md)
-  double wall_like_per_m = 0.01;  ///< density along a ray of other things that do; choice
-  double others_per_m = 0.2;      ///< density, where they are, of things that do not; choice
-  double temper = 0.4;            ///< rays of a frame share the errors of its pose (METHOD.md)
+  Clutter clutter;           ///< as measured
+  double hit = walls::kHit;  ///< a wall returns the ray; else it is looked through
+  double silent =
+      walls::kSilence;  ///< a wall gives no return at all (with `hit`: of those that do)
+  double recognised = walls::kRecognised;     ///< share of the returns from walls that look so
+  double wall_like_per_m = walls::kWallLike;  ///< density along a ray of other things that do
+  double others_per_m = walls::kOthers;       ///< density, where they are, of things that do not
+  double temper = walls::kTemper;             ///< rays of a frame share the errors of its pose
 };
 
 /// A ray as the model reads it. `label` and `range` are those of a return; where nothing came back
-/// `label` is kSilent and `range` is how far was looked through.
+/// `label` is walls::kSilent and `range` is how far was looked through.
 struct Sight {
   float range = 0.0F;
   int label = 0;
@@ -54,24 +55,22 @@ struct Sight {
 /// front of d hide the wall and say nothing; a return from behind d, or none, speaks against it.
 class SensorModel {
  public:
-  static constexpr int kLabels = 5;  ///< classes of "looks like a wall": 0 no … 4 yes
-  static constexpr int kSilent = -1;
-
   SensorModel(const SensorOptions& options, double range_limit_m);
 
   static int labelOf(double wall);
-  static double shareOf(int label) { return static_cast<double>(label) / (kLabels - 1); }
+  static double shareOf(int label) { return static_cast<double>(label) / (walls::kLabels - 1); }
 
   /// `slack_m`: how far, along the ray, the wall may be off for other reasons than range noise.
   float operator()(const Sight& sight, float distance, float slack_m) const {
-    if (sight.label == kSilent) return distance < sight.range ? silent_ : 0.0F;
+    if (sight.label == walls::kSilent) return distance < sight.range ? silent_ : 0.0F;
     const Return expected = returnFrom(distance);
     const std::size_t level = levelOf(expected.variance + slack_m * slack_m);
     const float z = (sight.range - distance - expected.bias) * per_sigma_[level];
-    if (z <= -kReach) return 0.0F;
-    if (z >= kReach) return passed_;
-    const auto step = static_cast<std::size_t>((z + kReach) * kStepsPerSigma);
-    return table_[(level * kLabels + static_cast<std::size_t>(sight.label)) * kSteps + step];
+    if (z <= -walls::kReach) return 0.0F;
+    if (z >= walls::kReach) return passed_;
+    const auto step = static_cast<std::size_t>((z + walls::kReach) * walls::kStepsPerSigma);
+    return table_[(level * walls::kLabels + static_cast<std::size_t>(sight.label)) * walls::kSteps +
+                  step];
   }
   /// Responsibility of the wall for a return `error` metres off, 0 … 1: the weight of the return in
   /// a robust fit.
@@ -80,12 +79,14 @@ class SensorModel {
   /// 0, for things stand in front of walls and not behind.
   double clutterError(int label, double sigma) const {
     const std::size_t level = levelOf(static_cast<float>(sigma * sigma));
-    return static_cast<double>(mean_errors_[level * kLabels + static_cast<std::size_t>(label)]);
+    return static_cast<double>(
+        mean_errors_[level * walls::kLabels + static_cast<std::size_t>(label)]);
   }
 
   /// Whether it is a return from something clearly in front of a wall at this distance.
   bool isBefore(const Sight& sight, float distance, float slack_m) const {
-    return sight.label != kSilent && sight.range < distance - reach(distance) - kReach * slack_m;
+    return sight.label != walls::kSilent &&
+           sight.range < distance - reach(distance) - walls::kReach * slack_m;
   }
   /// log p(return from in front | wall) − log p(the same | no wall).
   float blocked() const { return blocked_; }
@@ -97,29 +98,22 @@ class SensorModel {
   float reach(float range) const;
 
  private:
-  static constexpr float kReach = 4.0F;          // σ; choice
-  static constexpr float kStepsPerSigma = 8.0F;  // choice
-  static constexpr std::size_t kSteps = 64;
-  static constexpr std::size_t kLevels = 56;
-  static constexpr float kDistanceStep = 0.5F;  // metres; choice: the noise changes by 4 %
-
-  static constexpr int kLeastLevel = 117 * 4;  // a variance of 2⁻¹⁰ m²
-
   struct Return {
     float variance;
     float bias;
   };
   Return returnFrom(float distance) const {
-    const auto bin = static_cast<std::size_t>(distance * (1.0F / kDistanceStep));
+    const auto bin = static_cast<std::size_t>(distance * (1.0F / walls::kDistanceStep_m));
     return returns_[std::min(bin, returns_.size() - 1)];
   }
   /// Four levels for each doubling of the variance, read off the bits of the number.
   static std::size_t levelOf(float variance) {
-    const int level = static_cast<int>(std::bit_cast<std::uint32_t>(variance) >> 21) - kLeastLevel;
-    return static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(kLevels) - 1));
+    const int level =
+        static_cast<int>(std::bit_cast<std::uint32_t>(variance) >> 21) - walls::kLeastLevel;
+    return static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(walls::kLevels) - 1));
   }
   static double zOf(std::size_t step) {
-    return (static_cast<double>(step) + 0.5) / kStepsPerSigma - kReach;
+    return (static_cast<double>(step) + 0.5) / walls::kStepsPerSigma - walls::kReach;
   }
   double meanError(int label, double sigma) const;
   double recognised(int label) const;
@@ -132,8 +126,8 @@ class SensorModel {
   float passed_;
   float silent_;
   std::vector<Return> returns_;  ///< by distance
-  std::array<float, kLevels> per_sigma_{};
-  std::array<float, kLevels * kLabels> mean_errors_{};
+  std::array<float, walls::kLevels> per_sigma_{};
+  std::array<float, walls::kLevels * walls::kLabels> mean_errors_{};
   std::vector<float> table_;
 };
 

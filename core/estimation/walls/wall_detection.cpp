@@ -7,12 +7,13 @@
 #include <cstring>
 
 #include "core/base/parallel.h"
+#include "core/estimation/walls/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace walls;
 
-constexpr double kSameWall = 1.5;  // metres between walls that are one; choice: three cells
+namespace {
 
 /// The part of an image that is looked at.
 struct Window {
@@ -93,7 +94,6 @@ class WallBounds {
   std::vector<Block> blocks_;
 };
 
-constexpr std::size_t kLanes = 4;  // what any processor does at once
 /// Numbers of neighbouring rows, worked on at once; comparisons give −1 or 0.
 using Lanes [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
 
@@ -139,11 +139,11 @@ class RowScan {
         tilt_(tilt),
         least_score_(leastScore(options)),
         least_length_(options.least_length_m / image.cell()),
-        drop_(static_cast<std::int32_t>(options.drop * WallImage::kScale)),
+        drop_(static_cast<std::int32_t>(options.drop * kScale)),
         walls_(walls) {}
 
   static std::int32_t leastScore(const DetectionOptions& options) {
-    return static_cast<std::int32_t>(options.least_score * WallImage::kScale);
+    return static_cast<std::int32_t>(options.least_score * kScale);
   }
 
   /// Ascending rows.
@@ -172,8 +172,8 @@ class RowScan {
       const int begin = runs.begin[i];
       const int last = runs.peak_at[i];
       if (peaks[i] < least_score_ || last - begin < least_length_) continue;
-      walls_.push_back({pointAt(begin, runs.row + i), pointAt(last + 1, runs.row + i),
-                        peaks[i] / WallImage::kScale});
+      walls_.push_back(
+          {pointAt(begin, runs.row + i), pointAt(last + 1, runs.row + i), peaks[i] / kScale});
     }
   }
 
@@ -200,15 +200,15 @@ class KeptWall {
       : a_(wall.a), along_((wall.b - wall.a).normalized()), length_(wall.length()) {}
 
   bool isSame(const FoundWall& wall, double length) const {
-    if (along_.dot(wall.b - wall.a) < 0.7 * length) return false;
+    if (along_.dot(wall.b - wall.a) < kSameHeading * length) return false;
     const double begin = along_.dot(wall.a - a_);
     const double end = along_.dot(wall.b - a_);
     const double common = std::min(end, length_) - std::max(begin, 0.0);
-    if (common < 0.3 * std::min(length, length_)) return false;
+    if (common < kCommon * std::min(length, length_)) return false;
     const double at = (std::max(begin, 0.0) + std::min(end, length_)) / 2.0;
     const double share = (at - begin) / (end - begin);
     const Vec2 there = wall.a + share * (wall.b - wall.a);
-    return std::abs(cross(along_, there - a_)) < kSameWall;
+    return std::abs(cross(along_, there - a_)) < kSameWall_m;
   }
 
  private:

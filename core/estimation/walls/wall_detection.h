@@ -18,17 +18,11 @@ struct FoundWall {
 };
 
 struct DetectionOptions {
-  double least_score = 25.0;    ///< nats; choice: a wall alone; 40 with its sides make a building
-  double least_length_m = 3.0;  ///< choice: a garage
-  double drop = 15.0;  ///< a wall ends where the evidence behind its end has fallen by so much,
-                       ///< nats; METHOD.md 3
-  std::vector<double> tilts = {0.0,
-                               toRadians(1.5),
-                               toRadians(-1.5),
-                               toRadians(3.0),
-                               toRadians(-3.0),
-                               toRadians(4.5),
-                               toRadians(-4.5)};
+  double least_score = walls::kLeastScore;  ///< nats
+  double least_length_m = walls::kLeastWall_m;
+  double drop =
+      walls::kDrop;  ///< nats: a wall ends where the evidence behind its end has fallen by so much
+  std::vector<double> tilts = {walls::kTilts.begin(), walls::kTilts.end()};  ///< radians
 };
 
 /// Walls within `reach_m` (per axis) of `middle`, the surest first; of those that lie on one

@@ -4,20 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/estimation/walls/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace walls;
 
-constexpr double kForgetting = 0.95;  // a key frame; choice: 40 m
-constexpr int kWallLike = 3;          // least label; choice: likelier a wall than not
-constexpr float kGap = 0.07F;         // radians between the returns of one piece; choice
-constexpr double kLeastLength = 3.0;  // metres, of a piece; choice
-constexpr double kMostLength = 12.0;  // metres; choice: a front
-constexpr double kSureDirection =
-    toRadians(1.5);                   // one σ; choice: a third of how far off walls are found
-constexpr double kRough = 0.1;        // metres that a wall is not straight; choice
-constexpr double kLeastVotes = 20.0;  // metres, of a peak; choice: two fronts
-constexpr double kLeastShare = 0.12;  // of all votes; choice: of eight directions each
+namespace {
 
 /// Points on a line, summed up.
 class LinePiece {
@@ -28,7 +21,7 @@ class LinePiece {
     count_ += 1.0;
     sum_ += p;
     squares_ += p * p.transpose();
-    noise_ += noise_m * noise_m + kRough * kRough;
+    noise_ += noise_m * noise_m + kRough_m * kRough_m;
     length_ = p.norm();
   }
   double length() const { return length_; }
@@ -63,7 +56,7 @@ class LinePiece {
 void WallDirections::add(const Frame& frame, const Pose2& pose, const SensorModel& sensor) {
   for (double& votes : votes_) votes *= kForgetting;
   const std::vector<FrameRay>& rays = frame.rays;
-  const auto is_wall = [](const FrameRay& ray) { return ray.sight.label >= kWallLike; };
+  const auto is_wall = [](const FrameRay& ray) { return ray.sight.label >= kLooksLikeAWall; };
   for (std::size_t begin = 0; begin < rays.size();) {
     LinePiece piece;
     std::size_t last = begin;
@@ -75,10 +68,10 @@ void WallDirections::add(const Frame& frame, const Pose2& pose, const SensorMode
       piece.add(pose.toOuter({range * rays[end].x, range * rays[end].y}),
                 sensor.options().noise.at(range));
       last = end;
-      if (piece.length() < kLeastLength) continue;
+      if (piece.length() < kLeastWall_m) continue;
       piece.fit();
-      if (!piece.isStraight() || piece.length() > kMostLength) break;
-      if (piece.headingSigma() > kSureDirection) continue;
+      if (!piece.isStraight() || piece.length() > kMostPiece_m) break;
+      if (piece.headingSigma() > kTilt) continue;
       const double quarters = piece.heading() / (kPi / 2.0);
       const auto bin = static_cast<std::size_t>((quarters - std::floor(quarters)) * kBins);
       votes_[bin % kBins] += piece.length();
@@ -96,7 +89,7 @@ double WallDirections::around(std::size_t bin) const {
 
 std::vector<double> WallDirections::peaks() const {
   const double all = std::accumulate(votes_.begin(), votes_.end(), 0.0);
-  const double least = std::max(kLeastVotes, kLeastShare * all);
+  const double least = std::max(kLeastVotes_m, kLeastShare * all);
   std::vector<std::size_t> order(kBins);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

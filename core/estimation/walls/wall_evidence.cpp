@@ -5,16 +5,17 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/estimation/walls/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace walls;
 
-constexpr double kGrazing = 0.05;  // sine of the angle below which a ray tells nothing; choice: 3°
+namespace {
 
 /// std::lround() without a call.
 std::int32_t fixedPoint(float ratio) {
-  const double units = ratio * WallImage::kScale;
+  const double units = ratio * kScale;
   return static_cast<std::int32_t>(units + std::copysign(0.5, units));
 }
 
@@ -59,7 +60,7 @@ void WallImage::apply(const ActiveFrame& held, int sign) {
     if (rise < kGrazing) continue;
     const double run = c * ray.x - s * ray.y;
     const auto ray_slack = static_cast<float>(slack / rise);
-    const bool is_silent = ray.sight.label == SensorModel::kSilent;
+    const bool is_silent = ray.sight.label == kSilent;
     double reach = ray.sight.range;
     double clear = ray.sight.range;  // farther than anything that the return may be of
     if (!is_silent) {

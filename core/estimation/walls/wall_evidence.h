@@ -24,8 +24,6 @@ struct ActiveFrame {
 /// frame taken out leaves no trace.
 class WallImage {
  public:
-  static constexpr double kScale = 256.0;  ///< units a nat; choice: 0.4 % of a nat, 8 million nats
-
   /// The window is at least `window_m` wide.
   WallImage(double heading_rad, double cell_m, double window_m);
 
@@ -50,7 +48,7 @@ class WallImage {
     return wrapped.data();
   }
   double at(int column_index, int row) const {
-    return column(column_index)[row & (size_ - 1)] / kScale;
+    return column(column_index)[row & (size_ - 1)] / walls::kScale;
   }
 
   /// Adds (sign 1) or takes out (sign −1) what the rays of a frame say from where it is held.

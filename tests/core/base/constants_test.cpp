@@ -17,10 +17,19 @@ struct Room {
   const char* folder;
   std::size_t most;
 };
-constexpr Room kRooms[] = {
-    {"core/map_match", 34},         {"core/outlines", 109},       {"core/explain", 15},
-    {"core/estimation/drawing", 8}, {"core/estimation/loops", 7}, {"core/estimation/labels", 24},
-    {"core/trajectory", 104},       {"core/perception", 72},      {"core/odometry", 48}};
+constexpr Room kRooms[] = {{"core/map_match", 34},
+                           {"core/outlines", 109},
+                           {"core/explain", 15},
+                           {"core/estimation/drawing", 8},
+                           {"core/estimation/loops", 7},
+                           {"core/estimation/labels", 24},
+                           {"core/trajectory", 104},
+                           {"core/perception", 72},
+                           {"core/odometry", 48},
+                           {"core/estimation", 31},
+                           {"core/estimation/buildings", 49},
+                           {"core/estimation/smoothing", 39},
+                           {"core/estimation/walls", 44}};
 
 const std::regex kNumber(
     R"((?:^|\n)[ \t]*(?:(?:static|inline)[ \t]+)*constexpr[ \t]+)"

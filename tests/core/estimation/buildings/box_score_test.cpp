@@ -21,9 +21,9 @@ double plainScore(const Box& box, const std::vector<const Frame*>& frames,
         const Segment wall{box.corner((k + 3) % 4), box.corner(k)};
         if (distanceTo(wall, hit) < 1e-6) cosine = std::abs(box.normal(k).dot(direction));
       }
-      score +=
-          static_cast<double>(sensor(ray.sight, static_cast<float>(distance),
-                                     kWallSlack / std::max(static_cast<float>(cosine), 0.02F)));
+      score += static_cast<double>(sensor(
+          ray.sight, static_cast<float>(distance),
+          buildings::kWallSlack_m / std::max(static_cast<float>(cosine), buildings::kLeastCosine)));
     }
   }
   return score;

@@ -39,7 +39,7 @@ TEST_F(ClutterTest, ThereIsNone) {
 
 TEST_F(ClutterTest, FalseReturnsOfWallsAreMeasured) {
   const Clutter clutter = measured([&](Sight& sight) {
-    if (sight.label != SensorModel::kSilent) shorten(sight, 0.5);
+    if (sight.label != walls::kSilent) shorten(sight, 0.5);
   });
   // Half of the returns spread over some 12 m, for each that comes so far: 0.5 / 12 / (1 - 0.5).
   EXPECT_NEAR(clutter.wall_like_per_m, 0.083, 0.03);

@@ -23,7 +23,7 @@ class SightFactorsTest : public testing::Test {
                  static_cast<float>(bearing),
                  {}};
     const Entry entry = BoxView(box_, pose_).entry(ray);
-    ray.sight = {entry.distance + static_cast<float>(behind_m), SensorModel::kLabels - 1};
+    ray.sight = {entry.distance + static_cast<float>(behind_m), walls::kLabels - 1};
     return ray;
   }
   std::optional<ScalarFactor<SightEquations::kSize>> factorOf(const FrameRay& ray) const {

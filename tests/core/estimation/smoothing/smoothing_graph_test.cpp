@@ -23,13 +23,13 @@ class StateLayoutTest : public testing::Test {
 TEST_F(StateLayoutTest, StatesStandOneAfterTheOther) {
   DrawingPrior drawing;
   const StateLayout layout({pointers_, 2, found_, landmarks_, {}, &drawing});
-  EXPECT_EQ(layout.pose(1), StateLayout::kNone);
+  EXPECT_EQ(layout.pose(1), smoothing::kNone);
   EXPECT_EQ(layout.pose(2), 0);
   EXPECT_EQ(layout.pose(3), 3);
   EXPECT_EQ(layout.lastPose(), 3);
   EXPECT_EQ(layout.box(std::size_t{0}), 6);
   EXPECT_EQ(layout.box(std::size_t{1}), 11);
-  EXPECT_EQ(layout.landmark(0), StateLayout::kNone);  // one frame alone saw it
+  EXPECT_EQ(layout.landmark(0), smoothing::kNone);  // one frame alone saw it
   EXPECT_EQ(layout.landmark(1), 16);
   EXPECT_EQ(layout.bias(), 18);
   EXPECT_EQ(layout.scale(), 19);
@@ -44,7 +44,7 @@ TEST_F(StateLayoutTest, BoxesAreFoundByTheirNames) {
 }
 
 TEST_F(StateLayoutTest, WhereAllPosesStayThereIsNoLastOne) {
-  EXPECT_EQ(StateLayout({pointers_, 4, found_, landmarks_}).lastPose(), StateLayout::kNone);
+  EXPECT_EQ(StateLayout({pointers_, 4, found_, landmarks_}).lastPose(), smoothing::kNone);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace handmap {
 namespace {
 
-constexpr int kWall = SensorModel::kLabels - 1;
+constexpr int kWall = walls::kLabels - 1;
 
 double plainRatio(const SensorOptions& o, double range, double distance, double slack) {
   const double sigma = std::hypot(o.noise.at(distance), slack);
@@ -44,8 +44,8 @@ TEST(SensorModel, ReturnsFromBehindAndSilenceSpeakAgainst) {
   const SensorModel model(SensorOptions{}, 40.0);
   EXPECT_FLOAT_EQ(model({30.0F, kWall}, 10.0F, 0.1F), model.passed());
   EXPECT_LT(model.passed(), 0.0F);
-  EXPECT_FLOAT_EQ(model({36.0F, SensorModel::kSilent}, 10.0F, 0.1F), model.silent());
-  EXPECT_EQ(model({36.0F, SensorModel::kSilent}, 37.0F, 0.1F), 0.0F);
+  EXPECT_FLOAT_EQ(model({36.0F, walls::kSilent}, 10.0F, 0.1F), model.silent());
+  EXPECT_EQ(model({36.0F, walls::kSilent}, 37.0F, 0.1F), 0.0F);
 }
 
 TEST(SensorModel, ResponsibilityFallsWithTheError) {

@@ -110,7 +110,7 @@ TEST(WallImage, CellsOfAColumnAreOneBehindTheOtherWhereThePlaneIsWrappedAround) 
   for (const int first : {-60, -20, -1, 3}) {
     const std::int32_t* cells = image.cells(-7, first, wrapped);
     for (int i = 0; i < 40; ++i) {
-      EXPECT_EQ(cells[i] / WallImage::kScale, image.at(-7, first + i)) << first << ' ' << i;
+      EXPECT_EQ(cells[i] / walls::kScale, image.at(-7, first + i)) << first << ' ' << i;
     }
   }
 }
