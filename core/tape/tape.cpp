@@ -161,7 +161,7 @@ std::shared_ptr<const Perceived> Tape::at(std::size_t n) const {
 LocalMap Tape::localMap(std::size_t n) const {
   LocalMapBuilder builder(info_.range_limit_m, local_map_);
   LazyLocalMap map;
-  for (std::size_t i = n - std::min(n, LocalMapBuilder::kMostScans - 1); i <= n; ++i) {
+  for (std::size_t i = n - std::min(n, perception::kMostScans - 1); i <= n; ++i) {
     const auto perceived = at(i);
     if (!perceived) continue;
     const Observation& observation = perceived->observation;

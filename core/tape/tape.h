@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/tape/constants.h"
 #include "core/tape/panning.h"
 #include "core/tape/perceived.h"
 #include "core/tape/tape_file.h"
@@ -35,9 +36,8 @@ struct TapeLimits {
   std::size_t memory = 0;
   std::size_t disk = 0;
 
-  /// Where a run may be done again: a minute of a planar scanner in memory and seven hours on disk
-  /// (20 kB a scan of 360 rays, ten a second), or a quarter of an hour of a spinning one.
-  static constexpr TapeLimits toDoAgain() { return {16U << 20U, std::size_t{5} << 30U}; }
+  /// Where a run may be done again.
+  static constexpr TapeLimits toDoAgain() { return {tape::kMemory, tape::kDisk}; }
 };
 
 class Tape {

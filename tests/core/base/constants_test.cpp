@@ -29,7 +29,8 @@ constexpr Room kRooms[] = {{"core/map_match", 34},
                            {"core/estimation", 31},
                            {"core/estimation/buildings", 49},
                            {"core/estimation/smoothing", 39},
-                           {"core/estimation/walls", 44}};
+                           {"core/estimation/walls", 44},
+                           {"core/tape", 2}};
 
 const std::regex kNumber(
     R"((?:^|\n)[ \t]*(?:(?:static|inline)[ \t]+)*constexpr[ \t]+)"
