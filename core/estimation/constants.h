@@ -40,10 +40,9 @@ inline constexpr double kLeastTurn = 0.03;       // rad; choice: of found buildi
 inline constexpr double kTurnPerMetre = 0.0001;  // rad/m; choice: 0.01 in 100 m
 
 // What is shown.
-inline constexpr double kSlightDoubt = 0.1;     // 1; choice: nobody asks about less
-inline constexpr double kLeastDrawn_m = 0.1;    // m; choice: no drawing is surer of its buildings
-inline constexpr double kLeastShown_m = 1.0;    // m; choice: what is drawn has an inside
-inline constexpr float kSureCell = 5.0F;        // nats; choice: in a cell, as strong as is shown
-inline constexpr double kLeastVariance = 1e-9;  // m²; limit: also rad², what is exact has a root
+inline constexpr double kSlightDoubt = 0.1;   // 1; choice: nobody asks about less
+inline constexpr double kLeastDrawn_m = 0.1;  // m; choice: no drawing is surer of its buildings
+inline constexpr double kLeastShown_m = 1.0;  // m; choice: what is drawn has an inside
+inline constexpr float kSureCell = 5.0F;      // nats; choice: in a cell, as strong as is shown
 
 }  // namespace handmap::estimation

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/estimation/constants.h"
+#include "core/estimation/drawing/constants.h"
 
 namespace handmap {
 
@@ -25,7 +26,7 @@ std::vector<std::size_t> sampledHypotheses(std::span<const Hypothesis> hypothese
 
 PoseSampler::PoseSampler(const Pose2& mean, const Eigen::Matrix3d& covariance) : mean_(mean) {
   const Eigen::LLT<Eigen::Matrix3d> factor(covariance +
-                                           kLeastVariance * Eigen::Matrix3d::Identity());
+                                           drawing::kLeastVariance * Eigen::Matrix3d::Identity());
   root_ = factor.matrixL();
 }
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/base/gaussian.h"
+
 namespace handmap {
 
 namespace {
@@ -75,14 +77,13 @@ double middleOf(std::vector<double> values) {
 
 /// Without those that were taken for something else: they moved as no other did.
 std::vector<Moved> withoutMistaken(std::vector<Moved> pairs) {
-  constexpr double kMost = 4.0;              // σ of the spread
-  constexpr double kSigmaOfMedian = 1.4826;  // of a normal error
+  constexpr double kMost = 4.0;  // σ of the spread
   for (const int axis : {0, 1}) {
     std::vector<double> moved;
     for (const Moved& pair : pairs) moved.push_back(pair.moved[axis]);
     const double middle = middleOf(moved);
     for (double& value : moved) value = std::abs(value - middle);
-    const double spread = kSigmaOfMedian * middleOf(moved);
+    const double spread = kMedianToSigma * middleOf(moved);
     std::erase_if(pairs, [&](const Moved& pair) {
       return std::abs(pair.moved[axis] - middle) > kMost * std::hypot(spread, pair.sigma[axis]);
     });

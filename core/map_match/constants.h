@@ -21,7 +21,6 @@ inline constexpr double kNear_m = 60.0;   // m; limit: a point map holds 64 m ar
 inline constexpr double kStale_m = 10.0;  // m; choice: of way, what is within 50 m is then there
 
 // What is known of it: the README's table of residuals.
-inline constexpr double kFloor_m = 0.3;  // m; choice: maps traced from the air and recesses
 inline constexpr double kFloorTurn = toRadians(0.6);       // rad; choice: 0.3 m over 30 m of wall
 inline constexpr double kStart_m = 1.0;                    // m; choice: a start set by hand
 inline constexpr double kStartTurn = toRadians(3.0);       // rad; choice: the same

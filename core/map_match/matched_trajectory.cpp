@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/map_match/constants.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
@@ -165,7 +166,7 @@ void MatchedTrajectory::layOnWalls(Keyframe& keyframe, const std::vector<ScanPoi
   const auto match = matchScan(features, walls, keyframe.pose, trajectory::kGates_m, prior);
   visible_ = 0;
   if (!match || match->matched < kLeastMatched) return;
-  const auto root = rootInformation(*match, {kFloor_m, kFloor_m, kFloorTurn});
+  const auto root = rootInformation(*match, {buildings::kFloor_m, buildings::kFloor_m, kFloorTurn});
   if (!root) return;
   keyframe.on_walls = MotionFactor{match->pose, *root};
   visible_ = walls_.buildingsAt(moved(features, match->pose), kOnWall_m, kLeastOnWalls);

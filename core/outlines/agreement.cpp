@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/map/certainty.h"
 #include "core/outlines/constants.h"
 
@@ -49,7 +50,7 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
   building.fixed = drawn.fixed;
   // Fitting cannot tell a finer drawing from a right one.
   building.drawn_sigma =
-      std::max(std::hypot(uncertainty.position, 0.5 * uncertainty.size), kLeastSigma_m);
+      std::max(std::hypot(uncertainty.position, 0.5 * uncertainty.size), buildings::kFloor_m);
   const Rectangle box = drawn.box();
   const double fitted_heading = fitted.box().heading;
   const Sides sides = sidesOf(fitted);
@@ -63,7 +64,7 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
     const double turn = normal.dot(perpendicular(middle - origin));
     building.sides.push_back({{normal.x(), normal.y(), turn, normal.x(), normal.y()},
                               farthest(after, normal) - farthest(before, normal),
-                              std::max(side.sigma, kLeastSigma_m)});
+                              std::max(side.sigma, buildings::kFloor_m)});
   }
   return building;
 }
@@ -255,7 +256,7 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
     const Building& drawn = drawing.buildings[b];
     buildings.push_back(compared(drawn, fitted.buildings[b], drawing.uncertaintyOf(drawn), origin));
   }
-  const double together = std::max(drawing.shiftSigma(), kLeastSigma_m);
+  const double together = std::max(drawing.shiftSigma(), buildings::kFloor_m);
   Mixture mixture(std::move(buildings), Lie{start_m, start_m, start_turn, together, together});
   Agreement agreement;
   agreement.refutes_start = mixture.solve(!drawing.start_uncertainty, way_turn);

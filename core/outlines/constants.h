@@ -22,7 +22,6 @@ inline constexpr double kSilent = 0.99;          // 1; choice: of the range limi
 // Structure: what returns are from.
 inline constexpr double kCell_m = 0.25;  // m; choice: as thick as a wall
 inline constexpr int kReach = 5;         // cells; choice: 1.25 m, no longer than pieces of walls
-inline constexpr double kFar_m = 35.0;   // m; choice: stereo is off by 2 m and more there
 inline constexpr double kLeastReturns = 12.0;    // returns; choice: two of each unknown of a line
 inline constexpr double kLeastLength_m = 0.35;   // m; choice: σ along a piece of a metre
 inline constexpr double kWall_m = 0.11;          // m; measured: recesses and poses, FIELD.md
@@ -31,15 +30,14 @@ inline constexpr double kHedge_m = 0.235;        // m; measured: FIELD.md
 inline constexpr double kHedgeNoise = 1.2;       // 1; measured: FIELD.md
 inline constexpr double kPoses_m2 = 0.02;        // m²; choice: variance of the poses, 0.14 m
 inline constexpr double kNoiseBin_m = 5.0;       // m; choice: the noise hardly changes in it
-inline constexpr std::size_t kNoiseBins = 7;     // 1; derived: up to kFar_m
+inline constexpr std::size_t kNoiseBins = 7;     // 1; derived: up to perception::kFar_m
 inline constexpr std::size_t kLeastInBin = 100;  // returns; choice: their median is off by a tenth
-inline constexpr double kNoiseCosine = 0.4;  // 1; choice: flatter rays tell nothing of the range
-inline constexpr double kMad = 1.4826;       // 1; derived: σ of a Gaussian by its median deviation
-inline constexpr int kStructureRounds = 2;   // rounds; measured: the noise has settled
-inline constexpr double kStand_m = 2.0;      // m; choice: from there things look the same
-inline constexpr double kAway_m = 20.0;      // m; choice: of way, before it comes back
-inline constexpr int kSectors = 24;          // 1; choice: 15° each
-inline constexpr double kPlace_m = 0.5;      // m; choice: what ends in it is off together
+inline constexpr double kNoiseCosine = 0.4;   // 1; choice: flatter rays tell nothing of the range
+inline constexpr int kStructureRounds = 2;    // rounds; measured: the noise has settled
+inline constexpr double kStand_m = 2.0;       // m; choice: from there things look the same
+inline constexpr double kAway_m = 20.0;       // m; choice: of way, before it comes back
+inline constexpr int kSectors = 24;           // 1; choice: 15° each
+inline constexpr double kPlace_m = 0.5;       // m; choice: what ends in it is off together
 inline constexpr float kEnoughLooks = 30.0F;  // looks; choice: three nats of a wall, kTemper
 inline constexpr double kStructured = 0.1;    // 1; measured: of tall returns, between stereo's 0.05
                                               // and 0.15 of a real drive
@@ -61,7 +59,6 @@ inline constexpr std::array<Rates, 5> kRates = {
      {0.08, 0.1}}};                           // 1; measured: at true
                                               // poses on a residential drive and a campus
 inline constexpr float kParallel = 0.92F;     // 1; choice: cosine, 23°, of what lies along a wall
-inline constexpr float kMostSigmas = 4.0F;    // σ; choice: beyond, it is another thing
 inline constexpr float kLeastCosine = 0.1F;   // 1; choice: flatter rays tell as little
 inline constexpr double kLeastRatio = 0.02;   // 1/m; limit: of the table
 inline constexpr double kMostRatio = 2000.0;  // 1/m; limit: of the table
@@ -137,17 +134,15 @@ inline constexpr double kFaceTemper = 0.5;       // 1; choice: neighbouring cell
 inline constexpr double kFaceReturns = 2.0;      // returns; choice: of a cell that was seen
 
 // What is drawn right, and how the map lies.
-inline constexpr int kMostRounds = 50;        // rounds; limit: it has settled before
-inline constexpr double kSettled = 1e-6;      // nats; limit: of a round
-inline constexpr double kMisfitted = 0.15;    // 1; measured: fits of true maps to other things
-inline constexpr double kMisfit_m = 1.5;      // m; measured: σ of such a side
-inline constexpr double kStatedSides = 4.0;   // sides; choice: what the drawing says counts as
-inline constexpr double kLeastSigma_m = 0.3;  // m; measured: maps of real places, FIELD.md
+inline constexpr int kMostRounds = 50;       // rounds; limit: it has settled before
+inline constexpr double kSettled = 1e-6;     // nats; limit: of a round
+inline constexpr double kMisfitted = 0.15;   // 1; measured: fits of true maps to other things
+inline constexpr double kMisfit_m = 1.5;     // m; measured: σ of such a side
+inline constexpr double kStatedSides = 4.0;  // sides; choice: what the drawing says counts as
 inline constexpr std::ptrdiff_t kLeastTogether = 3;  // buildings; choice: fewer are right by chance
 inline constexpr double kSeenToEndReturns = 2.0;     // returns; measured: gables 2.4 to 5, gaps 1.7
 inline constexpr double kDrawnSlack_m = 0.3;         // m; choice: of walls that were not fitted
 inline constexpr double kFoundRear_m = 2.7;  // m; measured: rear walls found, FIELD.md's part 2, 1
-inline constexpr double kFacing = 0.7;       // 1; choice: cosine, 45°, between a wall and its side
 inline constexpr double kLabelled_m = 1.0;   // m; measured: σ of what was found, METHOD.md
 inline constexpr double kTells = 3.0;        // nats; choice: for or against a building
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/estimation/walls/constants.h"
 #include "core/outlines/constants.h"
 
 namespace handmap {
@@ -19,7 +20,7 @@ ReturnTable::ReturnTable() {
   for (int k = 0; k < kTableRatios; ++k) {
     const double ratio = kLeastRatio * std::pow(kMostRatio / kLeastRatio, k / (kTableRatios - 1.0));
     for (int i = 0; i < kTableSteps; ++i) {
-      const double z = static_cast<double>(kMostSigmas) * (2.0 * (i + 0.5) / kTableSteps - 1.0);
+      const double z = static_cast<double>(walls::kReach) * (2.0 * (i + 0.5) / kTableSteps - 1.0);
       const double behind = 0.5 * std::erfc(-z / std::numbers::sqrt2);
       const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi);
       table_[static_cast<std::size_t>(k * kTableSteps + i)] =
@@ -29,9 +30,9 @@ ReturnTable::ReturnTable() {
 }
 
 float ReturnTable::operator()(Likeness likeness, float z, float sigma_m) const {
-  if (z <= -kMostSigmas) return 0.0F;
+  if (z <= -walls::kReach) return 0.0F;
   static const auto kPassed = static_cast<float>(std::log(1.0 - kStopped));
-  if (z >= kMostSigmas) return kPassed;
+  if (z >= walls::kReach) return kPassed;
   const Rates& rates = kRates[static_cast<std::size_t>(likeness)];
   const auto ratio = static_cast<float>(kStopped * rates.of_walls / rates.of_others) / sigma_m;
   static const auto kPerRatio =
@@ -39,7 +40,7 @@ float ReturnTable::operator()(Likeness likeness, float z, float sigma_m) const {
   static const auto kLow = static_cast<float>(std::log2(kLeastRatio)) - 0.5F / kPerRatio;
   const int k =
       std::clamp(static_cast<int>((std::log2(ratio) - kLow) * kPerRatio), 0, kTableRatios - 1);
-  const int i = std::clamp(static_cast<int>((z / kMostSigmas + 1.0F) * 0.5F * kTableSteps), 0,
+  const int i = std::clamp(static_cast<int>((z / walls::kReach + 1.0F) * 0.5F * kTableSteps), 0,
                            kTableSteps - 1);
   return table_[static_cast<std::size_t>(k * kTableSteps + i)];
 }
@@ -141,7 +142,7 @@ float OutlineScorer::ratioOf(const Asked& asked, const Met& met, float slack_m) 
   const float sigma = std::sqrt(own * own + slack * slack);
   const float z = (ray.range - met.distance) / sigma;
   if (ray.echo == Echo::Ground || asked.owned) {
-    return z <= -kMostSigmas ? 0.0F : z >= kMostSigmas / 2.0F ? kPassed : 0.0F;
+    return z <= -walls::kReach ? 0.0F : z >= walls::kReach / 2.0F ? kPassed : 0.0F;
   }
   Likeness likeness = Likeness::Ragged;
   const bool parallel = std::abs(ray.nx * met.nx + ray.ny * met.ny) > kParallel;

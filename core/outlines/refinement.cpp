@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/estimation/walls/constants.h"
 #include "core/map/certainty.h"
 #include "core/outlines/agreement.h"
 #include "core/outlines/constants.h"
@@ -59,14 +60,15 @@ Polygon unseenAsDrawn(const Building& found, const Building& drawn, double size_
   std::array<double, 4> of_side{};
   for (const HalfWall& wall : walls) {
     for (std::size_t side = 0; side < 4; ++side) {
-      if (wall.normal.dot(normal_of(side)) > kFacing) of_side[side] += wall.returns;
+      if (wall.normal.dot(normal_of(side)) > walls::kSameHeading) of_side[side] += wall.returns;
     }
   }
   const auto front =
       static_cast<std::size_t>(std::max_element(of_side.begin(), of_side.end()) - of_side.begin());
   const Vec2 outwards = normal_of(front);
   const bool deep = std::any_of(walls.begin(), walls.end(), [&](const HalfWall& wall) {
-    return wall.returns >= kSeenToEndReturns && std::abs(wall.normal.dot(outwards)) < kFacing &&
+    return wall.returns >= kSeenToEndReturns &&
+           std::abs(wall.normal.dot(outwards)) < walls::kSameHeading &&
            outwards.dot(wall.middle - box.centre) < 0.0;
   });
   const SideEstimate rear = sidesOf(found)[(front + 2) % 4];

@@ -9,7 +9,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/base/gaussian.h"
 #include "core/outlines/constants.h"
+#include "core/perception/constants.h"
 
 namespace handmap {
 
@@ -62,7 +64,7 @@ class Cells {
     std::unordered_map<std::int64_t, std::size_t> places;
     for (const PlacedRay& ray : rays) {
       if (stop.stop_requested()) return;
-      if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > kFar_m) continue;
+      if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > perception::kFar_m) continue;
       const Vec2 end = ray.end();
       const double variance = std::pow(noise.at(static_cast<double>(ray.range)), 2);
       const double weight = static_cast<double>(ray.share) / (variance + kPoses_m2);
@@ -164,7 +166,7 @@ RayNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RayNoi
     if (of_bin.size() < kLeastInBin) continue;
     const auto middle = of_bin.begin() + static_cast<std::ptrdiff_t>(of_bin.size() / 2);
     std::nth_element(of_bin.begin(), middle, of_bin.end());
-    const double sigma = kMad * *middle;
+    const double sigma = kMedianToSigma * *middle;
     const double distance = (static_cast<double>(bin) + 0.5) * kNoiseBin_m;
     const Eigen::Vector2d row(1.0, distance * distance);
     const double weight = 1.0 / (sigma * sigma);

@@ -20,7 +20,11 @@ inline constexpr double kSensorHeight_m = 1.5;  // m; choice: a metre more or le
 inline constexpr float kTall_m = 1.8F;     // m; measured: FIELD.md's part 2, 2, above most cars
 inline constexpr float kHighest_m = 9.0F;  // m; measured: FIELD.md's part 2, 2, roofs are higher
 
-// Range sensors.
+// Range sensors, and what they see.
+inline constexpr double kFar_m =
+    35.0;  // m; measured: FIELD.md (b), farther returns are sparse, and stereo is off by 2 m
+inline constexpr double kWall_m =
+    0.1;  // m; measured: FIELD.md (b), σ of a wall in two visits, plaster, frames, poses
 inline constexpr double kLaserSigma_m = 0.03;  // m; choice: data sheets, until it is measured
 inline constexpr float kScanSigma_m = 0.05F;   // m; choice: that, and a wall within a direction
 inline constexpr float kLevel_m = 0.3F;  // m; choice: what is not quite level is off, the ground is
@@ -32,10 +36,9 @@ inline constexpr double kOneStep = 1.6;         // 1; choice: of the median step
 inline constexpr double kRegular = 0.8;    // 1; measured: of steps, scanners 0.93, at random 0.67
 inline constexpr double kAtFirst = 10.0;   // steps; choice: that are supposed to be a scanner's
 inline constexpr float kColumn_m = 0.25F;  // m; choice: cells of vertical extent, a wall's
-inline constexpr int kMinPoints = 3;       // points; choice: in a column
-inline constexpr std::size_t kLowest = 3;  // 1; choice: of a cell's points, strays lie lower
-inline constexpr float kGroundCell_m = 2.0F;  // m; choice: has some of the ground at 30 m still
-inline constexpr float kMaxSlope = 0.15F;     // 1; choice: the steepest streets are near it
+inline constexpr std::size_t kLeastPoints = 3;  // points; choice: of a cell, two may be strays
+inline constexpr float kGroundCell_m = 2.0F;    // m; choice: has some of the ground at 30 m still
+inline constexpr float kMaxSlope = 0.15F;       // 1; choice: the steepest streets are near it
 inline constexpr float kUnknownHeight_m = std::numeric_limits<float>::infinity();  // m; limit: none
 
 // What is looked over.
@@ -67,18 +70,16 @@ inline constexpr std::size_t kMostScans = 400;      // scans; limit: of one that
 inline constexpr int kMaxSide = 8192;               // cells; limit: 256 MB
 inline constexpr double kFraction = 65536.0;        // 1; choice: 16 bits of a cell, along a ray
 inline constexpr int kMaxRaySteps = 50;             // cells; limit: to either side, 2σ of 2.5 m
-inline constexpr double kShareWithinSigma = 0.6827;  // 1; derived: of a Gaussian
-inline constexpr std::size_t kBlock = 16;            // cells; choice: what is smoothed together
+inline constexpr std::size_t kBlock = 16;           // cells; choice: what is smoothed together
 
 // Stereo matching.
-inline constexpr int kBlockSize_px = 7;          // px; choice: OpenCV advises 3 to 11
-inline constexpr int kPreFilterCap = 31;         // grey; choice: what OpenCV advises, of gradients
-inline constexpr int kUniqueness_percent = 10;   // %; choice: what OpenCV advises, of the second
-inline constexpr double kLeftRight_px = 1.0;     // px; choice: what OpenCV advises
-inline constexpr int kSpeckle_px = 100;          // px; choice: what OpenCV advises, an area
-inline constexpr double kSpeckleRange_px = 1.0;  // px; choice: what OpenCV advises
-inline constexpr int kTextureWindow_px = 9;      // px; choice: about what is matched
-inline constexpr float kMinTexture = 0.3F;       // grey; choice: mean step, less is sky or plaster
+inline constexpr int kBlockSize_px = 7;         // px; choice: OpenCV advises 3 to 11
+inline constexpr int kPreFilterCap = 31;        // grey; choice: what OpenCV advises, of gradients
+inline constexpr int kUniqueness_percent = 10;  // %; choice: what OpenCV advises, of the second
+inline constexpr double kOff_px = 1.0;  // px; choice: OpenCV advises, of disparities of one surface
+inline constexpr int kSpeckle_px = 100;      // px; choice: what OpenCV advises, an area
+inline constexpr int kTextureWindow_px = 9;  // px; choice: about what is matched
+inline constexpr float kMinTexture = 0.3F;   // grey; choice: mean step, less is sky or plaster
 inline constexpr float kUnknownDisparity = -1.0F;  // px; limit: none
 inline constexpr double kNearest_m = 4.0;          // m; choice: so near a wall should be seen
 inline constexpr double kLeastFocal_px_m = 180.0;  // px·m; measured: matchers pull to whole pixels

@@ -37,9 +37,9 @@ GroundHeight::GroundHeight(const std::vector<RangePoint>& points, float range_m)
 }
 
 std::vector<float> GroundHeight::lowHeights(const std::vector<RangePoint>& points) const {
-  std::array<float, kLowest> unknown{};
+  std::array<float, kLeastPoints> unknown{};
   unknown.fill(kUnknownHeight_m);
-  std::vector<std::array<float, kLowest>> lowest(cells_.count(), unknown);
+  std::vector<std::array<float, kLeastPoints>> lowest(cells_.count(), unknown);
   for (const RangePoint& p : points) {
     auto& heights = lowest[cells_.of(p.x, p.y)];
     if (p.z >= heights.back()) continue;

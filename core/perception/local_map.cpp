@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/gaussian.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/perception/constants.h"
@@ -139,7 +140,7 @@ LocalMap LocalMapBuilder::render(double range_m, const LocalMapOptions& options,
   }
   // What is as wide as 2σ of the smoothing has the value 1. Saturation comes before smoothing: a
   // dense near wall is as sure as a far one and no wider.
-  const double share = options.smoothing_sigma_m > 0.0 ? kShareWithinSigma : 1.0;
+  const double share = options.smoothing_sigma_m > 0.0 ? kWithinSigma : 1.0;
   LocalMap map(options.cell_m, range_m);
   votes.moveTo(map.cells(), static_cast<float>(options.saturation_votes),
                static_cast<float>(1.0 / (options.saturation_votes * share)));

@@ -113,7 +113,8 @@ void RangeWalls::add(const RangePoint& p, const GroundHeight& ground, const Pose
 /// reach above min_height, its extent counting from wherever it is first seen, as long as nothing
 /// was seen over it.
 bool RangeWalls::isWall(const Column& column, const Vec2& at) const {
-  return column.count >= kMinPoints && column.high >= static_cast<float>(filter_.min_height_m) &&
+  return column.count >= static_cast<int>(kLeastPoints) &&
+         column.high >= static_cast<float>(filter_.min_height_m) &&
          column.high - column.low >= static_cast<float>(filter_.min_extent_m) &&
          !low_things_.isLow(at);
 }

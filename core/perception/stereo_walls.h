@@ -18,9 +18,9 @@ struct StereoOptions {
   int num_disparities = 0;  ///< at the reduced size, a multiple of 16; 0: to see 4 m
   int block_size = perception::kBlockSize_px;  ///< odd
   double left_right_px =
-      perception::kLeftRight_px;  ///< consistency, at the reduced size; rounded, at least 1
-  int speckle_window = perception::kSpeckle_px;         ///< pixels
-  double speckle_range = perception::kSpeckleRange_px;  ///< pixels of disparity
+      perception::kOff_px;  ///< consistency, at the reduced size; rounded, at least 1
+  int speckle_window = perception::kSpeckle_px;  ///< pixels
+  double speckle_range = perception::kOff_px;    ///< pixels of disparity
   double sigma_disparity =
       perception::kDisparitySigma_px;  ///< σ_d at the reduced size, pixels: σ_z = z² σ_d / (f B)
   double max_sigma_m = perception::kMostSigma_m;  ///< points noisier than this are dropped

@@ -15,9 +15,8 @@ inline constexpr double kLeastRange_m = 0.3;   // m; choice: nearer is the robot
 inline constexpr double kLeastStraight = 0.1;  // 1; measured: README, of the returns
 
 // Straight pieces.
-inline constexpr int kNeighbours = 6;   // returns; measured: FIELD.md (a), on either side
-inline constexpr int kLeastPoints = 5;  // returns; choice: two parameters and some to judge by
-inline constexpr double kGap_m = 0.25;  // m; measured: FIELD.md (a), between neighbours near by
+inline constexpr int kNeighbours = 6;        // returns; measured: FIELD.md (a), on either side
+inline constexpr int kLeastPoints = 5;       // returns; choice: two parameters and some to judge by
 inline constexpr double kGapSpacings = 4.5;  // 1; measured: FIELD.md (a), a wall seen at 13°
 inline constexpr double kRough_m = 0.08;     // m; measured: FIELD.md (a), plaster, window frames
 inline constexpr double kRoughPerMetre = 0.002;  // 1; measured: FIELD.md (a), with the range
@@ -84,20 +83,18 @@ inline constexpr double kLeastNoise =
     0.1;  // 1; choice: of the odometry's, a scan may be off itself
 
 // Keyframes and their graph.
-inline constexpr double kKeyframe_m = 1.8;     // m; measured: FIELD.md (b)
-inline constexpr double kKernel = 9.0;         // χ²; measured: FIELD.md (b), odometry may slip
-inline constexpr double kLoopKernel = 30.0;    // χ²; measured: FIELD.md (b), far off at first
-inline constexpr int kGraphSteps = 12;         // iterations; limit: it has settled before
-inline constexpr double kLeastGain = 1e-4;     // 1; limit: of the cost, less is not worth a step
-inline constexpr double kFirstDamping = 1e-6;  // 1; limit: of the diagonal
-inline constexpr double kMostDamping = 1.0 / kFirstDamping;  // 1; derived: nothing moves any more
-inline constexpr double kDampingFactor = 10.0;               // 1; choice: Marquardt's
+inline constexpr double kKeyframe_m = 1.8;      // m; measured: FIELD.md (b)
+inline constexpr double kKernel = 9.0;          // χ²; measured: FIELD.md (b), odometry may slip
+inline constexpr double kLoopKernel = 30.0;     // χ²; measured: FIELD.md (b), far off at first
+inline constexpr int kGraphSteps = 12;          // iterations; limit: it has settled before
+inline constexpr double kLeastGain = 1e-4;      // 1; limit: of the cost, less is not worth a step
+inline constexpr double kFirstDamping = 1e-6;   // 1; limit: of the diagonal
+inline constexpr double kDampingFactor = 10.0;  // 1; choice: Marquardt's
 inline constexpr double kLeastInformation = 1e-9;  // 1/m²; limit: what nothing holds stays
 
 // Loops.
 inline constexpr std::size_t kSourceReach = 6;  // keyframes; measured: FIELD.md (b), either side
 inline constexpr std::size_t kTargetReach = 2 * kSourceReach;  // keyframes; derived: covers it
-inline constexpr double kRange_m = 35.0;   // m; measured: FIELD.md (b), farther returns are sparse
 inline constexpr double kApart_m = 80.0;   // m; measured: FIELD.md (b), of way, nearer is no loop
 inline constexpr double kPassing_m = 6.0;  // m; measured: FIELD.md (b), two lanes
 inline constexpr double kShift_m = 2.5;    // m; measured: FIELD.md (b), is searched, is elsewhere
@@ -116,7 +113,6 @@ inline constexpr double kLeastShare = 0.45;       // 1; measured: FIELD.md (b), 
 inline constexpr int kLeastNear = 60;             // returns; measured: FIELD.md (b)
 inline constexpr double kLeastEigenRatio = 0.04;  // 1; measured: FIELD.md (b), not a corridor
 inline constexpr double kTogether = 0.02;     // 1; measured: FIELD.md (b), of independent returns
-inline constexpr double kWall_m = 0.1;        // m; measured: FIELD.md (b) and Q, walls and poses
 inline constexpr double kFloorTurn = 0.0045;  // rad; measured: FIELD.md (b)
 inline constexpr std::size_t kMostPoints = 2'000'000;  // points; limit: 80 MB, 4 km of a scanner
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/perception/constants.h"
 #include "core/trajectory/constants.h"
 #include "core/trajectory/scan_match.h"
 
@@ -18,7 +19,7 @@ void LoopSearch::add(const Pose2& smooth, const std::vector<ScanPoint>& scan) {
     keyframe.travelled_m =
         before.travelled_m + (smooth.position() - before.smooth.position()).norm();
   }
-  const auto near = [](const ScanPoint& p) { return p.at.norm() < kRange_m; };
+  const auto near = [](const ScanPoint& p) { return p.at.norm() < perception::kFar_m; };
   keyframe.scan.reserve(  // for the whole run, and not an entry more
       static_cast<std::size_t>(std::count_if(scan.begin(), scan.end(), near)));
   for (const ScanPoint& p : scan) {
@@ -108,7 +109,7 @@ std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
     return std::nullopt;
   }
   if (match->straight_near < kLeastShare * match->straight) return std::nullopt;
-  const auto root = rootInformation(*match, {kWall_m, kWall_m, kFloorTurn});
+  const auto root = rootInformation(*match, {perception::kWall_m, perception::kWall_m, kFloorTurn});
   if (!root) return std::nullopt;
   return Loop{from, to, {match->pose, *root}};
 }

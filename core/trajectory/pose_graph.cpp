@@ -74,7 +74,7 @@ int PoseGraph::optimize(int most_steps) {
   double damping = kFirstDamping;
   double now = cost(poses_);
   int taken = 0;
-  for (int tried = 0; tried < most_steps && damping < kMostDamping; ++tried) {
+  for (int tried = 0; tried < most_steps; ++tried) {
     System system = linearized();
     system.information.diagonal() *= 1.0 + damping;
     if (tried == 0) solver.analyzePattern(system.information);

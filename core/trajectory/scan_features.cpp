@@ -90,7 +90,7 @@ std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points) {
   const double step = spacing(scan);
   const auto gap = [&](std::size_t a, std::size_t b) {
     const double range = std::min(scan[a].at.norm(), scan[b].at.norm());
-    return (scan[a].at - scan[b].at).norm() > std::max(kGap_m, kGapSpacings * step * range);
+    return (scan[a].at - scan[b].at).norm() > std::max(kNear_m, kGapSpacings * step * range);
   };
   std::vector<ScanPoint> features(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) {

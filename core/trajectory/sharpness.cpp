@@ -6,6 +6,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/to_outer.h"
+#include "core/perception/constants.h"
 #include "core/trajectory/constants.h"
 
 namespace handmap {
@@ -37,7 +38,7 @@ std::vector<Placed> placed(const std::vector<SharpnessFrame>& frames,
     for (const SharpnessPoint& p : *frames[i]) {
       const Vec2 at = outer(p.at);
       const Vec2 ray = (at - poses[i].position()).normalized();
-      const double along = p.sigma * p.sigma + kWall_m * kWall_m;
+      const double along = p.sigma * p.sigma + perception::kWall_m * perception::kWall_m;
       points.push_back({at,
                         {along * ray.x() * ray.x() + 0.5 * kRound_m2, along * ray.x() * ray.y(),
                          along * ray.y() * ray.y() + 0.5 * kRound_m2},

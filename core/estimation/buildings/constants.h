@@ -15,6 +15,9 @@ inline constexpr double kRobotInside = -1e6;  // nats; limit: no rays tell as mu
 inline constexpr double kImpossible = -1e9;   // nats; limit: a box of no size, worse than that
 inline constexpr std::size_t kStride = 2;     // rays; choice: every second one, twice
 inline constexpr double kNear_m = 2.0;        // m; choice: what lies about a wall may be of it
+inline constexpr double kFloor_m =
+    0.3;  // m; measured: FIELD.md, σ of boxes, maps and poses of real places
+inline constexpr double kChance_m = 60.0;  // m; choice: walls of other buildings are spread so
 
 // Finding.
 inline constexpr double kLeastScore = 40.0;     // nats; choice: less is no building

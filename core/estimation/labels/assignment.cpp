@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/labels/constants.h"
 
 namespace handmap {
@@ -166,8 +167,8 @@ class Assigner {
         pairing(drawn_[building], uncertainty, found_[f], branch.motion, options_);
     if (!pair) return;
     // The same walls of a building that no one drew: anywhere, of any size.
-    const double undrawn =
-        log_undrawn_ * (pair->walls - pair->widths) / 2.0 - pair->widths * std::log(kSizeRange_m);
+    const double undrawn = log_undrawn_ * (pair->walls - pair->widths) / 2.0 -
+                           pair->widths * std::log(buildings::kChance_m);
     const double side_price = sides_[f] == side ? 0.0 : options_.wrong_side;
 
     Branch extended = branch;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/drawing/drawn_box.h"
 #include "core/estimation/labels/constants.h"
 
@@ -39,7 +40,7 @@ int farWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox&
     const auto wall = static_cast<std::size_t>(k);
     const double error = found.box.reach[wall] - prior.mean()[k];
     const auto slope = prior.slope().row(k);
-    const double variance = prior.covariance()(k, k) + kFoundFloor * kFoundFloor +
+    const double variance = prior.covariance()(k, k) + buildings::kFloor_m * buildings::kFloor_m +
                             found.covariance(k, k) + (slope * motion.covariance).dot(slope);
     far += static_cast<int>(error * error > kGate * variance);
   }
@@ -82,7 +83,7 @@ Match compareWalls(const DrawnBox& prior, const DrawingMotion& motion, const Fou
       const int other = walls[static_cast<std::size_t>(j)];
       covariance(i, j) = prior.covariance()(k, other) + found.covariance(k, other);
     }
-    covariance(i, i) += kFoundFloor * kFoundFloor;
+    covariance(i, i) += buildings::kFloor_m * buildings::kFloor_m;
   }
   covariance += slope * motion.covariance * slope.transpose();
   const Eigen::LLT<decltype(covariance)> factor(covariance);
@@ -117,7 +118,7 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
     std::remove_copy(seen.index.begin(), seen.index.begin() + seen.count, others.begin(),
                      seen.index[out]);
     Match without = compareWalls(prior, motion, found, {others.data(), count - 1});
-    without.log_likelihood += std::log(options.built_on / kSizeRange_m);
+    without.log_likelihood += std::log(options.built_on / buildings::kChance_m);
     if (without.log_likelihood > match.log_likelihood) match = without;
   }
   if (!(match.distance <= kGate)) return std::nullopt;

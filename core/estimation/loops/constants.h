@@ -5,14 +5,11 @@
 
 namespace handmap::loops {
 
-inline constexpr std::size_t kHeading = 4;  // index; derived: of a box's five parameters the last
-
 // Whether two boxes are one building.
 inline constexpr double kSeen_m = 1.0;       // m; choice: σ of a wall that is compared, at most
 inline constexpr double kWallFloor_m = 0.2;  // m; choice: σ of what two boxes of a wall may differ
 inline constexpr double kHeadingFloor = 0.02;  // rad; choice: the same of their headings
 inline constexpr double kGate = 12.0;          // σ²; choice: of one parameter, 3.5 σ
-inline constexpr double kChance_m = 60.0;      // m; choice: walls of other buildings are spread so
 inline constexpr double kSure = 10.0;  // nats; choice: as accepting an outline, FIELD.md 2 and 4
 
 }  // namespace handmap::loops

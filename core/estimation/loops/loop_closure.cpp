@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/loops/constants.h"
 
 namespace handmap {
@@ -74,7 +75,7 @@ class LoopCloser {
     next.pairs.push_back(candidates_[candidate]);
     for (const SharedParameter& parameter : shared) {
       Eigen::RowVector3d slope(0.0, 0.0, 1.0);
-      if (parameter.old_parameter != kHeading) {
+      if (parameter.old_parameter != buildings::kHeading) {
         slope << parameter.normal.x(), parameter.normal.y(),
             parameter.normal.dot(perpendicular(parameter.point - here_));
       }
@@ -83,7 +84,8 @@ class LoopCloser {
       const double error = parameter.error - slope.dot(next.drift);
       const double distance = error * error / variance;
       if (distance > kGate) return std::nullopt;
-      const double spread = parameter.old_parameter == kHeading ? kPi / 2.0 : kChance_m;
+      const double spread =
+          parameter.old_parameter == buildings::kHeading ? kPi / 2.0 : buildings::kChance_m;
       next.evidence += std::log(spread / std::sqrt(2.0 * kPi * variance)) - 0.5 * distance;
       next.drift += seen * (error / variance);
       next.covariance -= seen * seen.transpose() / variance;

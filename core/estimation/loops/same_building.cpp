@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/loops/constants.h"
 
 namespace handmap {
@@ -26,16 +27,16 @@ std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again)
     wall.old_slope.setZero();
     wall.again_slope.setZero();
     wall.old_slope[static_cast<Eigen::Index>(k)] = 1.0;
-    wall.old_slope[kHeading] = -perpendicular(wall.normal).dot(wall.point - a.pivot);
+    wall.old_slope[buildings::kHeading] = -perpendicular(wall.normal).dot(wall.point - a.pivot);
     wall.again_slope[static_cast<Eigen::Index>(j)] = -wall.normal.dot(b.normal(j));
-    wall.again_slope[kHeading] = -wall.normal.dot(perpendicular(wall.point - b.pivot));
+    wall.again_slope[buildings::kHeading] = -wall.normal.dot(perpendicular(wall.point - b.pivot));
     wall.variance = old.reachSigma(k) * old.reachSigma(k) +
                     again.reachSigma(j) * again.reachSigma(j) + kWallFloor_m * kWallFloor_m;
     shared.push_back(wall);
   }
   if (shared.empty()) return shared;
-  SharedParameter heading{kHeading,
-                          kHeading,
+  SharedParameter heading{buildings::kHeading,
+                          buildings::kHeading,
                           std::remainder(a.heading - b.heading, kPi / 2.0),
                           {},
                           {},
@@ -44,7 +45,7 @@ std::vector<SharedParameter> compare(const FoundBox& old, const FoundBox& again)
                           old.heading_sigma * old.heading_sigma +
                               again.heading_sigma * again.heading_sigma +
                               kHeadingFloor * kHeadingFloor};
-  heading.old_slope = Eigen::Matrix<double, 5, 1>::Unit(kHeading);
+  heading.old_slope = Eigen::Matrix<double, 5, 1>::Unit(buildings::kHeading);
   heading.again_slope = -heading.old_slope;
   shared.push_back(heading);
   return shared;

@@ -24,8 +24,6 @@ inline constexpr double kTogether = 2.0;  // σ; choice: what stands together is
 inline constexpr double kScale = 0.003;     // 1; choice: of the odometry, wheels well calibrated
 inline constexpr double kLeastBias = 1e-9;  // 1/m; limit: where the scan says that there is none
 inline constexpr double kUnknownHeading = 0.2;  // rad; choice: the drawing has no direction
-inline constexpr double kLeastKnown_m = 0.3;    // m; choice: as the poses that saw it
-inline constexpr double kSameWall_m = 0.1;      // m; choice: frames of two visits
 inline constexpr double kSameHeading = 0.01;    // rad; choice: the same
 inline constexpr double kNowhere_m2 = 1e6;      // m²; limit: a wall that was not seen
 

@@ -5,7 +5,9 @@
 
 #include <Eigen/LU>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/smoothing/constants.h"
+#include "core/perception/constants.h"
 
 namespace handmap {
 
@@ -37,7 +39,8 @@ void addReachDamping(int box_at, NormalEquations& equations) {
 
 void addKnownWalls(const FoundBox& found, int box_at, NormalEquations& equations) {
   for (int k = 0; k < 4; ++k) {
-    const double sigma = std::max(found.reachSigma(static_cast<std::size_t>(k)), kLeastKnown_m);
+    const double sigma =
+        std::max(found.reachSigma(static_cast<std::size_t>(k)), buildings::kFloor_m);
     equations.add(box_at + k, box_at + k, 1.0 / (sigma * sigma));
   }
 }
@@ -45,7 +48,7 @@ void addKnownWalls(const FoundBox& found, int box_at, NormalEquations& equations
 void addSame(const FoundBox& old, const FoundBox& again, int old_at, int again_at,
              NormalEquations& equations) {
   for (const SharedParameter& parameter : compare(old, again)) {
-    const double sigma = parameter.old_parameter < 4 ? kSameWall_m : kSameHeading;
+    const double sigma = parameter.old_parameter < 4 ? perception::kWall_m : kSameHeading;
     ScalarFactor<2 * kBoxSize> factor;
     factor.residual = parameter.error;
     factor.slope << parameter.old_slope, parameter.again_slope;

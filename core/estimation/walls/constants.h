@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/geometry/pose2.h"
+#include "core/perception/constants.h"
 
 namespace handmap::walls {
 
@@ -60,7 +60,6 @@ inline constexpr double kBin = kPi / 2.0 / static_cast<double>(kBins);  // rad; 
 inline constexpr double kForgetting = 0.95;    // 1; choice: a key frame, 40 m
 inline constexpr float kGap = 0.07F;           // rad; choice: between the returns of one piece
 inline constexpr double kMostPiece_m = 12.0;   // m; choice: a front
-inline constexpr double kRough_m = 0.1;        // m; choice: σ, that a wall is not straight
 inline constexpr double kLeastVotes_m = 20.0;  // m; choice: of a peak, two fronts
 inline constexpr double kLeastShare = 0.12;    // 1; choice: of all votes, eight directions each
 

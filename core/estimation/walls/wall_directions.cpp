@@ -21,7 +21,7 @@ class LinePiece {
     count_ += 1.0;
     sum_ += p;
     squares_ += p * p.transpose();
-    noise_ += noise_m * noise_m + kRough_m * kRough_m;
+    noise_ += noise_m * noise_m + perception::kWall_m * perception::kWall_m;
     length_ = p.norm();
   }
   double length() const { return length_; }

@@ -17,19 +17,19 @@ struct Room {
   const char* folder;
   std::size_t most;
 };
-constexpr Room kRooms[] = {{"core/map_match", 34},
-                           {"core/outlines", 109},
+constexpr Room kRooms[] = {{"core/map_match", 33},
+                           {"core/outlines", 103},
                            {"core/explain", 15},
                            {"core/estimation/drawing", 8},
-                           {"core/estimation/loops", 7},
-                           {"core/estimation/labels", 24},
-                           {"core/trajectory", 104},
-                           {"core/perception", 72},
+                           {"core/estimation/loops", 5},
+                           {"core/estimation/labels", 22},
+                           {"core/trajectory", 100},
+                           {"core/perception", 71},
                            {"core/odometry", 48},
-                           {"core/estimation", 31},
-                           {"core/estimation/buildings", 49},
-                           {"core/estimation/smoothing", 39},
-                           {"core/estimation/walls", 44},
+                           {"core/estimation", 30},
+                           {"core/estimation/buildings", 51},
+                           {"core/estimation/smoothing", 37},
+                           {"core/estimation/walls", 43},
                            {"core/tape", 2}};
 
 const std::regex kNumber(

@@ -1,0 +1,9 @@
+// What of a Gaussian has no closed form.
+#pragma once
+
+namespace handmap {
+
+inline constexpr double kMedianToSigma = 1.4826;  ///< σ over the median of how far it is off
+inline constexpr double kWithinSigma = 0.6827;    ///< the share within one σ
+
+}  // namespace handmap
