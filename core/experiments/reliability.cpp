@@ -58,8 +58,8 @@ std::optional<RunStatements> observeRun(const std::string& name, RunSession& ses
     if (before && (place - *before).norm() < kStatementStep_m) continue;
     before = place;
     const double off = (snapshot->report.pose.position() - place).norm();
-    for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
-      statements.pose[i].push_back({snapshot->report.within[i], off <= kWithin_m[i]});
+    for (std::size_t i = 0; i < method::kWithin_m.size(); ++i) {
+      statements.pose[i].push_back({snapshot->report.within[i], off <= method::kWithin_m[i]});
     }
   }
   if (stop.stop_requested()) return std::nullopt;

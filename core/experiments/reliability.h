@@ -21,9 +21,9 @@ struct Statement {
 struct RunStatements {
   std::string name;
   bool simulated = false;
-  /// Live, that the pose is off by no more than kWithin_m; once in kStatementStep_m of way, since
-  /// neighbouring poses are right or wrong together.
-  std::array<std::vector<Statement>, kWithin_m.size()> pose;
+  /// Live, that the pose is off by no more than method::kWithin_m; once in kStatementStep_m of way,
+  /// since neighbouring poses are right or wrong together.
+  std::array<std::vector<Statement>, method::kWithin_m.size()> pose;
   /// At the end, that a wall is off by no more than its σ: four of each building that was seen.
   std::vector<Statement> walls;
 };

@@ -26,10 +26,10 @@ struct Subject {
 
 std::vector<Subject> subjectsOf(const std::vector<const RunStatements*>& runs) {
   std::vector<Subject> subjects;
-  for (std::size_t i = 0; i <= kWithin_m.size(); ++i) {
-    const bool walls = i == kWithin_m.size();
+  for (std::size_t i = 0; i <= method::kWithin_m.size(); ++i) {
+    const bool walls = i == method::kWithin_m.size();
     Subject subject{walls ? "wall within its sigma"
-                          : fmt::format("pose within {} m", formatNumber(kWithin_m[i])),
+                          : fmt::format("pose within {} m", formatNumber(method::kWithin_m[i])),
                     {}};
     for (const RunStatements* run : runs) {
       const auto& stated = walls ? run->walls : run->pose[i];
@@ -111,7 +111,7 @@ Report reliabilityReport(const std::vector<RunStatements>& runs) {
       "\n| subject | runs | stated between | statements | stated | true |\n"
       "|:--------|:-----|---------------:|-----------:|-------:|-----:|\n";
   report.csv = "subject,runs,from,to,statements,stated,true,true_low,true_high\n";
-  for (std::size_t i = 0; i <= kWithin_m.size(); ++i) {
+  for (std::size_t i = 0; i <= method::kWithin_m.size(); ++i) {
     Chart chart;
     chart.x_label = "stated (%)";
     chart.y_label = "true (%) with 95 % interval (Wilson)";
@@ -134,10 +134,10 @@ Report reliabilityReport(const std::vector<RunStatements>& runs) {
       chart.title = fmt::format("Reliability: {}", subject.name);
       if (!series.points.empty()) chart.series.push_back(series);
     }
-    const bool walls = i == kWithin_m.size();
+    const bool walls = i == method::kWithin_m.size();
     report.charts.emplace_back(
         walls ? "reliability-walls.png"
-              : fmt::format("reliability-pose-{}m.png", formatNumber(kWithin_m[i])),
+              : fmt::format("reliability-pose-{}m.png", formatNumber(method::kWithin_m[i])),
         chart);
   }
   addRuns(runs, report);

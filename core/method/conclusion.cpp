@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/explain/seen_walls.h"
 #include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
+#include "core/method/constants.h"
 #include "core/outlines/refinement.h"
+#include "core/trajectory/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace method;
 
-constexpr double kMargin = 0.015;      // of sharpness: less is chance
-constexpr double kMostlyRight = 0.6;   // of the buildings that were seen
-constexpr double kLeastDrawn_m = 0.3;  // choice: no drawing places a building better
+namespace {
 
 // What decides is asked for what it must be, so that what is no number decides against.
 
 /// The ways of walls and buildings are dropped where they make what was seen less sharp.
 const TrajectoryHypothesis& believed(const RunKnowledge& known, double sharpness_alone) {
-  const double needed = sharpness_alone - kMargin;
+  const double needed = sharpness_alone - trajectory::kClearlySharper;
   if (known.walls && known.sharpness(known.walls->poses) >= needed) return *known.walls;
   return known.sharpness(known.buildings.poses) >= needed ? known.buildings : known.alone;
 }
@@ -37,7 +38,8 @@ std::optional<Conclusion> asDrawn(const Map& drawing, const RunKnowledge& known,
            known.alone.by == TrajectoryHypothesis::By::Scans ? kMatchedScans : kWheels, stop);
   if (stop.stop_requested()) return std::nullopt;
   TrajectoryHypothesis trajectory{known.alone.by, laid.poses()};
-  if (!(known.sharpness(trajectory.poses) >= sharpness_alone - kMargin)) return std::nullopt;
+  if (!(known.sharpness(trajectory.poses) >= sharpness_alone - trajectory::kClearlySharper))
+    return std::nullopt;
   const PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
   const double limit_m = known.seen.rangeLimit();
   if (!(supportOf(drawing, placed, limit_m, stop) >= kMostlyRight)) return std::nullopt;
@@ -77,7 +79,8 @@ double turnAmong(const Map& drawing, const Map& found, double alone) {
   double information = 1.0 / (alone * alone);
   for (const auto& [at, sigma] : seen) {
     const Vec2 arm = at - middle / static_cast<double>(seen.size());
-    information += arm.squaredNorm() / std::max(sigma * sigma, kLeastDrawn_m * kLeastDrawn_m);
+    information +=
+        arm.squaredNorm() / std::max(sigma * sigma, buildings::kFloor_m * buildings::kFloor_m);
   }
   return 1.0 / std::sqrt(information);
 }

@@ -9,6 +9,8 @@
 
 namespace handmap {
 
+using namespace method;
+
 std::optional<Conclusion> Conclusions::take() {
   const bool is_ready =
       made_.valid() && made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -21,7 +23,7 @@ std::optional<Conclusion> Conclusions::take() {
 
 void Conclusions::begin(double driven_m, const std::function<Make()>& know) {
   if (made_.valid() || driven_m < begin_at_m_ || now_() < begin_at_) return;
-  begin_at_m_ = driven_m + std::max(kStretch_m, kStretch * driven_m);
+  begin_at_m_ = driven_m + std::max(kStretch_m, kStretchShare * driven_m);
   std::promise<Made> promise;
   made_ = promise.get_future();
   thread_ = std::jthread([make = know(), now = now_,

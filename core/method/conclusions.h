@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/method/conclusion.h"
+#include "core/method/constants.h"
 
 namespace handmap {
 
@@ -39,17 +40,13 @@ class Conclusions {
   void begin(double driven_m, const std::function<Make()>& know);
 
  private:
-  static constexpr double kStretch_m = 20.0;
-  static constexpr double kStretch = 0.1;  // of the way
-  static constexpr int kRest = 2;
-
   struct Made {
     std::optional<Conclusion> conclusion;
     std::string trouble;  ///< why there is none, if it should have been
     Clock::duration took{};
   };
   Now now_ = Clock::now;
-  double begin_at_m_ = kStretch_m;
+  double begin_at_m_ = method::kStretch_m;
   Clock::time_point begin_at_{};
   std::string trouble_;
   std::future<Made> made_;

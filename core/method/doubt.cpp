@@ -2,26 +2,18 @@
 
 #include "core/map/certainty.h"
 #include "core/map/concerns.h"
+#include "core/method/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace method;
 
-// Shares of buildings that were wrong (overlap with the true one below 0.3, or a larger one with
-// another) among those of which the same was said, in 114 runs to the middle and to the end:
-// campus, corner and street with all their drawings, far rows, the laser of another simulator, and
-// five simulated scenes. Of 1,017 of which nothing was said 13 were wrong.
-constexpr double kNotRecognised = 0.4;  // 36 of 88, as many where labels were sure as where not
-constexpr double kOneConcern = 0.25;    // 14 of 57
-constexpr double kMoreConcerns = 0.4;   // 10 of 24
-/// What labels say of a building that was recognised: of those below this none of 9 was wrong, both
-/// above were, which are too few for a figure of their own.
-constexpr double kSlight = 0.3;
+namespace {
 
 double shareWrong(const Building& building, int concerns) {
   const double said = doubtOf(building);
-  if (!isRecognised(building)) return said > 0.0 ? kNotRecognised : 0.0;
-  if (concerns > 1 || said >= kSlight) return kMoreConcerns;
+  if (!isRecognised(building)) return said > 0.0 ? kProbablyWrong : 0.0;
+  if (concerns > 1 || said >= kSlight) return kProbablyWrong;
   return concerns == 1 ? kOneConcern : 0.0;
 }
 

@@ -14,9 +14,6 @@
 
 namespace handmap {
 
-/// Samples of each building that are shown.
-inline constexpr std::size_t kSwarmMembers = 20;
-
 class EstimationMethod {
  public:
   virtual ~EstimationMethod() = default;

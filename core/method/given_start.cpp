@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/method/constants.h"
 #include "core/odometry/given_poses.h"
+#include "core/trajectory/constants.h"
 #include "core/trajectory/pose_graph.h"
 
 namespace handmap {
 
-namespace {
+using namespace method;
 
-constexpr double kDoubted = 9.0;  // χ²: Cauchy's k of what was said before
-constexpr double kSaidLast = 1e9;
-constexpr int kMostSteps = 100;
-constexpr double kTooFar = 16.3;         // χ², three degrees of freedom, one in a thousand
-constexpr double kLeastVariance = 1e-6;  // m², rad²: what is held absolutely can be solved for
-// One σ of a metre of wheels: those of another simulator's robots were 5 % too long.
-constexpr double kWheelScale = 0.05;
+namespace {
 
 Eigen::Matrix3d root(const Eigen::Vector3d& sigma) { return sigma.cwiseInverse().asDiagonal(); }
 
@@ -95,24 +91,25 @@ Map GivenStart::drawing() const {
   const Eigen::Vector3d hand = handSigma();
   const Eigen::Vector3d before =
       said ? Eigen::Vector3d(said->position, said->position, said->heading) : hand;
-  constexpr std::size_t kStart = 1;  // 0 is the map's frame
+  const std::size_t start = 1;  // 0 is the map's frame
   // Wheels lead no farther than to the next place that is told.
   const std::size_t last = by_scans ? along_.size() - 1 : 0;
   PoseGraph graph({{}, given_[last].pose * inverse(wayTo(along_[last], by_scans).motion)});
-  say(graph, kStart, *drawing_.start, before.cwiseMax(std::sqrt(kLeastVariance)), kDoubted);
+  say(graph, start, *drawing_.start, before.cwiseMax(std::sqrt(kLeastVariance)),
+      trajectory::kKernel);
   for (std::size_t i = 0; i <= last; ++i) {
     const std::size_t here = graph.poses().size();
     const Way way = wayTo(along_[i], by_scans);
-    graph.addPose(graph.poses()[kStart] * way.motion);
-    say(graph, here, given_[i].pose, hand, i == last ? kSaidLast : kDoubted);
+    graph.addPose(graph.poses()[start] * way.motion);
+    say(graph, here, given_[i].pose, hand, i == last ? kSaidLast : trajectory::kKernel);
     if (const auto information = rootOf(way.variance.inverse())) {
-      graph.addEdge({kStart, here, {way.motion, *information}, kSaidLast});
+      graph.addEdge({start, here, {way.motion, *information}, kSaidLast});
     }
   }
   graph.optimize(kMostSteps);
   Map told = drawing_;
-  told.start = graph.poses()[kStart];
-  const Eigen::Matrix3d variance = graph.covariance(kStart);
+  told.start = graph.poses()[start];
+  const Eigen::Matrix3d variance = graph.covariance(start);
   told.start_uncertainty = {std::sqrt(0.5 * variance.topLeftCorner<2, 2>().trace()),
                             std::sqrt(variance(2, 2))};
   return told;

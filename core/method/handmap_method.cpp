@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "core/base/phrase.h"
+#include "core/estimation/buildings/constants.h"
 #include "core/estimation/estimator.h"
 #include "core/explain/seen_walls.h"
 #include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
 #include "core/method/conclusions.h"
+#include "core/method/constants.h"
 #include "core/method/doubt.h"
 #include "core/method/handmap_phases.h"
 #include "core/method/pose_trust.h"
@@ -17,6 +19,8 @@
 #include "core/trajectory/scan_trajectory.h"
 
 namespace handmap {
+
+using namespace method;
 
 namespace {
 
@@ -28,13 +32,6 @@ EstimatorOptions estimatorOptions(const SourceInfo& source, const RunSettings& s
   options.assignment.free_turn = settings.free_turn;
   return options;
 }
-
-/// What a map's frame and a start are off at best: as much as the reference poses of real places.
-constexpr double kReference_m = 0.3;
-/// A way of matched scans is turned about its start, and what is found along it with it. So far are
-/// the live poses of whole drives off as seen from there, rms: six rough simulated quarters 0.34°,
-/// rough campuses 0.17°; real ones 0.56° (a campus) and 0.38° (a street).
-constexpr double kMatchedTurn = toRadians(0.3);
 
 class HandmapMethod : public EstimationMethod {
  public:
@@ -202,7 +199,6 @@ class HandmapMethod : public EstimationMethod {
   /// A drawing that says that it is true as a whole, and nearly so in its parts, is one to lay the
   /// way on.
   void matchToWalls(const Pose2& odometry) {
-    constexpr double kNearlyTrue_m = 1.0;
     const WholeUncertainty& whole = drawing_.whole;
     if (!whole.scale || *whole.scale > 0.0 || !whole.turn || *whole.turn > 0.0) return;
     if (std::max(drawing_.uncertainty.position, drawing_.shiftSigma()) > kNearlyTrue_m) return;
@@ -319,7 +315,7 @@ class HandmapMethod : public EstimationMethod {
       const double stated = (covariance + buildings).topLeftCorner<2, 2>().trace();
       if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
     }
-    covariance.diagonal().head<2>().array() += kReference_m * kReference_m;
+    covariance.diagonal().head<2>().array() += buildings::kFloor_m * buildings::kFloor_m;
     const bool laid =
         by == TrajectoryHypothesis::By::Walls || (concluded_ && concluded_->covariance);
     if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "core/method/constants.h"
+
 namespace handmap {
 
-namespace {
+using namespace method;
 
-constexpr double kMoved_m = 0.01;  // less is rounding
+namespace {
 
 PhaseKind kindOf(EstimatorPhase phase) {
   switch (phase) {
@@ -86,7 +88,7 @@ void HandmapPhases::tellCorrection(Phase& phase, const Map& before) const {
   for (std::size_t b = 0; b < std::min(before.buildings.size(), after.buildings.size()); ++b) {
     const double moved =
         (after.buildings[b].box().centre - before.buildings[b].box().centre).norm();
-    if (moved > kMoved_m) ++phase.facts.count;
+    if (moved > kLeast_m) ++phase.facts.count;
     phase.facts.moved_m = std::max(phase.facts.moved_m, moved);
   }
   phase.facts.happened = phase.shown.report.loops > loops_;

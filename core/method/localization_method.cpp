@@ -45,12 +45,11 @@ class LocalizationMethod : public EstimationMethod {
     recognition_.state(matched_.covariance(), report);
   }
   std::vector<ParticleView> particles() const override {
-    constexpr std::uint32_t kPose = 0;
     const PoseSampler sample(matched_.pose(), matched_.covariance());
     std::vector<ParticleView> views;
     for (int i = 0; i < particles_; ++i) {
       RandomStream random(seed_, static_cast<std::uint32_t>(times_.size()),
-                          static_cast<std::uint32_t>(i), kPose);
+                          static_cast<std::uint32_t>(i), 0);
       views.push_back({sample(random), 1.0 / particles_});
     }
     return views;

@@ -6,6 +6,7 @@
 
 #include "core/explain/seen_walls.h"
 #include "core/fastslam/fastslam_psom.h"
+#include "core/method/constants.h"
 #include "core/method/paper_phases.h"
 #include "core/method/pose_trust.h"
 #include "core/method/recognition.h"
@@ -71,7 +72,7 @@ class PaperMethod : public EstimationMethod {
   std::vector<BuildingSwarm> swarms() const override {
     std::vector<BuildingSwarm> swarms;
     for (const std::size_t building : slam_.near()) {
-      BuildingSwarm swarm{building, slam_.swarmOf(building, kSwarmMembers)};
+      BuildingSwarm swarm{building, slam_.swarmOf(building, method::kSwarmMembers)};
       if (!swarm.members.empty()) swarms.push_back(std::move(swarm));
     }
     return swarms;

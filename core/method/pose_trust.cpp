@@ -6,24 +6,17 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/gaussian.h"
 #include "core/map/certainty.h"
+#include "core/method/constants.h"
 #include "core/method/recognition.h"
 #include "core/odometry/constants.h"
 
 namespace handmap {
 
-namespace {
+using namespace method;
 
-constexpr double kLeastSigma_m = 0.01;
-constexpr double kMostSigmas = 6.0;
-constexpr int kSteps = 60;     // of the integral: exact to 1e-3
-constexpr int kHalvings = 12;  // of an interval as long as its end
-constexpr double kInsideOneSigma = 0.6827;
-constexpr double kHowOften = 0.9;
-constexpr double kHeadingSigmas = 1.645;  // nine of ten, both sides
-constexpr double kSureWithin_m = 1.5;
-constexpr double kRoughWithin_m = 5.0;
-constexpr double kSureHeading = toRadians(15.0);
+namespace {
 
 double cumulative(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
@@ -32,26 +25,25 @@ double cumulative(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); 
 double probabilityWithin(const Eigen::Matrix2d& covariance, double distance_m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);
   const auto sigma = [&](Eigen::Index i) {
-    return std::sqrt(std::max(axes.eigenvalues()[i], kLeastSigma_m * kLeastSigma_m));
+    return std::sqrt(std::max(axes.eigenvalues()[i], kLeast_m * kLeast_m));
   };
   const double narrow = sigma(0);
   const double wide = sigma(1);
   // Along the wide axis by the midpoint rule, across it exactly.
   const double end = std::min(distance_m, kMostSigmas * wide);
   double sum = 0.0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double at = end * (i + 0.5) / kSteps;
+  for (int i = 0; i < kIntegralSteps; ++i) {
+    const double at = end * (i + 0.5) / kIntegralSteps;
     const double across = std::sqrt(std::max(0.0, distance_m * distance_m - at * at));
     const double z = at / wide;
     sum += std::exp(-0.5 * z * z) * (2.0 * cumulative(across / narrow) - 1.0);
   }
-  return std::min(1.0, 2.0 * sum * end / kSteps / (wide * std::sqrt(2.0 * kPi)));
+  return std::min(1.0, 2.0 * sum * end / kIntegralSteps / (wide * std::sqrt(2.0 * kPi)));
 }
 
 double radiusHolding(const Eigen::Matrix2d& covariance, double probability) {
   double low = 0.0;
-  double high = kLeastSigma_m;
-  constexpr double kFarthest_m = 1e6;
+  double high = kLeast_m;
   while (high < kFarthest_m && probabilityWithin(covariance, high) < probability) high *= 2.0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
@@ -114,7 +106,7 @@ std::vector<BuildingTrust> trustOf(const Map& refined) {
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
     const Building& building = refined.buildings[b];
     if (!isRecognised(building)) continue;
-    BuildingTrust trust{b, {}, kInsideOneSigma * (1.0 - doubtOf(building))};
+    BuildingTrust trust{b, {}, kWithinSigma * (1.0 - doubtOf(building))};
     const Sides sides = sidesOf(building);
     for (std::size_t k = 0; k < sides.size(); ++k) trust.sigma_m[k] = sides[k].sigma;
     trusts.push_back(trust);

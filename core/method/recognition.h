@@ -9,9 +9,6 @@
 
 namespace handmap {
 
-/// Less is not worth a word: gaps between buildings.
-inline constexpr double kUnrecognised_m = 50.0;
-
 class Recognition {
  public:
   enum class Drawing { FromMemory, True };

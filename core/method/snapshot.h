@@ -9,6 +9,7 @@
 #include "core/base/lazy.h"
 #include "core/base/shared_list.h"
 #include "core/map/map.h"
+#include "core/method/constants.h"
 #include "core/perception/local_map.h"
 #include "core/recording/trajectory.h"
 #include "core/tape/panning.h"
@@ -39,9 +40,6 @@ struct StageTimes {
   double total = 0.0;
 };
 
-/// Distances from the stated pose, metres, for which it is told how probably it is right.
-inline constexpr std::array<double, 3> kWithin_m = {1.0, 2.0, 5.0};
-
 struct FrameReport {
   int frame = 0;
   double time_s = 0.0;
@@ -51,8 +49,8 @@ struct FrameReport {
   Pose2 pose;
   std::array<double, 3> pose_sigma{};  ///< x, y in metres, heading in radians
   double pose_xy = 0.0;                ///< covariance of x and y, square metres
-  /// Probability that the pose is off by no more than kWithin_m.
-  std::array<double, kWithin_m.size()> within{};
+  /// Probability that the pose is off by no more than method::kWithin_m.
+  std::array<double, method::kWithin_m.size()> within{};
   bool odometry_guessed = false;  ///< see Observation
   /// Of the observation, nats: by the published method that of its particles, by ours how much
   /// better the buildings in sight explain what was seen than nothing does. Absent: not known.

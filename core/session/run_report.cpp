@@ -78,8 +78,8 @@ Json frameJson(const FrameReport& frame) {
             {"visible_buildings", frame.visible_buildings},
             {"pose", {frame.pose.x, frame.pose.y, frame.pose.heading}},
             {"pose_sigma", frame.pose_sigma}};
-  for (std::size_t i = 0; i < kWithin_m.size(); ++i) {
-    json["within"][formatNumber(kWithin_m[i]) + "_m"] = rounded(frame.within[i]);
+  for (std::size_t i = 0; i < method::kWithin_m.size(); ++i) {
+    json["within"][formatNumber(method::kWithin_m[i]) + "_m"] = rounded(frame.within[i]);
   }
   if (frame.odometry_guessed) json["odometry_guessed"] = true;
   return json;

@@ -7,6 +7,7 @@
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/map/certainty.h"
+#include "core/method/constants.h"
 #include "core/method/recognition.h"
 #include "core/odometry/given_poses.h"
 
@@ -152,7 +153,7 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
                 100.0 * alone, outcome.range_limit_m),
          phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }
-  if (outcome.unrecognised_m >= kUnrecognised_m) {
+  if (outcome.unrecognised_m >= method::kUnrecognised_m) {
     return {
         {"end_unrecognised",
          phrase("Nothing of the drawing was recognised on the last {:.0f} m: the robot may have "
@@ -160,7 +161,7 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
                 outcome.unrecognised_m),
          phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }
-  if (counts.unrecognised_m >= kUnrecognised_m) {
+  if (counts.unrecognised_m >= method::kUnrecognised_m) {
     return {
         {"part_unrecognised",
          phrase(

@@ -30,6 +30,7 @@ constexpr Room kRooms[] = {{"core/map_match", 33},
                            {"core/estimation/buildings", 51},
                            {"core/estimation/smoothing", 37},
                            {"core/estimation/walls", 43},
+                           {"core/method", 37},
                            {"core/tape", 2}};
 
 const std::regex kNumber(

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/map/certainty.h"
+#include "core/method/constants.h"
 #include "core/method/pose_trust.h"
 #include "core/method/recognition.h"
 
@@ -85,7 +86,7 @@ QString Words::certainty(const FrameReport& report) {
   const auto [kind, within_m, heading_rad] = certaintyOf(report);
   const auto heading_deg = static_cast<int>(std::ceil(toDegrees(heading_rad)));
   const QString unrecognised = metres(report.unrecognised_m);
-  const bool is_unrecognised = report.unrecognised_m >= kUnrecognised_m;
+  const bool is_unrecognised = report.unrecognised_m >= method::kUnrecognised_m;
   if (is_unrecognised && kind != Certainty::Lost) {
     return tr("Unsure: nothing of the drawing recognised for %1 m; if it was right before, within "
               "%2 m")
