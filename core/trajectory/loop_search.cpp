@@ -22,11 +22,7 @@ void LoopSearch::add(const Pose2& smooth, const std::vector<ScanPoint>& scan) {
   const auto near = [](const ScanPoint& p) { return p.at.norm() < perception::kFar_m; };
   keyframe.scan.reserve(  // for the whole run, and not an entry more
       static_cast<std::size_t>(std::count_if(scan.begin(), scan.end(), near)));
-  for (const ScanPoint& p : scan) {
-    if (!near(p)) continue;
-    keyframe.scan.push_back(
-        {p.at.cast<float>(), p.normal.cast<float>(), static_cast<float>(p.chance)});
-  }
+  std::copy_if(scan.begin(), scan.end(), std::back_inserter(keyframe.scan), near);
   points_ += keyframe.scan.size();
   keyframes_.push_back(std::move(keyframe));
   if (points_ > most_points_) thinOut();
@@ -48,13 +44,8 @@ std::vector<ScanPoint> LoopSearch::submap(std::size_t middle, std::size_t reach)
   const std::size_t last = std::min(middle + reach, keyframes_.size() - 1);
   for (std::size_t i = first; i <= last; ++i) {
     const Pose2 pose = between(keyframes_[middle].smooth, keyframes_[i].smooth);
-    std::vector<ScanPoint> seen;
-    seen.reserve(keyframes_[i].scan.size());
-    for (const KeptPoint& p : keyframes_[i].scan) {
-      seen.push_back({p.at.cast<double>(), p.normal.cast<double>(), p.chance});
-    }
-    const std::vector<ScanPoint> there = moved(seen, pose);
-    points.insert(points.end(), there.begin(), there.end());
+    const std::vector<ScanPoint> seen = moved(keyframes_[i].scan, pose);
+    points.insert(points.end(), seen.begin(), seen.end());
   }
   return thinned(points, kNear_m);
 }

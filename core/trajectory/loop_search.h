@@ -20,7 +20,7 @@ struct Loop {
 
 class LoopSearch {
  public:
-  /// With more than `most_points`, 20 bytes each, every second scan of those passed is let go: of a
+  /// With more than `most_points`, 40 bytes each, every second scan of those passed is let go: of a
   /// planar scanner after four kilometres.
   explicit LoopSearch(std::size_t most_points = trajectory::kMostPoints)
       : most_points_(most_points) {}
@@ -36,15 +36,10 @@ class LoopSearch {
   std::size_t points() const { return points_; }  ///< that it keeps
 
  private:
-  /// Of a ScanPoint: a scan is kept for the whole run, and no scanner is as precise as a float.
-  struct KeptPoint {
-    Eigen::Vector2f at, normal;
-    float chance;
-  };
   struct Keyframe {
     Pose2 smooth;
     double travelled_m;
-    std::vector<KeptPoint> scan;
+    std::vector<ScanPoint> scan;
   };
   std::vector<ScanPoint> submap(std::size_t middle, std::size_t reach) const;
   std::vector<std::size_t> candidates(std::size_t newest, const std::vector<Pose2>& poses,
