@@ -34,7 +34,8 @@ struct SideError {
 struct Compared {
   std::vector<SideError> sides;
   double drawn_sigma = 0.0;  ///< of a side, as the drawing says
-  bool fixed = false;        ///< right whatever was seen
+  Bounds drawn;
+  bool fixed = false;  ///< right whatever was seen
   double right = 0.5;
 };
 
@@ -55,6 +56,7 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
   const double fitted_heading = fitted.box().heading;
   const Sides sides = sidesOf(fitted);
   const Polygon before = drawn.footprint();
+  building.drawn = boundsOf(before);
   const Polygon after = fitted.footprint();
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Vec2 normal = unitVector(box.heading + static_cast<double>(k) * kPi / 2.0);
@@ -112,9 +114,9 @@ class Mixture {
     if (askew.log_density_ > log_density_) *this = std::move(askew);
     if (countOfRight() >= kLeastTogether) return false;
     Mixture all = *this;
-    if (start_is_known) all.forgetStart();
+    if (start_is_known) all.prior_.topLeftCorner<3, 3>().setZero();
     all.takeAllAsDrawn();
-    const bool refuted = start_is_known && all.refutes(prior_, way_turn);
+    const bool refuted = start_is_known && all.refutesStart(way_turn);
     if (!start_is_known || refuted) {
       *this = std::move(all);
     } else {
@@ -144,24 +146,33 @@ class Mixture {
     }
   }
 
-  void forgetStart() {
-    prior_.topLeftCorner<3, 3>().diagonal() =
-        Eigen::Array3d(kRefutedStart_m, kRefutedStart_m, kRefutedStartTurn).square().inverse();
-  }
   /// All tell how the whole lies, each as well as it is drawn.
   void takeAllAsDrawn() {
     for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
     for (int round = 0; round < kMostRounds; ++round) maximize();
   }
-  /// Whether it lies where a start of this information cannot have it.
-  bool refutes(const LieMatrix& start, double way_turn) const {
-    Eigen::Matrix3d variance =
-        covariance_.topLeftCorner<3, 3>() + start.topLeftCorner<3, 3>().inverse();
+  /// Whether it lies where an exact start, and a way that may be turned about it, cannot have it.
+  bool refutesStart(double way_turn) const {
+    Eigen::Matrix3d variance = covariance_.topLeftCorner<3, 3>();
     variance(2, 2) += way_turn * way_turn;
     const Eigen::Vector3d off = lie_.head<3>();
-    return countOfSeen() >= kLeastToRefute && off.dot(variance.inverse() * off) > kRefuted;
+    return countOfApart() >= kLeastApart && off.dot(variance.inverse() * off) > kRefuted;
   }
 
+  /// Houses of a row were drawn off together: they count once.
+  std::ptrdiff_t countOfApart() const {
+    std::vector<Bounds> apart;
+    for (const Compared& building : buildings_) {
+      const Vec2 slack = Vec2::Constant(kDrawnSlack_m);
+      const Bounds near{building.drawn.low - slack, building.drawn.high + slack};
+      const bool touches = std::ranges::any_of(apart, [&](const Bounds& b) {
+        return (near.low.array() <= b.high.array()).all() &&
+               (b.low.array() <= near.high.array()).all();
+      });
+      if (!building.sides.empty() && !touches) apart.push_back(building.drawn);
+    }
+    return std::ssize(apart);
+  }
   std::ptrdiff_t countOfSeen() const {
     return std::ranges::count_if(buildings_, [](const Compared& b) { return !b.sides.empty(); });
   }

@@ -147,9 +147,8 @@ inline constexpr double kLabelled_m = 1.0;   // m; measured: σ of what was foun
 inline constexpr double kTells = 3.0;        // nats; choice: for or against a building
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start
 inline constexpr double kStart_m = 0.3;               // m; choice: the same
-inline constexpr double kRefuted = 7.8;         // 1; derived: χ² of shift and turn, one in twenty
-inline constexpr double kRefutedStart_m = 5.0;  // m; choice: σ of a start that is refuted
-inline constexpr double kRefutedStartTurn = toRadians(10.0);  // rad; choice: the same
+inline constexpr std::ptrdiff_t kLeastApart = 8;  // buildings; measured: 12 in two rows count as 7
+inline constexpr double kRefuted = 16.3;  // 1; derived: χ² of shift and turn, one in a thousand
 inline constexpr std::ptrdiff_t kLeastToRefute =
     5;                                         // buildings; choice: fewer may all be misplaced
 inline constexpr double kLeastStart_m = 0.01;  // m; limit: of one said to be exact

@@ -4793,6 +4793,14 @@
         <source>{} × {} cells of {} m</source>
         <translation>{} × {} セル（一辺 {} m）</translation>
     </message>
+    <message>
+        <source>The drawn buildings together say that the run began {:.1f} m and {:.0f}° off the drawn start: they were believed.</source>
+        <translation>描かれた建物はそろって、走行が描かれた開始位置から {:.1f} m、{:.0f}° ずれた所で始まったと示しています。建物を信じました。</translation>
+    </message>
+    <message>
+        <source>Correct the start, or state how sure it is.</source>
+        <translation>開始位置を直すか、その確かさを指定してください。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

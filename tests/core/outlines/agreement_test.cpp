@@ -136,6 +136,34 @@ TEST(Agreement, FindsHowTheWayLiesOnADrawingThatIsRight) {
   EXPECT_NEAR(agreement.motion.heading, turned.heading, toRadians(0.15));
 }
 
+TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
+  Map drawing = sixHouses();
+  for (int i = 0; i < 3; ++i) {
+    drawing.buildings.push_back(drawing.buildings[static_cast<std::size_t>(i)]);
+    std::get<Rectangle>(drawing.buildings.back().shape).centre.y() += 60.0;
+  }
+  drawing.uncertainty = {2.0, 1.0};
+  const Pose2 off{4.0, -3.0, toRadians(6.0)};
+  Map fitted = drawing;
+  RandomStream random(11);
+  for (Building& house : fitted.buildings) {
+    see(house);
+    auto& box = std::get<Rectangle>(house.shape);
+    box.centre = off.toOuter(box.centre);
+    box.heading += off.heading;
+    shift(house, {random.normal(0.0, 1.0), random.normal(0.0, 1.0)});
+  }
+  const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+  EXPECT_TRUE(agreement.refutes_start);
+  EXPECT_NEAR(agreement.motion.heading, off.heading, toRadians(2.0));
+  EXPECT_LT((agreement.motion.position() - off.position()).norm(), 2.0);
+  for (std::size_t b = 0; b < 9; ++b) {  // one row, wall to wall, drawn off together
+    std::get<Rectangle>(drawing.buildings[b].shape).centre = Vec2(10.0 + 12.0 * double(b), 15.0);
+    std::get<Rectangle>(fitted.buildings[b].shape).centre = Vec2(14.0 + 12.0 * double(b), 18.0);
+  }
+  EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
+}
+
 TEST(Agreement, TakesWhatWasNotSeenAsTheRest) {
   const Map drawing = sixHouses();
   Map fitted = drawing;
@@ -150,7 +178,7 @@ TEST(Agreement, NeverDoubtsWhatThePersonFixed) {
   Map fitted = drawing;
   for (Building& house : fitted.buildings) {
     see(house);
-    shift(house, {6.0, 5.0});
+    shift(house, (house.id == "A" || house.id == "D" ? 1.0 : -1.0) * Vec2(6.0, 5.0));
   }
   const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
   EXPECT_EQ(agreement.right[0], 1.0);
