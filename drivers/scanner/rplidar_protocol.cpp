@@ -130,7 +130,10 @@ std::optional<rplidar::Descriptor> parseDescriptor(std::span<const std::uint8_t>
   const auto answer = static_cast<rplidar::Answer>(bytes[6]);
   const std::size_t size = rplidar::sizeOf(answer);
   if (size == 0 || (word & 0x3fffffffU) != size || word >> 30U > 1) return std::nullopt;
-  return rplidar::Descriptor{answer, word >> 30U == 1};
+  const bool many = word >> 30U == 1;
+  const bool comes_once = answer == rplidar::Answer::Info || answer == rplidar::Answer::Health;
+  if (many && comes_once) return std::nullopt;
+  return rplidar::Descriptor{answer, many};
 }
 
 }  // namespace

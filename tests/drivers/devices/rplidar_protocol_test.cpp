@@ -92,6 +92,16 @@ TEST(Rplidar, AnswersAreFoundAmongNoiseAndInPieces) {
   EXPECT_EQ(*health, 2);
 }
 
+TEST(Rplidar, AnAnswerThatComesOnceIsNoStream) {
+  for (const auto* begins : {"\xA5\x5A\x03\0\0\x40\x06", "\xA5\x5A\x14\0\0\x40\x04"}) {
+    RplidarReader reader;
+    reader.feed(std::string(begins, 7));
+    const auto events = reader.feed(std::string(3, '\xA5') + std::string(40, 'i'));
+    EXPECT_TRUE(events.measurements.empty());
+    EXPECT_FALSE(events.info || events.health);
+  }
+}
+
 TEST(Rplidar, AfterALostByteTheCapsulesAreFoundAgain) {
   RplidarReader reader;
   reader.feed(std::string("\xA5\x5A\x54\0\0\x40\x85", 7));
