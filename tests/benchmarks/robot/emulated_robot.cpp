@@ -139,8 +139,10 @@ class Told {
     fmt::print("{:.0f} s, {:.0f} m driven: {} poses told", round_.now(), round_.driven_m(),
                ages_s_.size());
     if (!ages_s_.empty()) {
-      fmt::print(", {:.3f} s old (nine of ten within {:.3f}, all within {:.3f}), {:.2f} m off, told as {:.2f} m",
-                 age(0.5), age(0.9), age(1.0), off_m_, sigma_m_);
+      fmt::print(
+          ", {:.3f} s old (nine of ten within {:.3f}, all within {:.3f}), {:.2f} m off, told as "
+          "{:.2f} m",
+          age(0.5), age(0.9), age(1.0), off_m_, sigma_m_);
     }
     fmt::print("\n");
     std::fflush(stdout);

@@ -279,7 +279,7 @@ TEST(RunSession, AGivenPoseTellsWhereItStarted) {
     RunSession session(drawing, scans(), settings);
     while (session.step()) {
     }
-    const StampedPose& last = session.trajectory().back();
+    const StampedPose last = session.trajectory().back();
     EXPECT_EQ(last.time_s, truth.back().time_s);
     const Map refined = session.refinedMap();
     EXPECT_TRUE(refined.start_uncertainty);
