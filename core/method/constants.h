@@ -44,7 +44,6 @@ inline constexpr double kFarthest_m = 1e6;  // m; limit: of a radius
 // A start that is given later.
 inline constexpr double kSaidLast = 1e9;  // χ²; limit: no kernel
 inline constexpr int kMostSteps = 100;    // iterations; limit: it has settled before
-inline constexpr double kTooFar = 16.3;   // χ²; derived: of three, one in a thousand
 
 // Whether walls are recognised. So counted, 30 right drives (a campus, a corner, a street, a
 // boulevard, grids and rows of houses, a town) never came below -28 m, also in gaps of 400 m

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/gaussian.h"
 #include "core/method/constants.h"
 #include "core/odometry/given_poses.h"
 #include "core/trajectory/constants.h"
@@ -44,7 +45,7 @@ void GivenStart::add(double time_s, const Odometry& odometry, const Percept& per
   wheels_.add(odometry);
   guessed_ = odometry.guessed;
   const double passed = is_first ? 0.0 : time_s - last_s_;
-  for (; !isDone() && given_[along_.size()].time_s <= time_s;) {
+  while (!isDone() && given_[along_.size()].time_s <= time_s) {
     const double left = time_s - given_[along_.size()].time_s;
     const double share = passed > 0.0 ? std::max(0.0, 1.0 - left / passed) : 1.0;
     along_.push_back({trajectory_.recorded().size() - 1, share, driven_m_, trajectory_.covariance(),
@@ -81,7 +82,7 @@ bool GivenStart::mayDrift(const Way& way) const {
                             normalizedAngle(there.heading - way.motion.heading));
   Eigen::Matrix3d variance = way.variance;
   variance.diagonal() += handSigma().cwiseAbs2();
-  return off.dot(variance.inverse() * off) < kTooFar;
+  return off.dot(variance.inverse() * off) < kRareSquareOfThree;
 }
 
 Map GivenStart::drawing() const {

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/base/gaussian.h"
 #include "core/estimation/buildings/constants.h"
 #include "core/map/certainty.h"
 #include "core/outlines/constants.h"
@@ -156,7 +157,7 @@ class Mixture {
     Eigen::Matrix3d variance = covariance_.topLeftCorner<3, 3>();
     variance(2, 2) += way_turn * way_turn;
     const Eigen::Vector3d off = lie_.head<3>();
-    return countOfApart() >= kLeastApart && off.dot(variance.inverse() * off) > kRefuted;
+    return countOfApart() >= kLeastApart && off.dot(variance.inverse() * off) > kRareSquareOfThree;
   }
 
   /// Houses of a row were drawn off together: they count once.

@@ -148,7 +148,6 @@ inline constexpr double kTells = 3.0;        // nats; choice: for or against a b
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start
 inline constexpr double kStart_m = 0.3;               // m; choice: the same
 inline constexpr std::ptrdiff_t kLeastApart = 8;  // buildings; measured: 12 in two rows count as 7
-inline constexpr double kRefuted = 16.3;  // 1; derived: χ² of shift and turn, one in a thousand
 inline constexpr std::ptrdiff_t kLeastToRefute =
     5;                                         // buildings; choice: fewer may all be misplaced
 inline constexpr double kLeastStart_m = 0.01;  // m; limit: of one said to be exact

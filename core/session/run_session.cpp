@@ -1,6 +1,7 @@
 #include "core/session/run_session.h"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include <malloc.h>
@@ -62,6 +63,12 @@ class Waiting {
   double ms_ = 0.0;
 };
 
+/// Where poses are given it is looked twice at what leads to them.
+TapeLimits limits(const RunSettings& settings) {
+  if (settings.given_poses.empty()) return {};
+  return {TapeLimits::toDoAgain().memory, std::numeric_limits<std::size_t>::max()};
+}
+
 }  // namespace
 
 struct RunSession::State {
@@ -79,9 +86,12 @@ struct RunSession::State {
 
   const SourceInfo& source() const { return tape->info(); }
   bool begin(const std::stop_token& stop);
+  std::vector<StampedPose> allOdometry() const {
+    return source().odometry.empty() ? tape->odometry() : source().odometry;
+  }
+  bool lookAlong(GivenStart& start, const std::stop_token& stop);
   GivenPoses bent() const {
-    return {*drawing.start, source().start_odometry,
-            source().odometry.empty() ? tape->odometry() : source().odometry, settings.given_poses};
+    return {*drawing.start, source().start_odometry, allOdometry(), settings.given_poses};
   }
   std::optional<Tape::Taken> nextReadable(const std::stop_token& stop,
                                           const std::function<void(double)>& progress);
@@ -126,9 +136,7 @@ struct RunSession::State {
 RunSession::RunSession(Map drawing, std::unique_ptr<ObservationSource> source,
                        const RunSettings& settings)
     : RunSession(std::move(drawing),
-                 std::make_shared<Tape>(
-                     std::move(source), settings.perception,
-                     settings.given_poses.empty() ? TapeLimits() : TapeLimits::toDoAgain()),
+                 std::make_shared<Tape>(std::move(source), settings.perception, limits(settings)),
                  settings) {}
 
 RunSession::RunSession(Map drawing, std::shared_ptr<Tape> tape, const RunSettings& settings)
@@ -142,22 +150,34 @@ void RunSession::setTracing(bool on) { state_->tracing = on; }
 const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->skipped; }
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
 
+/// The way to the last given pose. False where `stop` was requested.
+bool RunSession::State::lookAlong(GivenStart& start, const std::stop_token& stop) {
+  if (source().camera) {  // no scans; and a picture is there once, for whoever looks at the run
+    for (const StampedPose& pose : allOdometry()) {
+      if (!start.isDone()) start.add(pose.time_s, pose.pose, {}, stop);
+    }
+    return !stop.stop_requested();
+  }
+  for (std::size_t n = 0; !start.isDone(); ++n) {
+    const std::optional<Tape::Taken> next = tape->take(n, stop);
+    if (stop.stop_requested()) return false;
+    if (!next) break;
+    if (const auto& seen = next->entry.perceived) {
+      const Observation& observation = seen->observation;
+      start.add(observation.time_s, {observation.odometry, observation.odometry_variance},
+                seen->percept, stop);
+    }
+  }
+  return true;
+}
+
 /// Poses that were given may tell where it started; where no matched scans lead there the odometry
 /// is bent, too. Returns false, to be done anew, when `stop` was requested.
 bool RunSession::State::begin(const std::stop_token& stop) {
   if (begun) return true;
   if (!settings.given_poses.empty() && settings.method == Method::Handmap) {
     GivenStart start(drawing, source(), settings.given_poses);
-    for (std::size_t n = 0; !start.isDone(); ++n) {
-      const std::optional<Tape::Taken> next = tape->take(n, stop);
-      if (stop.stop_requested()) return false;
-      if (!next) break;
-      if (const auto& seen = next->entry.perceived) {
-        const Observation& observation = seen->observation;
-        start.add(observation.time_s, {observation.odometry, observation.odometry_variance},
-                  seen->percept, stop);
-      }
-    }
+    if (!lookAlong(start, stop)) return false;
     drawing = start.drawing();
     given = start.isByScans() ? GivenPoses() : bent();
     method = makeMethod(drawing, source(), settings);

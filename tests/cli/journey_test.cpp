@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <regex>
+#include <sstream>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -143,6 +144,28 @@ TEST_F(Journey, TakesAPoseThatIsGiven) {
   expectFailed(run(slam({"--given-poses", "late.tum"})), 2,
                "handmap-cli: error: a pose is given at 40000 s, but the odometry of the run does "
                "not reach there\nhint: give times of the recording\n");
+}
+
+TEST_F(Journey, AGivenPoseTakesNoPictureFromTheRun) {
+  ASSERT_EQ(run({"simulate", "--images", "--moving", "--step", "12", "--width", "96", "--height",
+                 "64", "--out", "seen"})
+                .status,
+            0);
+  std::istringstream truth(contentOf("seen/truth.tum"));
+  std::vector<std::string> poses;
+  for (std::string line; std::getline(truth, line);) {
+    if (!line.starts_with("#")) poses.push_back(line);
+  }
+  ASSERT_GT(poses.size(), 4U);
+  writeText("given.tum", poses[poses.size() / 2] + "\n");
+  ASSERT_EQ(run({"run", "--map", "seen/sketch.handmap", "--recording", "seen", "--given-poses",
+                 "given.tum", "--mcap", "seen.mcap"})
+                .status,
+            0);
+  const std::string held = run({"info", "seen.mcap"}).out;
+  std::smatch count;
+  ASSERT_TRUE(std::regex_search(held, count, std::regex(R"(image/compressed\s+\S+\s+(\d+))")));
+  EXPECT_EQ(std::stoul(count[1]), poses.size());
 }
 
 TEST_F(Journey, SimulatesHardPlacesTheSameEveryTime) {

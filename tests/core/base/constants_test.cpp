@@ -18,7 +18,7 @@ struct Room {
   std::size_t most;
 };
 constexpr Room kRooms[] = {{"core/map_match", 33},
-                           {"core/outlines", 106},
+                           {"core/outlines", 105},
                            {"core/explain", 15},
                            {"core/estimation/drawing", 8},
                            {"core/estimation/loops", 5},
@@ -30,7 +30,7 @@ constexpr Room kRooms[] = {{"core/map_match", 33},
                            {"core/estimation/buildings", 51},
                            {"core/estimation/smoothing", 37},
                            {"core/estimation/walls", 43},
-                           {"core/method", 37},
+                           {"core/method", 36},
                            {"core/tape", 2}};
 
 const std::regex kNumber(
