@@ -1,4 +1,5 @@
 // What the window does with a drawing: exports, leaving, what a drawing names, menus and keys.
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
