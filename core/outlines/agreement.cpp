@@ -104,6 +104,8 @@ class Mixture {
   /// `start_is_known`: as well as nothing but buildings that are right can tell better, unless all
   /// refute it. Returns whether they do.
   bool solve(bool start_is_known, double way_turn) {
+    Mixture none = *this;
+    none.takeNoneAsRight();
     iterate();
     // As if all were right: a way that lies askew on the drawing has none of them where it is
     // drawn.
@@ -113,19 +115,20 @@ class Mixture {
     askew.share_ = 0.5;
     askew.iterate();
     if (askew.log_density_ > log_density_) *this = std::move(askew);
-    if (countOfRight() >= kLeastTogether) return false;
-    Mixture all = *this;
-    if (start_is_known) all.prior_.topLeftCorner<3, 3>().setZero();
-    all.takeAllAsDrawn();
-    const bool refuted = start_is_known && all.refutesStart(way_turn);
-    if (!start_is_known || refuted) {
-      *this = std::move(all);
-    } else {
-      lie_.head<3>().setZero();
-      covariance_ = prior_.inverse();
+    // A few agree by chance, with one start or another.
+    if (logEvidence() - none.logEvidence() > kTogether) return false;
+    *this = std::move(none);
+    if (!start_is_known) return false;
+    Mixture free = *this;
+    free.prior_.topLeftCorner<3, 3>().setZero();
+    free.takeNoneAsRight();
+    if (free.refutesStart(way_turn)) {
+      *this = std::move(free);
+      return true;
     }
-    expect();
-    return refuted;
+    lie_.head<3>().setZero();
+    covariance_ = prior_.inverse();
+    return false;
   }
 
   const Lie& lie() const { return lie_; }
@@ -148,9 +151,21 @@ class Mixture {
   }
 
   /// All tell how the whole lies, each as well as it is drawn.
-  void takeAllAsDrawn() {
+  void takeNoneAsRight() {
     for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
     for (int round = 0; round < kMostRounds; ++round) maximize();
+    share_ = 0.0;
+    expect();
+  }
+  /// Of all lies and shares, not of the best alone (Laplace; a beta integral).
+  double logEvidence() const {
+    double log = log_density_ + 0.5 * std::log((covariance_ * prior_).determinant());
+    if (share_ <= 0.0) return log;
+    const double right = together();
+    const auto wrong = static_cast<double>(countOfSeen()) - right;
+    log -= right * std::log(share_) + wrong * std::log(1.0 - share_);
+    return log + std::lgamma(right + 1.0) + std::lgamma(wrong + 1.0) -
+           std::lgamma(right + wrong + 2.0);
   }
   /// Whether it lies where an exact start, and a way that may be turned about it, cannot have it.
   bool refutesStart(double way_turn) const {
@@ -177,11 +192,6 @@ class Mixture {
   std::ptrdiff_t countOfSeen() const {
     return std::ranges::count_if(buildings_, [](const Compared& b) { return !b.sides.empty(); });
   }
-  std::ptrdiff_t countOfRight() const {
-    return std::ranges::count_if(
-        buildings_, [](const Compared& b) { return !b.sides.empty() && b.right > 0.5; });
-  }
-
   double together() const {
     double sum = 0.0;
     for (const Compared& building : buildings_) {
@@ -195,23 +205,30 @@ class Mixture {
     return side.error - side.slope.head<3>().dot(lie_.head<3>());
   }
 
+  /// Fitting cannot tell what is drawn a little off from what is right.
+  double wrongSigmaOf(const Compared& building, const SideError& side) const {
+    return std::hypot(side.sigma, std::max(worse_ * building.drawn_sigma, kMisfit_m));
+  }
+
   void expect() {
     log_density_ = -0.5 * lie_.dot(prior_ * lie_);
     for (Compared& building : buildings_) {
-      if (building.sides.empty()) {
-        building.right = building.fixed ? 1.0 : share_;
-        continue;
-      }
+      if (building.fixed || building.sides.empty()) building.right = building.fixed ? 1.0 : share_;
+      if (building.sides.empty()) continue;
       Fits as_right;
       Fits as_wrong;
       for (const SideError& side : building.sides) {
         as_right.add(errorOf(side), side.sigma);
-        as_wrong.add(wrongErrorOf(side), std::hypot(side.sigma, worse_ * building.drawn_sigma));
+        as_wrong.add(wrongErrorOf(side), wrongSigmaOf(building, side));
+      }
+      if (building.fixed) {
+        log_density_ += as_right.log();
+        continue;
       }
       const double right = std::log(share_) + as_right.log();
       const double wrong = std::log(1.0 - share_) + as_wrong.log();
       log_density_ += logSum(right, wrong);
-      building.right = building.fixed ? 1.0 : 1.0 / (1.0 + std::exp(wrong - right));
+      building.right = 1.0 / (1.0 + std::exp(wrong - right));
     }
   }
 
@@ -228,7 +245,7 @@ class Mixture {
       count += 1.0;
       for (const SideError& side : building.sides) {
         const double wrong_error = wrongErrorOf(side);
-        const double drawn = std::hypot(side.sigma, worse_ * building.drawn_sigma);
+        const double drawn = wrongSigmaOf(building, side);
         squares += (1.0 - building.right) * std::pow(wrong_error / building.drawn_sigma, 2);
         sides += 1.0 - building.right;
         // Robust where a building that is right was fitted to something else.

@@ -25,8 +25,8 @@ struct WallTolerance {
 /// The classes in which surveyors state base maps, metres.
 inline constexpr std::array<double, 3> kTolerances_m = {0.3, 0.6, 1.2};
 
-/// Of the buildings that have an estimate.
-std::vector<WallTolerance> tolerancesOf(const Map& refined);
+/// Of the buildings that have an estimate. `refined`: of a run on `drawing`.
+std::vector<WallTolerance> tolerancesOf(const Map& drawing, const Map& refined);
 
 /// How far the middle of a wall is off, metres across the true one. `side` is of the box() of
 /// `found`, as Sides has them; the true building's heading may be quarters off.
@@ -70,8 +70,8 @@ std::string reportHtml(const ReportInputs& inputs);
 /// Pages of A4; throws alike.
 std::string reportPdf(const ReportInputs& inputs);
 /// A row a wall, with a header below lines ("# …") that say what each column means.
-std::string tolerancesCsv(const Map& refined);
+std::string tolerancesCsv(const Map& drawing, const Map& refined);
 /// The same as a LaTeX table, with a word on what each column means.
-std::string tolerancesLatex(const Map& refined);
+std::string tolerancesLatex(const Map& drawing, const Map& refined);
 
 }  // namespace handmap

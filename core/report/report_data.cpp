@@ -34,7 +34,7 @@ Json outlineJson(const Polygon& outline) {
 }
 
 Json buildingsJson(const ReportInputs& inputs) {
-  const std::vector<WallTolerance> walls = tolerancesOf(inputs.refined);
+  const std::vector<WallTolerance> walls = tolerancesOf(inputs.drawing, inputs.refined);
   Json all = Json::array();
   for (const Building& building : inputs.refined.buildings) {
     Json one = {{"id", building.id},
@@ -176,8 +176,8 @@ nlohmann::ordered_json reportData(const ReportInputs& inputs) {
   }
   data["files"] = {{"drawing.handmap", formatMap(inputs.drawing)},
                    {"refined.handmap", formatMap(inputs.refined)},
-                   {"walls.csv", tolerancesCsv(inputs.refined)},
-                   {"walls.tex", tolerancesLatex(inputs.refined)},
+                   {"walls.csv", tolerancesCsv(inputs.drawing, inputs.refined)},
+                   {"walls.tex", tolerancesLatex(inputs.drawing, inputs.refined)},
                    {"report.json", inputs.run}};
   if (!inputs.trajectory.empty()) data["files"]["trajectory.tum"] = formatTum(inputs.trajectory);
   return data;

@@ -5,6 +5,7 @@
 
 #include "core/evaluation/comparison.h"
 #include "core/map/certainty.h"
+#include "core/map/concerns.h"
 #include "core/report/report.h"
 
 namespace handmap {
@@ -26,10 +27,6 @@ std::string columnsAfter(std::string_view mark) {
 }
 
 constexpr double kLeastSigma_m = 1e-3;
-/// Share of the walls that stand metres off whatever their σ: of statements of 0.99 and more 34 of
-/// 2,206 were wrong in simulated rows and campuses, 151 of 1,220 in furnished streets; of all 5 %,
-/// with which none could be called sure.
-constexpr double kElsewhere = 0.03;
 
 std::string quotedForCsv(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -55,11 +52,13 @@ std::string escapedForLatex(const std::string& text) {
 
 }  // namespace
 
-std::vector<WallTolerance> tolerancesOf(const Map& refined) {
+std::vector<WallTolerance> tolerancesOf(const Map& drawing, const Map& refined) {
   std::vector<WallTolerance> walls;
   for (const Building& building : refined.buildings) {
     if (!building.estimate) continue;
-    const double right = (1.0 - kElsewhere) * (1.0 - building.doubt.value_or(0.0));
+    const Building* drawn = drawing.find(building.id);
+    const double misfitted = drawn ? misfitProbability(drawing, *drawn, building) : 0.0;
+    const double right = 1.0 - std::max(misfitted, building.doubt.value_or(0.0));
     const Sides sides = sidesOf(building);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       WallTolerance wall{building.id, static_cast<int>(k), sides[k].sigma, sides[k].seen, {}};
@@ -93,7 +92,7 @@ Survey surveyOf(const Map& drawing, const Map& refined, const Map& truth) {
   for (const BuildingError& error : compareMaps(refined, truth, false).buildings) {
     survey.present += error.overlaps ? 1 : 0;
   }
-  for (const WallTolerance& wall : tolerancesOf(refined)) {
+  for (const WallTolerance& wall : tolerancesOf(drawing, refined)) {
     const Building* drawn = drawing.find(wall.building);
     const Building* real = truth.find(wall.building);
     if (!wall.seen || drawn == nullptr || real == nullptr) continue;
@@ -113,10 +112,10 @@ Survey surveyOf(const Map& drawing, const Map& refined, const Map& truth) {
   return survey;
 }
 
-std::string tolerancesCsv(const Map& refined) {
+std::string tolerancesCsv(const Map& drawing, const Map& refined) {
   std::string text =
       columnsAfter("#") + "building,side,sigma_m,seen,within_0.3_m,within_0.6_m,within_1.2_m\n";
-  for (const WallTolerance& wall : tolerancesOf(refined)) {
+  for (const WallTolerance& wall : tolerancesOf(drawing, refined)) {
     text += fmt::format("{},{},{:.3f},{},{:.3f},{:.3f},{:.3f}\n", quotedForCsv(wall.building),
                         wall.side, wall.sigma, wall.seen ? 1 : 0, wall.within[0], wall.within[1],
                         wall.within[2]);
@@ -124,12 +123,12 @@ std::string tolerancesCsv(const Map& refined) {
   return text;
 }
 
-std::string tolerancesLatex(const Map& refined) {
+std::string tolerancesLatex(const Map& drawing, const Map& refined) {
   std::string text =
       columnsAfter("%") +
       "\\begin{tabular}{lrrcrrr}\n"
       "building & side & $\\sigma$ (m) & seen & 0.3 m & 0.6 m & 1.2 m \\\\ \\hline\n";
-  for (const WallTolerance& wall : tolerancesOf(refined)) {
+  for (const WallTolerance& wall : tolerancesOf(drawing, refined)) {
     text += fmt::format("{} & {} & {:.2f} & {} & {:.2f} & {:.2f} & {:.2f} \\\\\n",
                         escapedForLatex(wall.building), wall.side, wall.sigma,
                         wall.seen ? "yes" : "no", wall.within[0], wall.within[1], wall.within[2]);

@@ -119,8 +119,9 @@ TEST_F(SimulatedPlaces, VerdictsOnWallsAreRight) {
                   .status,
               0);
     const Map truth = readMap("place/truth.handmap");
+    const Map drawing = readMap("place/sketch.handmap");
     const Map refined = readMap("refined.handmap");
-    for (const WallTolerance& wall : tolerancesOf(refined)) {
+    for (const WallTolerance& wall : tolerancesOf(drawing, refined)) {
       const Building* found = refined.find(wall.building);
       const Building* real = truth.find(wall.building);
       ASSERT_TRUE(found && real);

@@ -66,5 +66,25 @@ TEST_F(ConcernsTest, FarMovedTurnedAndResizedAreTold) {
   EXPECT_TRUE(concerns().empty()) << "nobody saw them";
 }
 
+TEST_F(ConcernsTest, WhatIsFarFromItsDrawingOrAsThinAsAHedgeIsProbablySomethingElse) {
+  const auto misfit = [&] {
+    return misfitProbability(drawing_, drawing_.buildings[0], refined_.buildings[0]);
+  };
+  EXPECT_LT(misfit(), 0.01);
+  box(0).centre.y() = 2.0;
+  EXPECT_LT(misfit(), 0.05) << "a drawing may be off by two σ";
+  box(0).width = 12.5;
+  EXPECT_GT(misfit(), 0.05) << "and hardly its size as well";
+  box(0).centre.y() = 4.0;
+  EXPECT_GT(misfit(), 0.3);
+  box(0).centre.y() = 1e6;
+  EXPECT_NEAR(misfit(), 1.0, 1e-6);
+  box(0) = Rectangle{{0.0, -4.0}, 10.0, 3.0, 0.0};
+  drawing_.uncertainty = {5.0, 5.0};
+  EXPECT_GT(misfit(), 0.1);
+  refined_.buildings[0].estimate.reset();
+  EXPECT_EQ(misfit(), 0.0) << "nobody saw it";
+}
+
 }  // namespace
 }  // namespace handmap

@@ -42,26 +42,26 @@ nlohmann::json dataOf(const std::string& page) {
 }
 
 TEST(Tolerances, TellHowProbablyAWallIsWithin) {
-  const auto walls = tolerancesOf(inputs().refined);
+  const auto walls = tolerancesOf(inputs().drawing, inputs().refined);
   ASSERT_EQ(walls.size(), 4U);
   EXPECT_TRUE(walls[0].seen);
-  EXPECT_NEAR(walls[0].within[0], 0.97 * 0.9 * 0.6827, 1e-3);  // one σ, if it is there at all
-  EXPECT_NEAR(walls[0].within[1], 0.97 * 0.9 * 0.9545, 1e-3);
+  EXPECT_NEAR(walls[0].within[0], 0.9 * 0.6827, 1e-3);  // one σ, if it is there at all
+  EXPECT_NEAR(walls[0].within[1], 0.9 * 0.9545, 1e-3);
   EXPECT_LT(walls[1].within[2], 0.2);
 }
 
 TEST(Tolerances, AreTables) {
-  const std::string csv = tolerancesCsv(inputs().refined);
-  EXPECT_NE(csv.find("\nA,0,0.300,1,0.596,0.833,0.873\n"), std::string::npos) << csv;
+  const std::string csv = tolerancesCsv(inputs().drawing, inputs().refined);
+  EXPECT_NE(csv.find("\nA,0,0.300,1,0.614,0.859,0.900\n"), std::string::npos) << csv;
   Map map = inputs().refined;
   map.buildings[0].id = "a_1,\"b\"";
-  EXPECT_NE(tolerancesCsv(map).find("\n\"a_1,\"\"b\"\"\",0,"), std::string::npos);
-  EXPECT_NE(tolerancesLatex(map).find("\na\\_1,\"b\" & 0 & 0.30 & yes"), std::string::npos);
+  EXPECT_NE(tolerancesCsv(inputs().drawing, map).find("\n\"a_1,\"\"b\"\"\",0,"), std::string::npos);
+  EXPECT_NE(tolerancesLatex(inputs().drawing, map).find("\na\\_1,\"b\" & 0 & 0.30 & yes"), std::string::npos);
 }
 
 TEST(Tolerances, SayWhatEachColumnMeans) {
-  for (const auto& [table, mark] : {std::pair(tolerancesCsv(inputs().refined), "# "),
-                                    {tolerancesLatex(inputs().refined), "% "}}) {
+  for (const auto& [table, mark] : {std::pair(tolerancesCsv(inputs().drawing, inputs().refined), "# "),
+                                    {tolerancesLatex(inputs().drawing, inputs().refined), "% "}}) {
     for (const char* word : {"side:", "sigma:", "seen:", "probability"}) {
       const std::size_t at = table.find(word);
       ASSERT_NE(at, std::string::npos) << word;
@@ -165,7 +165,7 @@ TEST(ReportPdf, HasPlanTableAndWhatWentWrong) {
   made.drawing.name = "Our (small) street";
   const std::string pdf = reportPdf(made);
   expectWhole(pdf);
-  for (const char* text : {"(Our \\(small\\) street) Tj", "(5.00 m) Tj", "(10 %) Tj", "(0.60) Tj",
+  for (const char* text : {"(Our \\(small\\) street) Tj", "(5.00 m) Tj", "(10 %) Tj", "(0.61) Tj",
                            "(Too dark.) Tj", "(seed: 1) Tj"}) {
     EXPECT_NE(pdf.find(text), std::string::npos) << text;
   }
