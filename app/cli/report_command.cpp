@@ -85,9 +85,11 @@ int report(const ReportArguments& arguments) {
   } else if (ending == ".pdf") {
     writeFileAtomically(arguments.out, reportPdf(inputsOf(kept, arguments)));
   } else if (ending == ".csv") {
-    writeFileAtomically(arguments.out, tolerancesCsv(readMap(kept.drawing()), readMap(kept.refined())));
+    writeFileAtomically(arguments.out,
+                        tolerancesCsv(readMap(kept.drawing()), readMap(kept.refined())));
   } else if (ending == ".tex") {
-    writeFileAtomically(arguments.out, tolerancesLatex(readMap(kept.drawing()), readMap(kept.refined())));
+    writeFileAtomically(arguments.out,
+                        tolerancesLatex(readMap(kept.drawing()), readMap(kept.refined())));
   } else if (ending == ".mcap") {
     copyFile(kept.mcap(), arguments.out);
   } else {

@@ -100,16 +100,17 @@ double misfitProbability(const Map& drawing, const Building& drawn, const Buildi
   const Uncertainty sigma = drawing.uncertaintyOf(drawn);
   const double position = std::max(sigma.position, kLeastGrowth_m);
   const double size = std::max(sigma.size, kLeastGrowth_m);
-  const double square = std::pow(change.moved_m() / position, 2) +
-                        (std::pow(change.wider_m, 2) + std::pow(change.deeper_m, 2)) / (size * size);
+  const double square =
+      std::pow(change.moved_m() / position, 2) +
+      (std::pow(change.wider_m, 2) + std::pow(change.deeper_m, 2)) / (size * size);
   const Rectangle before = drawn.box();
   const Rectangle now = refined.box();
   const double thickness = std::min(now.width, now.depth);
   const bool thin =
       thickness < kThing_m && thickness < kShrunk * std::min(before.width, before.depth);
-  const double odds = kMisfitted / (1.0 - kMisfitted) * (thin ? kThinMore : 1.0) *
-                      std::pow(kWorse, -4.0) *
-                      std::exp(0.5 * std::min(square, kMostSquare) * (1.0 - 1.0 / (kWorse * kWorse)));
+  const double odds =
+      kMisfitted / (1.0 - kMisfitted) * (thin ? kThinMore : 1.0) * std::pow(kWorse, -4.0) *
+      std::exp(0.5 * std::min(square, kMostSquare) * (1.0 - 1.0 / (kWorse * kWorse)));
   return odds / (1.0 + odds);
 }
 

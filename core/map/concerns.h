@@ -23,8 +23,9 @@ struct Concern {
 /// where the drawing has them and are no concern, but where others stand in them. By building.
 std::vector<Concern> concernsOf(const Map& drawing, const Map& refined);
 
-/// Probability that a building was fitted to something else, a hedge, a car or its neighbour, by how
-/// far off that is from where and how large it is drawn, in σ of the drawing. 0 of one not seen.
+/// Probability that a building was fitted to something else, a hedge, a car or its neighbour, by
+/// how far off that is from where and how large it is drawn, in σ of the drawing. 0 of one not
+/// seen.
 double misfitProbability(const Map& drawing, const Building& drawn, const Building& refined);
 
 /// Of those of concernsOf() the ones about one building.

@@ -56,12 +56,14 @@ TEST(Tolerances, AreTables) {
   Map map = inputs().refined;
   map.buildings[0].id = "a_1,\"b\"";
   EXPECT_NE(tolerancesCsv(inputs().drawing, map).find("\n\"a_1,\"\"b\"\"\",0,"), std::string::npos);
-  EXPECT_NE(tolerancesLatex(inputs().drawing, map).find("\na\\_1,\"b\" & 0 & 0.30 & yes"), std::string::npos);
+  EXPECT_NE(tolerancesLatex(inputs().drawing, map).find("\na\\_1,\"b\" & 0 & 0.30 & yes"),
+            std::string::npos);
 }
 
 TEST(Tolerances, SayWhatEachColumnMeans) {
-  for (const auto& [table, mark] : {std::pair(tolerancesCsv(inputs().drawing, inputs().refined), "# "),
-                                    {tolerancesLatex(inputs().drawing, inputs().refined), "% "}}) {
+  for (const auto& [table, mark] :
+       {std::pair(tolerancesCsv(inputs().drawing, inputs().refined), "# "),
+        {tolerancesLatex(inputs().drawing, inputs().refined), "% "}}) {
     for (const char* word : {"side:", "sigma:", "seen:", "probability"}) {
       const std::size_t at = table.find(word);
       ASSERT_NE(at, std::string::npos) << word;
