@@ -93,7 +93,7 @@ void addCarmen(std::string_view content, const std::string& file, const LogOptio
                const std::stop_token& stop, Log& log) {
   RawLog raw;
   raw.file = file;
-  raw.metres = 1.0;
+  raw.metres = raw.pose_metres = 1.0;
   raw.seconds = 1.0;
   raw.radians = 1.0;
   std::vector<RawPose> odometry;

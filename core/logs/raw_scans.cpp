@@ -85,7 +85,8 @@ double secondsOf(const RawLog& raw, const LogOptions& options, Log& log) {
 /// way around.
 double metresOfPoses(const RawLog& raw, const LogOptions& options, double metres, double seconds,
                      Log& log) {
-  if (options.metres || raw.metres) return metres;
+  if (options.metres) return metres;
+  if (raw.pose_metres) return *raw.pose_metres;
   std::vector<double> speeds;  // units of length a second
   for (std::size_t i = 1; i < raw.poses.size(); ++i) {
     const RawPose& from = raw.poses[i - 1];

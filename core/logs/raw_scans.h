@@ -29,6 +29,7 @@ struct RawLog {
   std::optional<RayAngles> angles;  ///< as the file tells them
   std::optional<double> most_range_m;
   std::optional<double> metres;  ///< a unit, where the file tells it
+  std::optional<double> pose_metres;
   std::optional<double> seconds;
   std::optional<double> radians;
 };

@@ -54,24 +54,18 @@ struct RoleNames {
   std::vector<std::string_view> names;
 };
 
-/// Those of common programs; of rostopic echo -p without "field.".
+/// Those of common programs, without units; of rostopic echo -p without "field.".
 const std::vector<RoleNames>& roleNames() {
   static const std::vector<RoleNames> kNames{
-      {"time",
-       {"time",         "time_s",       "t",           "t_s",      "timestamp", "timestamp_s",
-        "stamp",        "%time",        "seconds",     "secs",     "time_ms",   "time_us",
-        "time_ns",      "t_ms",         "stamp_s",     "stamp_ms", "stamp_us",  "stamp_ns",
-        "timestamp_ms", "timestamp_us", "timestamp_ns"}},
+      {"time", {"time", "t", "timestamp", "stamp", "%time", "seconds", "secs"}},
       {"scan", {"scan", "scan_id", "frame", "seq"}},
-      {"x",
-       {"x", "x_m", "px", "pos_x", "pose_x", "odom_x", "x_mm", "x_cm", "pose.pose.position.x"}},
-      {"y",
-       {"y", "y_m", "py", "pos_y", "pose_y", "odom_y", "y_mm", "y_cm", "pose.pose.position.y"}},
-      {"z", {"z", "z_m", "z_mm", "z_cm"}},
+      {"x", {"x", "px", "pos_x", "pose_x", "odom_x", "pose.pose.position.x"}},
+      {"y", {"y", "py", "pos_y", "pose_y", "odom_y", "pose.pose.position.y"}},
+      {"z", {"z"}},
       {"w", {"w"}},
       {"heading",
-       {"heading", "theta", "yaw", "th", "phi", "heading_rad", "heading_deg", "theta_rad",
-        "theta_deg", "yaw_rad", "yaw_deg", "odom_theta", "odom_yaw"}},
+       {"heading", "theta", "yaw", "th", "phi", "odom_theta", "odom_yaw", "pose_theta",
+        "pose_yaw"}},
       {"qx", {"qx", "q_x", "pose.pose.orientation.x"}},
       {"qy", {"qy", "q_y", "pose.pose.orientation.y"}},
       {"qz", {"qz", "q_z", "pose.pose.orientation.z"}},
@@ -80,6 +74,21 @@ const std::vector<RoleNames>& roleNames() {
       {"angle_increment", {"angle_increment", "angle_step"}},
       {"range_max", {"range_max"}}};
   return kNames;
+}
+
+struct Unit {
+  std::string_view ending;  ///< of a name
+  double factor;
+};
+
+/// nullptr: the name tells none.
+const Unit* unitIn(std::string_view name) {
+  static constexpr Unit kUnits[] = {{"_ms", 1e-3}, {"_us", 1e-6}, {"_ns", 1e-9},
+                                    {"_s", 1.0},   {"_mm", 1e-3}, {"_cm", 1e-2},
+                                    {"_m", 1.0},   {"_rad", 1.0}, {"_deg", toRadians(1.0)}};
+  const auto* found =
+      std::ranges::find_if(kUnits, [&](const Unit& unit) { return name.ends_with(unit.ending); });
+  return found == std::end(kUnits) ? nullptr : found;
 }
 
 /// range_0, ranges[12], r7, ranges0, 0 …
@@ -150,12 +159,20 @@ Table parseTable(std::string_view content, const std::string& file, const std::s
 Columns::Columns(const Table& table, const LogOptions& options) : table_(table) {
   for (std::size_t i = 0; i < table.width(); ++i) {
     const std::string name = plainName(table.names[i]);
-    if (table.has_header && isRangeName(name)) ranges_.push_back(i);
+    const bool is_range = table.has_header && isRangeName(name);
+    if (is_range) ranges_.push_back(i);
+    const Unit* unit = unitIn(name);
+    const auto bare = name.substr(0, name.size() - (unit == nullptr ? 0 : unit->ending.size()));
+    bool known = is_range || !table.has_header;
     for (const auto& [role, names] : roleNames()) {
-      if (std::ranges::find(names, name) != names.end()) columns_.try_emplace(role, i);
+      if (std::ranges::find(names, bare) == names.end()) continue;
+      columns_.try_emplace(role, i);
+      known = true;
     }
+    if (!known) unknown_.push_back(table.names[i]);
   }
   for (const auto& [role, column] : options.columns) {
+    unknown_.clear();  // who tells one has seen them all
     const std::vector<std::size_t> which = told(role, column);
     if (role == "ranges") {
       ranges_ = which;
@@ -196,20 +213,18 @@ std::optional<std::size_t> Columns::of(const std::string& role) const {
 
 std::optional<double> Columns::unitOf(const std::string& role) const {
   const auto column = of(role);
-  if (!column) return std::nullopt;
-  const std::string name = plainName(table_.names[*column]);
+  return column ? unitAt(*column) : std::nullopt;
+}
+
+std::optional<double> Columns::unitOfRanges() const {
+  return ranges_.empty() ? std::nullopt : unitAt(ranges_.front());
+}
+
+std::optional<double> Columns::unitAt(std::size_t column) const {
+  const std::string name = plainName(table_.names[column]);
   if (name == "%time") return 1e-9;  // of rostopic echo -p
-  struct Suffix {
-    std::string_view text;
-    double factor;
-  };
-  for (const Suffix& suffix :
-       {Suffix{"_ms", 1e-3}, Suffix{"_us", 1e-6}, Suffix{"_ns", 1e-9}, Suffix{"_s", 1.0},
-        Suffix{"_mm", 1e-3}, Suffix{"_cm", 1e-2}, Suffix{"_m", 1.0}, Suffix{"_rad", 1.0},
-        Suffix{"_deg", toRadians(1.0)}}) {
-    if (name.ends_with(suffix.text)) return suffix.factor;
-  }
-  return std::nullopt;
+  const Unit* unit = unitIn(name);
+  return unit == nullptr ? std::nullopt : std::optional(unit->factor);
 }
 
 }  // namespace handmap

@@ -37,13 +37,18 @@ class Columns {
   const std::vector<std::size_t>& ranges() const { return ranges_; }
   /// What the name says of the unit, as a factor: "_ms", "_deg", "_mm"; nullopt: nothing.
   std::optional<double> unitOf(const std::string& role) const;
+  std::optional<double> unitOfRanges() const;
+  /// Names that say nothing to anybody, where nobody said which column is which.
+  const std::vector<std::string>& unknown() const { return unknown_; }
 
  private:
+  std::optional<double> unitAt(std::size_t column) const;
   std::vector<std::size_t> told(const std::string& role, const std::string& column) const;
 
   const Table& table_;
   std::map<std::string, std::size_t> columns_;
   std::vector<std::size_t> ranges_;
+  std::vector<std::string> unknown_;
 };
 
 }  // namespace handmap

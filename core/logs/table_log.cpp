@@ -20,20 +20,29 @@ double orZero(const Table& table, std::size_t row, const std::optional<std::size
   return column ? table.at(row, *column) : 0.0;
 }
 
+std::vector<std::string> firstOf(const std::vector<std::string>& names) {
+  const auto some = static_cast<std::ptrdiff_t>(std::min<std::size_t>(12, names.size()));
+  return {names.begin(), names.begin() + some};
+}
+
 class TableLog {
  public:
   TableLog(const Table& table, const LogOptions& options)
       : table_(table), options_(options), columns_(tum(table, options)) {
     raw_.file = table.file;
     raw_.seconds = columns_.unitOf("time");
-    raw_.metres = columns_.unitOf("x");
+    raw_.pose_metres = columns_.unitOf("x");
+    raw_.metres = hasRanges() ? columns_.unitOfRanges() : raw_.pose_metres;
     raw_.radians = columns_.unitOf("heading");
   }
+
+  bool hasRanges() const { return columns_.ranges().size() >= kLeastRanges; }
+  const std::vector<std::string>& unknown() const { return columns_.unknown(); }
 
   RawLog read() {
     const auto x = columns_.of("x");
     const auto y = columns_.of("y");
-    if (columns_.ranges().size() >= kLeastRanges) {
+    if (hasRanges()) {
       readRanges();
       if (x && y) readPoses();
     } else if (x && y) {
@@ -60,8 +69,7 @@ class TableLog {
   }
 
   [[noreturn]] void ask() const {
-    const auto some = static_cast<std::ptrdiff_t>(std::min<std::size_t>(12, table_.width()));
-    const std::vector<std::string> names(table_.names.begin(), table_.names.begin() + some);
+    const std::vector<std::string> names = firstOf(table_.names);
     throw Question(
         "columns",
         phrase("{}: found the columns {}{}, expected to know which hold what", table_.file,
@@ -159,7 +167,13 @@ class TableLog {
 }  // namespace
 
 void addTable(const Table& table, const LogOptions& options, Log& log) {
-  addRaw(TableLog(table, options).read(), options, log);
+  TableLog reader(table, options);
+  addRaw(reader.read(), options, log);
+  if (const std::vector<std::string> names = firstOf(reader.unknown()); !names.empty()) {
+    log.notes.push_back(phrase("{}: columns that nothing is made of: {}{}", table.file,
+                               fmt::join(names, " "),
+                               reader.unknown().size() > names.size() ? " …" : ""));
+  }
 }
 
 }  // namespace handmap

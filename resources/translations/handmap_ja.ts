@@ -3230,14 +3230,6 @@
         <translation>雲台が止まっている間に画像の組が届きませんでした</translation>
     </message>
     <message>
-        <source>looks around when it stands</source>
-        <translation>止まったら見回します</translation>
-    </message>
-    <message>
-        <source>looks around: {} of {}</source>
-        <translation>見回し中: {1} のうち {0}</translation>
-    </message>
-    <message>
         <source>opening the port of the odometry</source>
         <translation>オドメトリのポートを開いています</translation>
     </message>
@@ -4801,6 +4793,26 @@
         <source>Correct the start, or state how sure it is.</source>
         <translation>開始位置を直すか、その確かさを指定してください。</translation>
     </message>
+    <message>
+        <source>The drive did not begin where it was said to: what the robot saw there is not what it had seen there before.</source>
+        <translation>走行は、示された場所から始まっていません。そこでロボットが見たものは、以前そこで見たものと違います。</translation>
+    </message>
+    <message>
+        <source>Say with “Robot is here” where it was, or run the recording with another start.</source>
+        <translation>「ロボットはここ」でロボットがいた場所を示すか、別の出発点で記録を実行してください。</translation>
+    </message>
+    <message>
+        <source>the head looks around: {} of {}</source>
+        <translation>雲台で見回し中: {1} のうち {0}</translation>
+    </message>
+    <message>
+        <source>the head looks around when the robot stands</source>
+        <translation>ロボットが止まったら雲台で見回します</translation>
+    </message>
+    <message>
+        <source>{}: columns that nothing is made of: {}{}</source>
+        <translation>{}: 使われない列: {}{}</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>
@@ -5821,6 +5833,14 @@ Observations: %4</source>
         <source>At the start of the drawing</source>
         <translation>図面の出発点</translation>
     </message>
+    <message>
+        <source>When its last drive ended it was not known where it was.</source>
+        <translation>前回の走行が終わったとき、ロボットの居場所は分かっていませんでした。</translation>
+    </message>
+    <message>
+        <source>Place the start</source>
+        <translation>出発点を置く</translation>
+    </message>
 </context>
 <context>
     <name>handmap::EdgeRectangleTool</name>
@@ -6819,6 +6839,10 @@ Observations: %4</source>
     <message>
         <source>Nothing has been observed yet, after %1 s.</source>
         <translation>%1 秒たっても、まだ何も観測されていません。</translation>
+    </message>
+    <message>
+        <source>The robot is not where the drive is said to begin: it sees something else than it saw there before.</source>
+        <translation>ロボットは、走行を始めるとされた場所にいません。以前そこで見たものと違うものが見えています。</translation>
     </message>
 </context>
 <context>
@@ -9684,6 +9708,10 @@ Corrected by a run.</source>
     <message>
         <source>The robot is taken to be at the start of the drawing then.</source>
         <translation>そのときロボットは図面の出発点にいるものとします。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

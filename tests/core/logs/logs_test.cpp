@@ -178,6 +178,26 @@ TEST_F(Logs, UnitsInTheNamesOfColumns) {
   EXPECT_NEAR(log.poses[0].pose.heading, kPi / 2, 1e-9);
 }
 
+/// Of poses and of ranges each their own; and what no role has is said.
+TEST_F(Logs, UnitsOfPosesAreNotThoseOfRangesAndUnknownColumnsAreTold) {
+  for (const char* unit : {"", "_mm"}) {
+    std::string text = "stamp_ms,pos_x_m,pos_y_m,yaw_deg,battery";
+    for (int i = 0; i < 181; ++i) text += fmt::format(",r{}{}", i, unit);
+    for (int row = 0; row < 3; ++row) {
+      text += fmt::format("\n{},{},0,90,11.9", 500 * row, row);
+      for (int i = 0; i < 181; ++i) text += fmt::format(",{}", 3000 + i);
+    }
+    const Log log = read("a.csv", text + "\n");
+    ASSERT_EQ(log.poses.size(), 3U);
+    EXPECT_NEAR(log.poses[2].time_s, 1.0, 1e-9);
+    EXPECT_NEAR(log.poses[2].pose.x, 2.0, 1e-9);
+    EXPECT_NEAR(log.poses[2].pose.heading, kPi / 2, 1e-9);
+    EXPECT_NEAR(log.scans.at(0).points.at(90).x, 3.09, 1e-6) << unit;
+    ASSERT_FALSE(log.notes.empty());
+    EXPECT_TRUE(log.notes.back().ends_with("nothing is made of: battery")) << log.notes.back();
+  }
+}
+
 TEST_F(Logs, ATableOfPointsAndOneOfPoses) {
   std::string text = "t;px;py\n";
   for (int row = 0; row < 40; ++row) {
