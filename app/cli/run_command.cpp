@@ -349,7 +349,7 @@ int runLive(const RunArguments& arguments, const Map& drawing) {
     }
     chronicle.add(*snapshot);
     drive.tell(snapshot);
-    const auto news = lost.hear(certaintyOf(snapshot->report).kind);
+    const auto news = lost.hear(snapshot->report);
     if (news == LostAndFound::News::Lost) {
       progress.message("it is no longer known where the robot is");
     } else if (news == LostAndFound::News::Found) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "core/recording/trajectory.h"
 
 namespace handmap {
+
+class SeenPlace;
 
 /// Paper: FastSLAM/PSOM as published. Handmap: ours.
 enum class Method { Handmap, Paper };
@@ -26,6 +29,8 @@ struct RunSettings {
   std::string odometry = "recorded";  ///< what the source's odometry comes from, for the report
   /// Where somebody says that the robot was; increasing in time, map frame. See GivenPoses.
   std::vector<StampedPose> given_poses = {};
+  /// Of a robot that has driven before: what was seen then where this run is said to begin.
+  std::shared_ptr<const SeenPlace> seen_at_start = {};
 };
 
 }  // namespace handmap

@@ -57,6 +57,7 @@ struct FrameReport {
   std::optional<double> log_likelihood;
   int loops = 0;                ///< closed so far
   double unrecognised_m = 0.0;  ///< see Recognition
+  bool start_refuted = false;   ///< see SeenPlace; and nobody has said since where it is
 };
 
 struct Snapshot {

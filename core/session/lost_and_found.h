@@ -11,10 +11,12 @@ class LostAndFound {
  public:
   enum class News { None, Lost, Found };
 
-  /// Of one snapshot after the other.
-  News hear(Certainty certainty) {
-    const bool lost = was_found_ && certainty == Certainty::Lost;
-    was_found_ |= certainty != Certainty::Lost;
+  /// Of one snapshot after the other. Where a robot starts is known, unless what it sees is against
+  /// it.
+  News hear(const FrameReport& report) {
+    const bool is_lost = certaintyOf(report).kind == Certainty::Lost;
+    was_found_ |= !is_lost || report.start_refuted;
+    const bool lost = was_found_ && is_lost;
     if (std::exchange(is_lost_, lost) == lost) return News::None;
     return lost ? News::Lost : News::Found;
   }

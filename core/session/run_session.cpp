@@ -13,6 +13,7 @@
 #include "core/method/estimation_method.h"
 #include "core/method/given_start.h"
 #include "core/method/pose_trust.h"
+#include "core/method/seen_place.h"
 #include "core/odometry/given_poses.h"
 #include "core/session/run_report.h"
 
@@ -93,6 +94,7 @@ struct RunSession::State {
   GivenPoses bent() const {
     return {*drawing.start, source().start_odometry, allOdometry(), settings.given_poses};
   }
+  bool isElsewhere(const Percept& first) const;
   std::optional<Tape::Taken> nextReadable(const std::stop_token& stop,
                                           const std::function<void(double)>& progress);
   /// Every observation's; else it is rendered for whoever looks at it.
@@ -108,7 +110,8 @@ struct RunSession::State {
   void fill(Snapshot& snapshot) const;
   void describe(FrameReport& report) const {
     method->describe(report);
-    stateBlind(blind_s, report);
+    report.start_refuted = start_refuted;
+    stateBlind(start_refuted ? std::max(blind_s, method::kCarried_s) : blind_s, report);
   }
   std::function<Map()> refinedMap() const;
 
@@ -127,6 +130,7 @@ struct RunSession::State {
   RunCounts counts;
   std::shared_ptr<const Snapshot> newest;
   double blind_s = 0.0;  ///< of the newest observation
+  bool start_refuted = false;
   bool begun = false;
   bool finished = false;
   bool tracing = false;
@@ -184,6 +188,12 @@ bool RunSession::State::begin(const std::stop_token& stop) {
   }
   begun = true;
   return true;
+}
+
+/// By the first observation. Whoever says where it was says so of the start, too.
+bool RunSession::State::isElsewhere(const Percept& first) const {
+  return settings.seen_at_start && settings.given_poses.empty() &&
+         settings.seen_at_start->isRefutedBy(first.points, source().range_limit_m);
 }
 
 /// nullopt at the end of the source and when `stop` was requested.
@@ -247,6 +257,7 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
   report.time_s = observation.time_s;
   report.odometry_guessed = observation.odometry_guessed;
   state.blind_s = observation.blind_s;
+  if (state.frames.empty()) state.start_refuted = state.isElsewhere(percept);
   state.describe(report);
   state.frames.push_back(report);
   state.counts.add(percept, report);

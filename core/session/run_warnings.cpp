@@ -193,6 +193,7 @@ std::optional<RunWarning> warningOfStart(const RunOutcome& outcome) {
 void RunCounts::add(const Percept& percept, const FrameReport& report) {
   ++observations;
   if (report.visible_buildings > 0) ++with_building;
+  start_refuted = report.start_refuted;
   if (report.odometry_guessed && guessed++ == 0) guessed_s = report.time_s;
   if (report.unrecognised_m > unrecognised_m) {
     unrecognised_m = report.unrecognised_m;
@@ -220,6 +221,14 @@ std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
          phrase(
              "From there on the way may be off: give odometry, or drive more slowly where little "
              "is in sight.")});
+  }
+  if (counts.start_refuted) {
+    warnings.push_back(
+        {"began_elsewhere",
+         phrase("The drive did not begin where it was said to: what the robot saw there is not "
+                "what it had seen there before."),
+         phrase(
+             "Say with “Robot is here” where it was, or run the recording with another start.")});
   }
   if (auto moved = warningOfStart(outcome)) warnings.push_back(std::move(*moved));
   return warnings;

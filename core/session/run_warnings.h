@@ -25,6 +25,7 @@ struct RunCounts {
   double guessed_s = 0.0;             ///< the time of the first of them
   double unrecognised_m = 0.0;        ///< the most of FrameReport's
   double unrecognised_until_s = 0.0;  ///< the time of that
+  bool start_refuted = false;         ///< see FrameReport
 
   void add(const Percept& percept, const FrameReport& report);
 };
@@ -43,7 +44,7 @@ struct RunOutcome {
 
 /// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry,
 /// end_unrecognised and part_unrecognised: the first that holds says what follows from it too. And
-/// motion_guessed, and start_moved.
+/// motion_guessed, began_elsewhere and start_moved.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap

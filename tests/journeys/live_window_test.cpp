@@ -1,15 +1,22 @@
 // A live robot in the window: the virtual rig, devices that fall silent, one drive after another.
 #include <QDir>
+#include <QElapsedTimer>
 #include <QPushButton>
 #include <QTcpServer>
 #include <QTreeWidget>
+#include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "app/gui/rig/rig_actions.h"
 #include "app/gui/run/live_robot.h"
+#include "core/method/pose_trust.h"
+#include "core/simulation/ray_cast.h"
+#include "core/simulation/world.h"
 #include "drivers/connected/connected_devices.h"
 #include "drivers/emulators/hokuyo_emulator.h"
+#include "drivers/emulators/odometry_emulator.h"
 #include "drivers/emulators/rosbridge_emulator.h"
 #include "drivers/virtual/stereo_rig.h"
 #include "tests/journeys/window_test.h"
@@ -285,6 +292,109 @@ TEST_F(LiveWindow, ASecondDriveAsksWhereTheRobotBegins) {
   window->runs().runOrResume();
   EXPECT_TRUE(window->run().isActive());
   driveFor(0);
+}
+
+/// Wheels and a laser on a cart that somebody drives straight on, or carries while it is off.
+class Cart {
+ public:
+  explicit Cart(const Map& map) : pose_(*map.start), switched_on_(pose_) {
+    for (const Building& building : map.buildings) {
+      const Polygon wall = building.footprint();
+      for (std::size_t i = 0; i < wall.size(); ++i) {
+        walls_.push_back({wall[i], wall[(i + 1) % wall.size()]});
+      }
+    }
+    moved_.start();
+  }
+  Rig rig() {
+    Rig rig;
+    rig.name = "Cart";
+    rig.range_limit_m = 30.0;
+    rig.scanner = ScannerRig{};
+    rig.scanner->port = laser_.port().address();
+    rig.odometry = {OdometryRigKind::Lines, wheels_.port().address(), ""};
+    return rig;
+  }
+  void drive(double speed_m_s) {
+    pose();
+    speed_m_s_ = speed_m_s;
+  }
+  void carry(double ahead_m) { switched_on_ = pose_ = pose() * Pose2{ahead_m, 0.0, 0.0}; }
+  const Pose2& pose() {
+    pose_ = pose_ * Pose2{speed_m_s_ * 1e-9 * static_cast<double>(moved_.nsecsElapsed()), 0.0, 0.0};
+    moved_.start();
+    return pose_;
+  }
+
+ private:
+  double range(double angle) {
+    const Vec2 direction(std::cos(pose_.heading + angle), std::sin(pose_.heading + angle));
+    double range_m = kNoHit;
+    for (const Segment& wall : walls_) {
+      range_m = std::min(range_m, rayToSegment(pose_.position(), direction, wall));
+    }
+    return range_m > 30.0 ? kNoHit : range_m + noise_(random_);
+  }
+
+  Pose2 pose_;
+  Pose2 switched_on_;
+  double speed_m_s_ = 0.0;
+  QElapsedTimer moved_;
+  std::vector<Segment> walls_;
+  std::minstd_rand random_;
+  std::normal_distribution<double> noise_{0.0, 0.02};
+  HokuyoEmulator laser_{EmulatedPort::Kind::Tcp, [this](double angle) { return range(angle); }};
+  OdometryEmulator wheels_{EmulatedPort::Kind::PseudoTerminal,
+                           [this](double) { return between(switched_on_, pose()); },
+                           OdometryEmulator::Form::Fields};
+};
+
+/// Switched off, driven on by hand, and said to be where it stopped.
+TEST_F(LiveWindow, ARobotThatWasCarriedIsMissedAtOnceAndPlacedAgain) {
+  const Map map = loopWorld(3).map;
+  document_.reset(map);
+  const auto window = open();
+  Cart cart(map);
+  window->sources().setRobot(liveRobot(cart.rig(), connectedDevices()));
+  const auto report = [&] { return window->run().result()->last->report; };
+  const auto drive = [&](int ms) {
+    ASSERT_TRUE(waitForSteps(*window));
+    cart.drive(5.0);
+    QTest::qWait(ms);
+    cart.drive(0.0);
+    QTest::qWait(500);
+  };
+  const auto stop = [&] {
+    action(*window, "run.stop")->trigger();
+    ASSERT_TRUE(waitFor(*window, RunState::Idle));
+  };
+  window->runs().runOrResume();
+  drive(3000);
+  stop();
+  cart.carry(30.0);
+  window->runs().runOrResume();
+  button(*window, "Where it stopped")->click();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("not where the drive is said to begin"); }, 5000));
+  drive(1000);
+  EXPECT_EQ(certaintyOf(report()).kind, Certainty::Lost);
+  Q_EMIT window->run().poseGiven(report().time_s, cart.pose() * Pose2{1.0, -0.5, 0.05});
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return message(*window).contains("It is known again where the robot is"); },
+      kPatienceMs));
+  EXPECT_LT(between(cart.pose(), report().pose).position().norm(), 2.5);
+  stop();
+  // It stands where it stopped.
+  window->runs().runOrResume();
+  button(*window, "Where it stopped")->click();
+  drive(1000);
+  EXPECT_EQ(certaintyOf(report()).kind, Certainty::Sure);
+  stop();
+  // Whoever does not say either places it.
+  window->runs().runOrResume();
+  button(*window, "Place the start")->click();
+  EXPECT_TRUE(action(*window, "draw.start")->isChecked());
+  EXPECT_FALSE(window->run().isActive());
 }
 
 TEST_F(LiveWindow, DeadWheelsAreSaid) {

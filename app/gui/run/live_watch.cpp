@@ -80,7 +80,7 @@ LiveWatch::LiveWatch(const Shell& shell, RunController& run, SourceActions& sour
   connect(&run_, &RunController::stateChanged, this, &LiveWatch::follow);
   connect(&run_, &RunController::newsArrived, this, [this](const RunNews& news) {
     if (run_.live() && run_.isActive()) {
-      tellLost(lost_.hear(certaintyOf(news.newest->report).kind));
+      tellLost(lost_.hear(news.newest->report), news.newest->report.start_refuted);
     }
   });
 }
@@ -124,9 +124,12 @@ void LiveWatch::tellSilence(const RigStatus& status, double now_s) {
                        kSilentTopic);
 }
 
-void LiveWatch::tellLost(LostAndFound::News news) {
+void LiveWatch::tellLost(LostAndFound::News news, bool start_refuted) {
   if (news == LostAndFound::News::Lost) {
-    shell_.messages.show(MessageBar::Kind::Warning, tr("It is no longer known where the robot is."),
+    shell_.messages.show(MessageBar::Kind::Warning,
+                         start_refuted ? tr("The robot is not where the drive is said to begin: "
+                                            "it sees something else than it saw there before.")
+                                       : tr("It is no longer known where the robot is."),
                          tr("If you see it, say so with “Robot is here”."), kLostTopic);
   } else if (news == LostAndFound::News::Found) {
     shell_.messages.show(MessageBar::Kind::Info, tr("It is known again where the robot is."), {},

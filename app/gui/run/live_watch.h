@@ -34,7 +34,7 @@ class LiveWatch : public QObject {
   void look();
   void tellSilence(const RigStatus& status, double now_s);
   void tellRecording(const RecordingStatus& recording);
-  void tellLost(LostAndFound::News news);
+  void tellLost(LostAndFound::News news, bool start_refuted);
   void note(const QString& folder);
 
   const Shell& shell_;

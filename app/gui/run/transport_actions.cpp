@@ -117,7 +117,8 @@ void TransportActions::start(RunController::Begin begin) {
   phases_wanted_ = begin == RunController::Begin::WithPhases;
   finished_ = false;
   shell_.messages.clear();
-  const RunSetup setup = sources_.nextSetup();
+  RunSetup setup = sources_.nextSetup();
+  setup.settings.seen_at_start = drive_start_.takeSeen();
   run_.start(document_.map(), *sources_.robot(), setup, begin);
   past_.begin();
   transport_.timeline().beginTrimmed();
@@ -188,7 +189,7 @@ void TransportActions::onRevised() {
 
 void TransportActions::onFinished(bool cancelled) {
   finished_ = !cancelled;
-  if (run_.live() && last_) drive_start_.ended(run_.live(), *last_);
+  if (run_.live() && last_) drive_start_.ended(run_.live(), *last_, run_.tape());
   if (phases_.isActive() && last_) show(last_);
   update();
   Q_EMIT stateChanged();
