@@ -120,8 +120,11 @@ std::optional<StopScan::Action> StopScan::lookWithoutWheels(double now_s) {
 }
 
 std::string StopScan::describe() const {
-  if (state_ == State::Waiting) return wanted_ ? phrase("looks around when it stands") : "";
-  return phrase("looks around: {} of {}", next_ + 1, options_.pans.size());
+  if (state_ != State::Waiting) {
+    return phrase("the head looks around: {} of {}", next_ + 1, options_.pans.size());
+  }
+  const bool will = wanted_ || (options_.automatic && !looked_at_);
+  return will ? phrase("the head looks around when the robot stands") : "";
 }
 
 }  // namespace handmap

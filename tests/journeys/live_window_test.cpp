@@ -240,10 +240,17 @@ TEST_F(LiveWindow, AHeadLooksAroundInEachDriveOfAWindowAndADeadCameraIsSaid) {
   window->docks().setOpen(true);
   window->sources().openVirtualRig(VirtualRigKind::StereoHead);
   VirtualDrive drive{furnished(twoRowWorld(3), 3), 3};
+  QStringList told;
+  QObject::connect(&window->runs(), &TransportActions::stateChanged, &guard_,
+                   [&] { told << window->runs().stateInWords(); });
   for (const bool is_second : {false, true}) {
     if (is_second) drive.faults = {{DeviceRole::Camera, FaultKind::Unplug, 5.0, 1000.0}};
     window->sources().setRobot(liveRobot(virtualStereoRig(), virtualStereoDevices(drive)));
+    told.clear();
     window->runs().runOrResume();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return window->runs().stateInWords().startsWith("Waiting for the robot: "); }, 1000))
+        << "not a second without a word";
     ASSERT_TRUE(QTest::qWaitFor([&] { return panelText(*window).contains("looks around: 2 of 6"); },
                                 kPatienceMs))
         << panelText(*window).toStdString();
@@ -253,6 +260,8 @@ TEST_F(LiveWindow, AHeadLooksAroundInEachDriveOfAWindowAndADeadCameraIsSaid) {
       EXPECT_TRUE(message(*window).contains("unplugged")) << message(*window).toStdString();
     } else {
       ASSERT_TRUE(waitForSteps(*window));
+      EXPECT_TRUE(told.contains("Waiting for the robot: the head looks around: 3 of 6"))
+          << told.join("; ").toStdString();
       EXPECT_FALSE(message(*window).contains("Nothing has been observed"));
     }
     action(*window, "run.stop")->trigger();

@@ -1,6 +1,7 @@
 #include "app/gui/run/transport_actions.h"
 
 #include "app/gui/files/file_actions.h"
+#include "app/gui/run/live_robot.h"
 #include "app/gui/run/run_views.h"
 #include "app/gui/run/source_actions.h"
 #include "widgets/actions/action_set.h"
@@ -16,6 +17,18 @@ namespace handmap {
 namespace {
 
 constexpr auto kTrimTopic = "trim";
+constexpr int kLook_ms = 250;
+
+/// What a robot that has not observed anything is at; empty where it says nothing.
+QString doingInWords(const RigStatus& status) {
+  for (const DeviceStatus& device : status.devices) {
+    const bool is_missed =
+        device.state == DeviceState::Connecting || device.state == DeviceState::Lost;
+    if (device.role <= DeviceRole::Head && is_missed && !device.detail.empty())
+      return QString::fromStdString(device.detail);
+  }
+  return QString::fromStdString(status.activity);
+}
 
 }  // namespace
 
@@ -68,6 +81,13 @@ void TransportActions::connectRun() {
     update();
     Q_EMIT stateChanged();
   };
+  // What it waits for changes without a word of the run.
+  waiting_.setInterval(kLook_ms);
+  connect(&waiting_, &QTimer::timeout, this, &TransportActions::stateChanged);
+  connect(this, &TransportActions::stateChanged, this, [this] {
+    const bool waits = run_.state() == RunState::Running && !last_ && run_.live();
+    if (waits != waiting_.isActive()) waits ? waiting_.start() : waiting_.stop();
+  });
   connect(&run_, &RunController::stateChanged, this, changed);
   connect(&run_, &RunController::newsArrived, this, &TransportActions::onNews);
   connect(&run_, &RunController::revised, this, &TransportActions::onRevised);
@@ -225,6 +245,15 @@ QString TransportActions::whereInWords() const {
   return where + QStringLiteral("; ") + Words::certainty(shown_->report);
 }
 
+QString TransportActions::openingInWords() const {
+  const QString opening = sources_.robot()->opening;
+  if (opening.isEmpty()) return tr("Opening");
+  const auto link = run_.live();
+  const auto monitor = link ? link->monitor() : nullptr;
+  const QString doing = monitor ? doingInWords(monitor->status()) : QString();
+  return doing.isEmpty() ? opening : tr("%1: %2").arg(opening, doing);
+}
+
 QString TransportActions::stateInWords() const {
   const QString where = whereInWords();
   const auto& robot = sources_.robot();
@@ -232,7 +261,7 @@ QString TransportActions::stateInWords() const {
   switch (run_.state()) {
     case RunState::Running:
       if (last_) return tr("Running") + where;
-      return robot->opening.isEmpty() ? tr("Opening") : robot->opening;
+      return openingInWords();
     case RunState::Paused:
       return tr("Paused") + where;
     case RunState::Stopping:

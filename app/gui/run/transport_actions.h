@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include "app/gui/run/drive_start.h"
 #include "app/gui/run/playback_actions.h"
@@ -50,6 +51,7 @@ class TransportActions : public QObject {
   void forget();
   void update();
   QString whereInWords() const;
+  QString openingInWords() const;
 
   const Shell& shell_;
   MapDocument& document_;
@@ -63,7 +65,8 @@ class TransportActions : public QObject {
   bool phases_wanted_ = false;             ///< of the next snapshot
   std::shared_ptr<const Snapshot> last_;   ///< of the latest run: its newest
   std::shared_ptr<const Snapshot> shown_;  ///< what is looked at
-  bool finished_ = false;                  ///< the latest run came to its end
+  QTimer waiting_;
+  bool finished_ = false;  ///< the latest run came to its end
 };
 
 }  // namespace handmap
