@@ -118,9 +118,11 @@ TEST(RunSession, BadFramesAreReportedAndSkipped) {
   EXPECT_EQ(session.skipped()[0].frame, 1);
   EXPECT_EQ(session.skipped()[0].reason, "points/000.bin: no such file");
   EXPECT_EQ(session.skipped()[1].frame, 3);
-  const auto report = nlohmann::json::parse(session.reportJson());
+  const std::string text = session.reportJson();
+  const auto report = nlohmann::ordered_json::parse(text);
   EXPECT_EQ(report["skipped"].size(), 2U);
   EXPECT_EQ(report["frames"].size(), 3U);
+  EXPECT_EQ(text, report.dump(1) + "\n") << "frames are written one by one";
 }
 
 TEST(RunSession, StopsBetweenFramesThatCannotBeRead) {
@@ -322,6 +324,7 @@ TEST(RunSession, SaysWithEachFrameHowProbablyItIsRight) {
 
 TEST(RunSession, ReportHasWhatTheFormatSays) {
   RunSession session(street(), std::make_unique<FrontsSource>(2), settings());
+  EXPECT_TRUE(nlohmann::json::parse(session.reportJson())["frames"].empty());
   while (session.step()) {
   }
   const auto report = nlohmann::json::parse(session.reportJson());
