@@ -45,13 +45,13 @@ inline constexpr double kFarthest_m = 1e6;  // m; limit: of a radius
 inline constexpr double kSaidLast = 1e9;  // χ²; limit: no kernel
 inline constexpr int kMostSteps = 100;    // iterations; limit: it has settled before
 
-// Whether a robot is where an earlier drive was, by what was seen there (campus, corner, three
-// simulated quarters; window and share together): of looks within 2 m of there 0 to 6 % are
-// refuted, 75 to 92 % of those 20 m off and farther, the others among like houses.
+// Whether a robot is where an earlier drive was, by what was seen there (campus, corner, simulated
+// quarters; window and share together): of looks within 2 m of there 0 to 9 % are refuted, 90 to
+// 98 % of those 20 m off and farther, the others among like houses.
 inline constexpr double kAround_m = 5.0;  // m; choice: beyond, other things are in sight
 inline constexpr double kRolled_m = 4.0;  // m; choice: since it was stopped
 inline constexpr double kRolledTurn = toRadians(20);  // rad; choice: the same
-inline constexpr double kSeenAgain = 0.4;             // 1; measured: of straight returns
+inline constexpr double kSeenAgain = 0.65;            // 1; measured: of what its looks share
 inline constexpr double kCarried_s = 60.0;  // s; choice: for so long nobody told where it went
 
 // Whether walls are recognised. So counted, 30 right drives (a campus, a corner, a street, a

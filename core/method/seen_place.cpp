@@ -34,25 +34,39 @@ SeenPlace::SeenPlace(const Tape& tape, const SharedList<StampedPose>& way, const
     }
     if (!look) return;
     last = pose;
-    const auto walls =
-        moved(wallsOf(look->percept.points, tape.info().range_limit_m), between(at, pose));
-    seen_.insert(seen_.end(), walls.begin(), walls.end());
+    looks_.push_back(
+        moved(wallsOf(look->percept.points, tape.info().range_limit_m), between(at, pose)));
   }
-  seen_ = thinned(seen_, trajectory::kNear_m);
 }
 
 bool SeenPlace::isRefutedBy(const std::vector<RangePoint>& points, double range_limit_m) const {
-  const std::vector<ScanPoint> now = wallsOf(points, range_limit_m);
+  const auto again = shareSeen(wallsOf(points, range_limit_m), nullptr);
+  std::vector<double> usual;
+  for (const auto& look : looks_) {
+    if (const auto share = shareSeen(look, &look)) usual.push_back(*share);
+  }
+  if (!again || usual.empty()) return false;
+  std::ranges::nth_element(usual, usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2));
+  return *again < kSeenAgain * usual[usual.size() / 2];
+}
+
+std::optional<double> SeenPlace::shareSeen(const std::vector<ScanPoint>& now,
+                                           const std::vector<ScanPoint>* left_out) const {
+  std::vector<ScanPoint> seen;
+  for (const auto& look : looks_) {
+    if (&look != left_out) seen.insert(seen.end(), look.begin(), look.end());
+  }
+  seen = thinned(seen, trajectory::kNear_m);
   const auto straight = [](const std::vector<ScanPoint>& all) {
     return std::count_if(all.begin(), all.end(), [](const ScanPoint& p) { return p.straight(); });
   };
-  if (std::min(straight(seen_), straight(now)) < trajectory::kLeastMatched) return false;
+  if (std::min(straight(seen), straight(now)) < trajectory::kLeastMatched) return std::nullopt;
   // It may have rolled on, or been turned on the spot, since it was stopped.
-  const auto place = WallGrid(seen_).find(now, {}, {kRolled_m, kRolledTurn});
+  const auto place = WallGrid(seen).find(now, {}, {kRolled_m, kRolledTurn});
   PointMap map;
-  map.add(seen_, 0);
+  map.add(seen, 0);
   const auto match = matchScan(now, map, place.value_or(Pose2()), trajectory::kLoopGates_m);
-  return !match || match->straight_near < kSeenAgain * match->straight;
+  return match ? static_cast<double>(match->straight_near) / match->straight : 0.0;
 }
 
 }  // namespace handmap

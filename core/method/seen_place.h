@@ -2,6 +2,7 @@
 // stands there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/shared_list.h"
@@ -21,7 +22,11 @@ class SeenPlace {
   bool isRefutedBy(const std::vector<RangePoint>& points, double range_limit_m) const;
 
  private:
-  std::vector<ScanPoint> seen_;  ///< frame of the place
+  /// Of the straight walls of a look, those that the looks but one saw, too. nullopt: too few.
+  std::optional<double> shareSeen(const std::vector<ScanPoint>& now,
+                                  const std::vector<ScanPoint>* left_out) const;
+
+  std::vector<std::vector<ScanPoint>> looks_;  ///< frame of the place
 };
 
 }  // namespace handmap
