@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -35,8 +36,9 @@ struct SideError {
 struct Compared {
   std::vector<SideError> sides;
   double drawn_sigma = 0.0;  ///< of a side, as the drawing says
-  Bounds drawn;
-  bool fixed = false;  ///< right whatever was seen
+  Polygon drawn;
+  double of_row = 1.0;  ///< share of the houses that it is drawn wall to wall with, and were seen
+  bool fixed = false;   ///< right whatever was seen
   double right = 0.5;
 };
 
@@ -57,7 +59,7 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
   const double fitted_heading = fitted.box().heading;
   const Sides sides = sidesOf(fitted);
   const Polygon before = drawn.footprint();
-  building.drawn = boundsOf(before);
+  building.drawn = before;
   const Polygon after = fitted.footprint();
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Vec2 normal = unitVector(box.heading + static_cast<double>(k) * kPi / 2.0);
@@ -70,6 +72,28 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
                               std::max(side.sigma, buildings::kFloor_m)});
   }
   return building;
+}
+
+bool touch(const Polygon& a, const Polygon& b) {
+  const auto near = [](const Polygon& polygon) {
+    return [&](const Vec2& corner) { return distanceTo(polygon, corner) <= kDrawnSlack_m; };
+  };
+  return std::ranges::any_of(a, near(b)) || std::ranges::any_of(b, near(a));
+}
+
+/// Houses of a row are drawn off together, and tell of the whole as one.
+void shareRows(std::vector<Compared>& buildings) {
+  std::vector<std::size_t> row(buildings.size());
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t a = 0; a < buildings.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (buildings[a].sides.empty() || buildings[b].sides.empty()) continue;
+      if (row[a] != row[b] && touch(buildings[a].drawn, buildings[b].drawn))
+        std::ranges::replace(row, row[a], row[b]);
+    }
+  }
+  for (std::size_t a = 0; a < buildings.size(); ++a)
+    buildings[a].of_row = 1.0 / static_cast<double>(std::ranges::count(row, row[a]));
 }
 
 double logNormal(double error, double sigma) {
@@ -172,23 +196,13 @@ class Mixture {
     Eigen::Matrix3d variance = covariance_.topLeftCorner<3, 3>();
     variance(2, 2) += way_turn * way_turn;
     const Eigen::Vector3d off = lie_.head<3>();
-    return countOfApart() >= kLeastApart && off.dot(variance.inverse() * off) > kRareSquareOfThree;
+    double rows = 0.0;
+    for (const Compared& building : buildings_) {
+      if (!building.sides.empty()) rows += building.of_row;
+    }
+    return rows >= kLeastToRefute && off.dot(variance.inverse() * off) > kRareSquareOfThree;
   }
 
-  /// Houses of a row were drawn off together: they count once.
-  std::ptrdiff_t countOfApart() const {
-    std::vector<Bounds> apart;
-    for (const Compared& building : buildings_) {
-      const Vec2 slack = Vec2::Constant(kDrawnSlack_m);
-      const Bounds near{building.drawn.low - slack, building.drawn.high + slack};
-      const bool touches = std::ranges::any_of(apart, [&](const Bounds& b) {
-        return (near.low.array() <= b.high.array()).all() &&
-               (b.low.array() <= near.high.array()).all();
-      });
-      if (!building.sides.empty() && !touches) apart.push_back(building.drawn);
-    }
-    return std::ssize(apart);
-  }
   std::ptrdiff_t countOfSeen() const {
     return std::ranges::count_if(buildings_, [](const Compared& b) { return !b.sides.empty(); });
   }
@@ -257,7 +271,7 @@ class Mixture {
         SideError::Slope of_right = side.slope;
         of_right.tail<2>().setZero();
         add(of_right, building.right / (side.sigma * side.sigma * (1.0 + off / 9.0)));
-        add(side.slope, (1.0 - building.right) / (drawn * drawn));
+        add(side.slope, (1.0 - building.right) * building.of_row / (drawn * drawn));
       }
     }
     share_ = (right + 1.0) / (count + 2.0);  // a uniform prior
@@ -285,6 +299,7 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
     const Building& drawn = drawing.buildings[b];
     buildings.push_back(compared(drawn, fitted.buildings[b], drawing.uncertaintyOf(drawn), origin));
   }
+  shareRows(buildings);
   const double together = std::max(drawing.shiftSigma(), buildings::kFloor_m);
   Mixture mixture(std::move(buildings), Lie{start_m, start_m, start_turn, together, together});
   Agreement agreement;

@@ -164,10 +164,6 @@ TEST(Agreement, FindsHowTheWayLiesOnADrawingThatIsRight) {
 
 TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
   Map drawing = sixHouses();
-  for (int i = 0; i < 3; ++i) {
-    drawing.buildings.push_back(drawing.buildings[static_cast<std::size_t>(i)]);
-    std::get<Rectangle>(drawing.buildings.back().shape).centre.y() += 60.0;
-  }
   drawing.uncertainty = {2.0, 1.0};
   const Pose2 off{4.0, -3.0, toRadians(6.0)};
   Map fitted = drawing;
@@ -183,9 +179,15 @@ TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
   EXPECT_TRUE(agreement.refutes_start);
   EXPECT_NEAR(agreement.motion.heading, off.heading, toRadians(2.0));
   EXPECT_LT((agreement.motion.position() - off.position()).norm(), 2.0);
-  for (std::size_t b = 0; b < 9; ++b) {  // one row, wall to wall, drawn off together
-    std::get<Rectangle>(drawing.buildings[b].shape).centre = Vec2(10.0 + 12.0 * double(b), 15.0);
-    std::get<Rectangle>(fitted.buildings[b].shape).centre = Vec2(14.0 + 12.0 * double(b), 18.0);
+  // Two rows, wall to wall, each drawn off together.
+  for (int i = 0; i < 6; ++i) {
+    drawing.buildings.push_back(drawing.buildings[static_cast<std::size_t>(i)]);
+    fitted.buildings.push_back(fitted.buildings[static_cast<std::size_t>(i)]);
+  }
+  for (std::size_t b = 0; b < 12; ++b) {
+    const Vec2 at(10.0 + 12.0 * double(b / 2), b % 2 == 0 ? 15.0 : -15.0);
+    drawing.buildings[b].shape = Rectangle{at, 12.0, 8.0, 0.0};
+    fitted.buildings[b].shape = Rectangle{at + Vec2(5.0, 4.0), 12.0, 8.0, 0.0};
   }
   EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
 }
