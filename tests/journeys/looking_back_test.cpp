@@ -289,5 +289,22 @@ TEST_F(LookingBack, ARevisionThatIsLeftIsForgotten) {
   }
 }
 
+/// Of forty observations a second some come late, on a busy machine thousands.
+TEST_F(LookingBack, OnlyAGapThatAPersonWouldMissIsMarked) {
+  ASSERT_TRUE(waitDone());
+  QSignalSpy noted(&past(), &PlaybackActions::noted);
+  std::vector<FrameReport> reports(200);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    reports[i].time_s = 1e6 + 0.025 * static_cast<double>(i) + (i >= 100 ? 0.4 : 0.0);
+  }
+  past().begin();
+  past().onNews(reports, 200, 0);
+  EXPECT_EQ(noted.size(), 0);
+  reports.front().time_s = reports.back().time_s + 1.5;
+  reports.resize(1);
+  past().onNews(reports, 201, 0);
+  EXPECT_EQ(noted.size(), 1);
+}
+
 }  // namespace
 }  // namespace handmap

@@ -55,15 +55,17 @@ void PlaybackActions::onNews(const std::vector<FrameReport>& reports, int done, 
 
 /// What lasts long, or goes back, by the clock of the recording.
 void PlaybackActions::markGap(const FrameReport& report, int index) {
-  constexpr double kLong = 5.0;   // times the usual
-  constexpr double kShare = 0.1;  // of the newest step in the usual one
+  constexpr double kLong = 5.0;    // times the usual
+  constexpr double kLong_s = 1.0;  // of many a second some always come late: no word of those
+  constexpr double kShare = 0.1;   // of the newest step in the usual one
   Timeline& timeline = transport_.timeline();
   if (report.odometry_guessed) {
     timeline.addMark(index, TimelineMark::Guessed, tr("Motion guessed at %1").arg(report.time_s));
   }
   if (last_report_) {
     const double step_s = report.time_s - last_report_->time_s;
-    if (step_s < 0.0 || (usual_step_s_ > 0.0 && step_s > kLong * usual_step_s_)) {
+    const double long_s = std::max(kLong * usual_step_s_, kLong_s);
+    if (step_s < 0.0 || (usual_step_s_ > 0.0 && step_s > long_s)) {
       const QString text = step_s < 0.0 ? tr("The clock went back by %1 s").arg(-step_s, 0, 'f', 1)
                                         : tr("Nothing came for %1 s").arg(step_s, 0, 'f', 1);
       timeline.addMark(index, TimelineMark::Gap, text);
