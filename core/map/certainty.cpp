@@ -25,15 +25,6 @@ void setSides(Building& building, const Sides& sides) {
   for (SideEstimate& side : *building.sides) side.sigma = std::round(side.sigma * 1e3) / 1e3;
 }
 
-void makeLessSure(Building& building, double sigma_m) {
-  if (!building.estimate) return;
-  Sides sides = sidesOf(building);
-  for (SideEstimate& side : sides) side.sigma = std::hypot(side.sigma, sigma_m);
-  building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, sigma_m);
-  building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, sigma_m);
-  setSides(building, sides);
-}
-
 std::vector<SideEstimate> wallsOf(const Building& building) {
   const Polygon footprint = building.footprint();
   const double heading = building.box().heading;

@@ -12,8 +12,6 @@ namespace handmap {
 Sides sidesOf(const Building& building);
 /// To the millimetre, as a file has them.
 void setSides(Building& building, const Sides& sides);
-/// As a whole it may be off by this too, one σ in any direction, metres.
-void makeLessSure(Building& building, double sigma_m);
 
 /// Of each wall of the footprint, from corner i to i + 1: that of the side that it faces most.
 std::vector<SideEstimate> wallsOf(const Building& building);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/buildings/constants.h"
 #include "core/explain/seen_walls.h"
 #include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
@@ -63,17 +64,25 @@ Map provenMap(const Map& drawing, const RunKnowledge& known, const PlacedRays& p
   return proven;
 }
 
-/// Walls are no surer than the poses nearest to them.
-void stateWay(const TrajectoryHypothesis& trajectory, Map& map) {
-  if (trajectory.sigma_m.empty()) return;
-  for (Building& building : map.buildings) {
-    if (building.fixed || !isRecognised(building)) continue;
-    const Vec2 at = centroid(building.footprint());
-    const auto nearest = std::ranges::min_element(trajectory.poses, {}, [&](const Pose2& pose) {
-      return (pose.position() - at).squaredNorm();
-    });
-    makeLessSure(building, trajectory.sigma_m[nearest - trajectory.poses.begin()]);
+/// A way that was laid along the buildings may still be turned by as much as neither it alone nor
+/// they tell, one σ, radians: each is drawn a little off, as seen from the middle of all.
+double turnAmong(const Map& drawing, const Map& found, double alone) {
+  if (alone <= 0.0) return 0.0;
+  std::vector<std::pair<Vec2, double>> seen;
+  Vec2 middle = Vec2::Zero();
+  for (std::size_t b = 0; b < found.buildings.size(); ++b) {
+    if (!isRecognised(found.buildings[b])) continue;
+    const Vec2 at = centroid(found.buildings[b].footprint());
+    seen.emplace_back(at, drawing.uncertaintyOf(drawing.buildings[b]).position);
+    middle += at;
   }
+  double information = 1.0 / (alone * alone);
+  for (const auto& [at, sigma] : seen) {
+    const Vec2 arm = at - middle / static_cast<double>(seen.size());
+    information +=
+        arm.squaredNorm() / std::max(sigma * sigma, buildings::kFloor_m * buildings::kFloor_m);
+  }
+  return 1.0 / std::sqrt(information);
 }
 
 std::ptrdiff_t seenWalls(const Building& building) {
@@ -105,6 +114,7 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   if (trajectory.by == TrajectoryHypothesis::By::Buildings) {
     proven = provenMap(drawing, known, placed);
     found.emplace(FoundMap{proven, known.motion});
+    trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
   }
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress,
                         trajectory.turn);
@@ -112,7 +122,6 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   const Pose2 onto_map = inverse(refined->motion);
   WallRays::of(refined->map, placed, onto_map).state(drawing, refined->map);
   for (Pose2& pose : trajectory.poses) pose = onto_map * pose;
-  stateWay(trajectory, refined->map);
   Conclusion conclusion{std::move(trajectory), std::move(refined->map), std::nullopt,
                         refined->start_variance};
   if (refined->refutes_start && drawing.start) {

@@ -19,8 +19,6 @@ struct TrajectoryHypothesis {
   By by;
   std::vector<Pose2> poses;
   double turn = 0.0;  ///< it may be turned about its start by so much, one σ, radians
-  /// By pose, where the buildings tell them: how far off it may be, one σ in any direction, metres.
-  std::vector<double> sigma_m = {};
 };
 
 /// What is known after some observations; a copy, so that any thread may conclude from it while the

@@ -56,7 +56,6 @@ class HandmapMethod : public EstimationMethod {
     if (observations_ == 0) matchToWalls(odometry.pose);
     drive(time_s, odometry, percept, stop);
     findBuildings(time_s, odometry.guessed, percept, stop, progress);
-    sigma_m_.push_back(std::sqrt(0.5 * estimator_.poseCovariance().topLeftCorner<2, 2>().trace()));
     if (keep(odometry.pose, percept)) look(percept.scan, odometry.guessed);
     if (matched_) {
       matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels, odometry.guessed);
@@ -266,8 +265,7 @@ class HandmapMethod : public EstimationMethod {
       walls = TrajectoryHypothesis{TrajectoryHypothesis::By::Walls,
                                    posesBy(TrajectoryHypothesis::By::Walls)};
     return {{alone, posesBy(alone), turnOf(alone)},
-            {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings), 0.0,
-             sigma_m_},
+            {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
             std::move(walls),
             estimator_.refinedMap(),
             estimator_.predictedMapLater(),
@@ -344,7 +342,6 @@ class HandmapMethod : public EstimationMethod {
   std::shared_ptr<const Map> shared_drawing_;  ///< the same, for what is made later
   Pose2 start_;                                ///< of the odometry frame, map frame
   std::uint64_t seed_;
-  std::vector<double> sigma_m_;  ///< of the estimator's poses
   bool on_the_way_;
   SeenFrames seen_;
   std::size_t observations_ = 0;

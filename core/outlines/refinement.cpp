@@ -183,6 +183,14 @@ Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
   return map;
 }
 
+void turnLessSure(Building& building, double sigma_m) {
+  Sides sides = sidesOf(building);
+  for (SideEstimate& side : sides) side.sigma = std::hypot(side.sigma, sigma_m);
+  building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, sigma_m);
+  building.estimate->sigma_y = std::hypot(building.estimate->sigma_y, sigma_m);
+  setSides(building, sides);
+}
+
 /// How much of a place is told by a way, and not by the drawing, each as sure as it is: 1 all.
 double sharedBetween(double drawn_m, double way_m) {
   const double both = drawn_m * drawn_m + way_m * way_m;
@@ -218,7 +226,7 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
       const Vec2 by = (1.0 - by_way) * back_to_drawn;
       building.shape = moved(building.shape, {by.x(), by.y(), 0.0});
     }
-    makeLessSure(building, std::hypot(agreement.sigmaAt(from_start), std::sqrt(by_way) * way_m));
+    turnLessSure(building, std::hypot(agreement.sigmaAt(from_start), std::sqrt(by_way) * way_m));
   }
   return refined;
 }

@@ -30,7 +30,7 @@ constexpr Room kRooms[] = {{"core/map_match", 33},
                            {"core/estimation/buildings", 51},
                            {"core/estimation/smoothing", 37},
                            {"core/estimation/walls", 35},
-                           {"core/method", 36},
+                           {"core/method", 41},
                            {"core/tape", 2}};
 
 const std::regex kNumber(
