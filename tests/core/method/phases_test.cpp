@@ -119,7 +119,7 @@ TEST(Phases, OfThePublishedMethodFollowItsAlgorithm) {
 
 TEST(Phases, OfOursGoFromTheWayToTheCorrection) {
   const auto snapshots = steps(settingsOf(Method::Handmap), true);
-  const Snapshot& snapshot = *snapshots[4];  // both fronts have been seen before
+  const Snapshot& snapshot = *snapshots[3];
   ASSERT_TRUE(snapshot.phases);
   const std::vector<PhaseKind> kinds = kindsOf(snapshot);
   const std::vector<PhaseKind> expected = {PhaseKind::Way,      PhaseKind::Poses,
