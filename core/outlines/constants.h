@@ -147,8 +147,8 @@ inline constexpr double kLabelled_m = 1.0;   // m; measured: σ of what was foun
 inline constexpr double kTells = 3.0;        // nats; choice: for or against a building
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start
 inline constexpr double kStart_m = 0.3;               // m; choice: the same
-inline constexpr double kLeastToRefute = 5.0;  // rows; choice: fewer may all be misplaced
-inline constexpr double kLeastStart_m = 0.01;  // m; limit: of one said to be exact
+inline constexpr double kLeastToRefute = 5.0;         // rows; choice: fewer may all be misplaced
+inline constexpr double kLeastStart_m = 0.01;         // m; limit: of one said to be exact
 inline constexpr double kLeastStartTurn = toRadians(0.01);  // rad; limit: the same
 
 }  // namespace handmap::outlines
