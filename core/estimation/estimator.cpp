@@ -28,8 +28,6 @@ HandmapEstimator::~HandmapEstimator() = default;
 
 void HandmapEstimator::startFrom(const Odometry& odometry) {
   state_->addFrame(0.0, odometry, *state_->drawing.start, Scan{});
-  // Which are near: their directions are those that the first walls are looked for in.
-  state_->labelBuildings(state_->nearM());
 }
 
 void HandmapEstimator::reviseOdometry(const std::vector<Pose2>& odometry, double noise) {
