@@ -29,7 +29,7 @@ void HandmapEstimator::State::updateDirections() {
     if ((motion(box.centre) - here).norm() < reach)
       drawn.push_back(box.heading + labels.freeTurn());
   }
-  directions.update(drawn, evidence.frames(), evidence.evidence());
+  directions.update(drawn, evidence.frames(), sensor, evidence.evidence());
   smoother.expectHeadings({directions.drawn(), labels.headingScatter(found)});
 }
 

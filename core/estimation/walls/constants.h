@@ -20,6 +20,7 @@ inline constexpr double kTemper = 0.4;      // 1; measured: METHOD.md, a frame's
 inline constexpr float kSilentUpTo = 0.9F;  // 1; choice: of the limit, noise takes some beyond it
 inline constexpr int kSilent = -1;          // label; limit: nothing came back
 inline constexpr int kLabels = 5;           // labels; choice: 0 no wall … 4 wall
+inline constexpr int kLooksLikeAWall = 3;   // label; choice: likelier a wall than not
 
 // Its table.
 inline constexpr float kReach = 4.0F;          // σ; choice: beyond, a return is of another thing
@@ -54,5 +55,12 @@ inline constexpr std::size_t kLanes = 4;  // 1; limit: what any processor does a
 inline constexpr double kDirectionsApart = 6.0 * kTilt;  // rad; derived: tilted rows reach the half
 inline constexpr std::size_t kMostDirections = 9;  // 1; derived: so many differ by that, less one
 inline constexpr int kPatience = 15;               // keyframes; choice: 30 m
+inline constexpr std::size_t kBins = 60;           // 1; derived: as wide as kTilt
+inline constexpr double kBin = kPi / 2.0 / static_cast<double>(kBins);  // rad; derived: kTilt
+inline constexpr double kForgetting = 0.95;    // 1; choice: a key frame, 40 m
+inline constexpr float kGap = 0.07F;           // rad; choice: between the returns of one piece
+inline constexpr double kMostPiece_m = 12.0;   // m; choice: a front
+inline constexpr double kLeastVotes_m = 20.0;  // m; choice: of a peak, two fronts
+inline constexpr double kLeastShare = 0.12;    // 1; choice: of all votes, eight directions each
 
 }  // namespace handmap::walls

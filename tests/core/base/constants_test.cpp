@@ -29,7 +29,7 @@ constexpr Room kRooms[] = {{"core/map_match", 33},
                            {"core/estimation", 30},
                            {"core/estimation/buildings", 51},
                            {"core/estimation/smoothing", 37},
-                           {"core/estimation/walls", 35},
+                           {"core/estimation/walls", 43},
                            {"core/method", 41},
                            {"core/tape", 2}};
 
