@@ -127,7 +127,7 @@ TEST_F(BagsCli, TheStreetsBagGivesTheSameRunAsItsFolder) {
   };
   EXPECT_EQ(ends["bag"]["observations"], 6);
   EXPECT_LT(apart_m("same-images"), 0.001);
-  EXPECT_LT(apart_m("own-images"), 0.3);
+  EXPECT_LT(apart_m("own-images"), 0.1);
 }
 
 TEST_F(BagsCli, EachRealBagOpensAndSaysWhatCanBeMadeOfIt) {
