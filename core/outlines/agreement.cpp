@@ -174,7 +174,7 @@ class Mixture {
     }
   }
 
-  /// All tell how the whole lies, each as well as it is drawn.
+  /// None is drawn right but what is fixed: all tell how the whole lies, each as well as it is drawn.
   void takeNoneAsRight() {
     for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
     for (int round = 0; round < kMostRounds; ++round) maximize();
@@ -206,6 +206,7 @@ class Mixture {
   std::ptrdiff_t countOfSeen() const {
     return std::ranges::count_if(buildings_, [](const Compared& b) { return !b.sides.empty(); });
   }
+
   double together() const {
     double sum = 0.0;
     for (const Compared& building : buildings_) {
@@ -227,8 +228,10 @@ class Mixture {
   void expect() {
     log_density_ = -0.5 * lie_.dot(prior_ * lie_);
     for (Compared& building : buildings_) {
-      if (building.fixed || building.sides.empty()) building.right = building.fixed ? 1.0 : share_;
-      if (building.sides.empty()) continue;
+      if (building.sides.empty()) {
+        building.right = building.fixed ? 1.0 : share_;
+        continue;
+      }
       Fits as_right;
       Fits as_wrong;
       for (const SideError& side : building.sides) {
@@ -236,6 +239,7 @@ class Mixture {
         as_wrong.add(wrongErrorOf(side), wrongSigmaOf(building, side));
       }
       if (building.fixed) {
+        building.right = 1.0;
         log_density_ += as_right.log();
         continue;
       }
