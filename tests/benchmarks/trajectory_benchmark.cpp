@@ -2,7 +2,9 @@
 // how far off both are.
 #include <benchmark/benchmark.h>
 
+#include "core/trajectory/constants.h"
 #include "core/trajectory/scan_trajectory.h"
+#include "tests/core/trajectory/ceres_pose_graph.h"
 #include "tests/core/trajectory/walled_world.h"
 
 namespace handmap {
@@ -56,6 +58,33 @@ void sharpness(benchmark::State& state) {
   state.counters["truth"] = trajectory.sharpness(drive().truth);
 }
 BENCHMARK(sharpness)->Unit(benchmark::kMillisecond);
+
+PoseGraph rounds(const benchmark::State& state) {
+  RandomStream random(1);
+  return test::roundsAlongASquare(static_cast<std::size_t>(state.range(0)), random);
+}
+
+void poseGraph(benchmark::State& state) {
+  PoseGraph graph = rounds(state);
+  for (auto _ : state) {
+    graph = rounds(state);
+    benchmark::DoNotOptimize(graph.optimize(50));
+  }
+  state.counters["cost"] = graph.cost(graph.poses());
+}
+BENCHMARK(poseGraph)->ArgName("rounds")->Arg(2)->Arg(5)->Arg(15)->Unit(benchmark::kMillisecond);
+
+void poseGraphByCeres(benchmark::State& state) {
+  std::vector<Pose2> found;
+  for (auto _ : state) found = test::byCeres(rounds(state), trajectory::kLeastGain);
+  state.counters["cost"] = rounds(state).cost(found);
+}
+BENCHMARK(poseGraphByCeres)
+    ->ArgName("rounds")
+    ->Arg(2)
+    ->Arg(5)
+    ->Arg(15)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace handmap
