@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -33,6 +34,13 @@ class RandomStream {
   /// Standard normal (Box-Muller; both values of a pair are used).
   double normal();
   double normal(double mean, double sigma) { return mean + sigma * normal(); }
+  /// So many, the last drawn first. (Arguments of one call are drawn in the compiler's order.)
+  template <std::size_t Count>
+  std::array<double, Count> normals() {
+    std::array<double, Count> drawn;
+    for (std::size_t i = Count; i-- > 0;) drawn[i] = normal();
+    return drawn;
+  }
   /// In 0 … count - 1; count > 0.
   int index(int count) { return static_cast<int>(uniform() * count); }
 

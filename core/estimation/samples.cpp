@@ -31,7 +31,7 @@ PoseSampler::PoseSampler(const Pose2& mean, const Eigen::Matrix3d& covariance) :
 }
 
 Pose2 PoseSampler::operator()(RandomStream& random) const {
-  const Eigen::Vector3d unit(random.normal(), random.normal(), random.normal());
+  const Eigen::Vector3d unit(random.normals<3>().data());
   const Eigen::Vector3d offset = root_ * unit;
   return {mean_.x + offset.x(), mean_.y + offset.y(), normalizedAngle(mean_.heading + offset.z())};
 }
@@ -42,7 +42,7 @@ BuildingSampler::BuildingSampler(const RefinedBuilding& refined) : walls_(refine
 }
 
 Rectangle BuildingSampler::operator()(RandomStream& random) const {
-  const Eigen::Vector4d unit(random.normal(), random.normal(), random.normal(), random.normal());
+  const Eigen::Vector4d unit(random.normals<4>().data());
   const Eigen::Vector4d offset = root_ * unit;
   Box box = walls_;
   for (std::size_t k = 0; k < 4; ++k) box.reach[k] += offset[static_cast<Eigen::Index>(k)];

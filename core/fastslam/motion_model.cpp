@@ -20,7 +20,7 @@ Pose2 samplePose(const Pose2& pose, const Pose2& motion, const MotionNoise& nois
 Pose2 sampleGuess(const Pose2& motion, const Eigen::Matrix3d& variance, RandomStream& random) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(variance);
   const Eigen::Array3d sigma = axes.eigenvalues().array().max(0.0).sqrt();
-  const Eigen::Array3d unit(random.normal(), random.normal(), random.normal());
+  const Eigen::Array3d unit(random.normals<3>().data());
   const Eigen::Vector3d off = axes.eigenvectors() * (sigma * unit).matrix();
   return {motion.x + off.x(), motion.y + off.y(), normalizedAngle(motion.heading + off.z())};
 }

@@ -183,8 +183,9 @@ void addHedge(const Thing& hedge, std::uint64_t seed, std::uint32_t number, Mode
     const Vec2 out = -perpendicular(b - a) / length;
     const int leaves = std::min(1200, static_cast<int>(length * hedge.height * 40.0));
     for (int k = 0; k < leaves; ++k) {
-      const Vec2 place =
-          a + foliage.random().uniform() * (b - a) + foliage.random().uniform(-0.03, 0.12) * out;
+      const double along = foliage.random().uniform();
+      const double outwards = foliage.random().uniform(-0.03, 0.12);
+      const Vec2 place = a + along * (b - a) + outwards * out;
       const double z = foliage.random().uniform(0.0, hedge.height);
       foliage.leaf(lifted(place, z), lifted(out, 0.3), 0.09, 0.0, hedge.height);
     }

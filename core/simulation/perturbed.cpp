@@ -127,7 +127,7 @@ Map possibleDrawing(const Map& truth, const Redraw& redraw, std::uint64_t seed, 
 Map perturbed(const Map& truth, double sigma_m, std::uint64_t seed, Keeping keeping) {
   const auto redraw = [&](std::size_t i, const std::vector<Building>&, RandomStream& random) {
     Rectangle box = truth.buildings[i].box();
-    box.centre += Vec2(random.normal(0.0, sigma_m), random.normal(0.0, sigma_m));
+    box.centre += sigma_m * Vec2(random.normals<2>().data());
     box.width = drawnSize(box.width, sigma_m, random);
     box.depth = drawnSize(box.depth, sigma_m, random);
     return truth.buildings[i].fitted(box);

@@ -54,7 +54,7 @@ Polygon shaken(const Polygon& outline, double sigma_m, RandomStream& random) {
   for (int i = 0; i < kRedrawings; ++i) {
     Polygon moved = outline;
     for (Vec2& corner : moved) {
-      corner += Vec2(random.normal(0.0, sigma_m), random.normal(0.0, sigma_m));
+      corner += sigma_m * Vec2(random.normals<2>().data());
     }
     if (isSimple(moved) && signedArea(moved) > 0.0) return moved;
   }

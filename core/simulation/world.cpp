@@ -197,8 +197,10 @@ World campusWorld(std::uint64_t seed) {
       building.id = fmt::format("B{}", taken.size());
       building.shape = box;
       if (l_shaped) {
-        building.shape = lShape(box, random.uniform(0.35, 0.65), random.uniform(0.35, 0.65),
-                                random.uniform() < 0.5);
+        const bool left = random.uniform() < 0.5;
+        const double depth = random.uniform(0.35, 0.65);
+        const double width = random.uniform(0.35, 0.65);
+        building.shape = lShape(box, width, depth, left);
       }
       map.buildings.push_back(building);
     }

@@ -81,6 +81,13 @@ TEST(Random, NormalHasItsMoments) {
   EXPECT_DOUBLE_EQ(scaled.normal(10.0, 2.0), 10.0 + 2.0 * plain.normal());
 }
 
+TEST(Random, SeveralNormalsAreDrawnFromTheLastToTheFirst) {
+  RandomStream together(7);
+  RandomStream single(7);
+  const std::array<double, 3> three = together.normals<3>();
+  for (std::size_t i = 3; i-- > 0;) EXPECT_EQ(three[i], single.normal()) << i;
+}
+
 TEST(Random, IndexCoversItsRange) {
   RandomStream stream(6);
   std::vector<int> counts(7);
