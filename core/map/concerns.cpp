@@ -11,8 +11,8 @@ namespace handmap {
 namespace {
 
 constexpr double kFar = 3.0;  // σ of the drawing; three of a thousand are farther off by chance
-/// Drawings from memory are turned by some 3° (kMostTurn of core/outlines, 0.08 rad, is the most
-/// that is expected of them, one σ).
+/// One in three outlines that people draw is turned by more (core/sketch_study); of drawings that
+/// are said to be better hardly any.
 constexpr double kMuchTurned = toRadians(15.0);
 /// Of the smaller building: neighbours of real places that are fitted each for itself share less.
 constexpr double kMuchShared = 0.1;

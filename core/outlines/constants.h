@@ -72,8 +72,8 @@ inline constexpr double kSeenReturns = 1.0;   // returns; choice: ten looks, of 
 inline constexpr int kNobody = -1;            // index; choice: of a return that is no building's
 
 // Where an outline may be.
-inline constexpr double kMostScale = 0.3;         // 1; measured: logs of drawn sizes, METHOD.md
-inline constexpr double kMostTurn = 0.08;         // rad; measured: 4°, METHOD.md
+inline constexpr double kMostScale = 0.3;             // 1; measured: logs of drawn sizes, METHOD.md
+inline constexpr double kMostTurn = toRadians(15.0);  // rad; measured: core/sketch_study
 inline constexpr double kMostShear = 0.03;        // 1; choice: walls stand upright on each other
 inline constexpr double kMostCorner_m = 1.0;      // m; choice: of a single wall
 inline constexpr double kLeastShare = 0.01;       // 1; choice: of sizes said to be exact
