@@ -4,6 +4,7 @@
 
 #include "core/estimation/constants.h"
 #include "core/estimation/estimator_state.h"
+#include "core/geometry/pose_covariance.h"
 
 namespace handmap {
 
@@ -126,9 +127,7 @@ void HandmapEstimator::State::carryAlong(const std::vector<Pose2>& before) {
 void HandmapEstimator::State::carryCovariance(std::size_t from, const Eigen::Matrix3d& since) {
   covariances.resize(frames.size(), Eigen::Matrix3d::Zero());
   const Vec2 lever = frames.back().pose.position() - frames[from].pose.position();
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
-  slope.topRightCorner<2, 1>() = perpendicular(lever);
-  covariance = slope * covariances[from] * slope.transpose() + since;
+  covariance = swungBy(lever, covariances[from]) + since;
   covariances.back() = covariance;
 }
 

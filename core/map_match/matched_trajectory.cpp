@@ -4,10 +4,10 @@
 #include <cmath>
 #include <span>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "core/estimation/buildings/constants.h"
+#include "core/geometry/pose_covariance.h"
 #include "core/map_match/constants.h"
 #include "core/outlines/structure.h"
 #include "core/trajectory/scan_match.h"
@@ -43,13 +43,10 @@ MotionFactor MatchedTrajectory::motion(const Keyframe& from, const Keyframe& to)
 /// Of the pose of `to`, by the odometry since a keyframe.
 Eigen::Matrix3d MatchedTrajectory::carried(const Keyframe& from, const Keyframe& to) const {
   const Pose2 driven = between(trajectory_[from.observation], trajectory_[to.observation]);
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
-  slope.topRightCorner<2, 1>() = perpendicular(to.pose.position() - from.pose.position());
-  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
-  turned.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(from.pose.heading).toRotationMatrix();
   Eigen::Matrix3d motion = guessedBetween(from, to);
   motion.diagonal() += noise_.sigmaOf(driven).cwiseAbs2();
-  return slope * at_keyframe_ * slope.transpose() + turned * motion * turned.transpose();
+  return swungBy(to.pose.position() - from.pose.position(), at_keyframe_) +
+         turnedBy(from.pose.heading, motion);
 }
 
 void MatchedTrajectory::add(const std::vector<Pose2>& trajectory, const OdometryNoise& noise,
@@ -192,7 +189,7 @@ PoseGraph MatchedTrajectory::graph() const {
 void MatchedTrajectory::optimize() {
   if (keyframes_.empty()) return;
   PoseGraph poses = graph();
-  poses.optimize(trajectory::kGraphSteps);
+  poses.optimize();
   for (std::size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].pose = poses.poses()[i + 1];
   const Keyframe& last = keyframes_.back();
   const std::size_t newest = travelled_m_.size() - 1;

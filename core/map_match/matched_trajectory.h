@@ -8,7 +8,7 @@
 #include "core/map_match/wall_map.h"
 #include "core/odometry/constants.h"
 #include "core/outlines/seen_frames.h"
-#include "core/trajectory/pose_graph.h"
+#include "core/pose_graph/pose_graph.h"
 
 namespace handmap {
 

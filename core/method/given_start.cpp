@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "core/base/gaussian.h"
+#include "core/geometry/pose_covariance.h"
 #include "core/method/constants.h"
 #include "core/odometry/given_poses.h"
+#include "core/pose_graph/pose_graph.h"
 #include "core/trajectory/constants.h"
-#include "core/trajectory/pose_graph.h"
 
 namespace handmap {
 
@@ -66,8 +67,7 @@ GivenStart::Way GivenStart::wayTo(const Along& along, bool by_scans) const {
   const std::size_t i = along.observation;
   const Pose2 pose = i == 0 ? poses.front() : interpolated(poses[i - 1], poses[i], along.share);
   Way way{between(start_odometry_, pose), by_scans ? along.by_scans : along.by_wheels};
-  const Eigen::Matrix3d turn = rotation(-start_odometry_.heading);
-  way.variance = turn * way.variance * turn.transpose();
+  way.variance = turnedBy(-start_odometry_.heading, way.variance);
   way.variance.diagonal().array() += kLeastVariance;
   if (!by_scans) {
     way.variance.diagonal().head<2>().array() += std::pow(kWheelScale * along.driven_m, 2);

@@ -7,6 +7,7 @@
 #include "core/estimation/buildings/constants.h"
 #include "core/estimation/estimator.h"
 #include "core/explain/seen_walls.h"
+#include "core/geometry/pose_covariance.h"
 #include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
 #include "core/method/conclusions.h"
@@ -307,10 +308,9 @@ class HandmapMethod : public EstimationMethod {
     } else if (by == TrajectoryHypothesis::By::Walls) {
       covariance = matched_->covariance();
     } else if (by != TrajectoryHypothesis::By::Buildings) {
-      const Eigen::Matrix3d turn = rotation(start_.heading);
       const bool scans = by == TrajectoryHypothesis::By::Scans;
       covariance =
-          turn * (scans ? trajectory_.covariance() : wheels_.covariance()) * turn.transpose();
+          turnedBy(start_.heading, scans ? trajectory_.covariance() : wheels_.covariance());
       const Vec2 apart = pose().position() - estimator_.pose().position();
       const double stated = (covariance + buildings).topLeftCorner<2, 2>().trace();
       if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
@@ -320,9 +320,8 @@ class HandmapMethod : public EstimationMethod {
         by == TrajectoryHypothesis::By::Walls || (concluded_ && concluded_->covariance);
     if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);
     if (concluded_ && concluded_->start_variance) {
-      Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
-      slope.topRightCorner<2, 1>() = perpendicular(pose().position() - drawing_.start->position());
-      covariance += slope * *concluded_->start_variance * slope.transpose();
+      covariance +=
+          swungBy(pose().position() - drawing_.start->position(), *concluded_->start_variance);
     } else if (const auto& start = drawing_.start_uncertainty) {
       // The walls are corrected from where the robot is: what its start is off, all is off.
       turnAboutStart(start->heading, covariance);

@@ -2,19 +2,11 @@
 
 #include <cmath>
 
-#include <Eigen/Geometry>
-
+#include "core/geometry/pose_covariance.h"
 #include "core/odometry/constants.h"
 
 namespace handmap {
 
-Eigen::Matrix3d rotation(double heading_rad) {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(heading_rad).toRotationMatrix();
-  return rotation;
-}
-
-/// A step adds its noise; the heading before it swings the end of it.
 void WheelUncertainty::add(const Odometry& odometry) {
   if (!last_) {
     last_ = odometry;
@@ -27,11 +19,9 @@ void WheelUncertainty::add(const Odometry& odometry) {
                                  kWheels.aside_per_m * kWheels.aside_per_m * length,
                                  kWheels.heading_variance_per_m * length +
                                      std::pow(kWheels.heading_per_rad * motion.heading, 2));
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
-  slope.topRightCorner<2, 1>() = perpendicular(odometry.pose.position() - last_->pose.position());
-  const Eigen::Matrix3d turn = rotation(last_->pose.heading);
-  covariance_ = slope * covariance_ * slope.transpose() +
-                turn * variance.asDiagonal() * turn.transpose() + odometry.guessed - last_->guessed;
+  covariance_ = swungBy(odometry.pose.position() - last_->pose.position(), covariance_) +
+                turnedBy(last_->pose.heading, variance.asDiagonal()) + odometry.guessed -
+                last_->guessed;
   last_ = odometry;
 }
 

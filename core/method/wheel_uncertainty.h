@@ -9,9 +9,6 @@
 
 namespace handmap {
 
-/// Turns (x, y, heading) of one frame into another.
-Eigen::Matrix3d rotation(double heading_rad);
-
 class WheelUncertainty {
  public:
   /// The odometry of the next observation.

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
+#include "core/geometry/pose_covariance.h"
 #include "core/odometry/constants.h"
 
 namespace handmap {
@@ -19,9 +18,7 @@ Eigen::Vector3d OdometryNoise::sigmaOf(const Pose2& motion) const {
 }
 
 Eigen::Matrix3d guessedOf(const Odometry& from, const Odometry& to) {
-  Eigen::Matrix3d own = Eigen::Matrix3d::Identity();
-  own.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-from.pose.heading).toRotationMatrix();
-  return own * (to.guessed - from.guessed) * own.transpose();
+  return turnedBy(-from.pose.heading, to.guessed - from.guessed);
 }
 
 bool mayBeFar(const Eigen::Matrix3d& guessed) {

@@ -10,6 +10,7 @@
 
 #include "core/base/gaussian.h"
 #include "core/estimation/buildings/constants.h"
+#include "core/geometry/pose_covariance.h"
 #include "core/map/certainty.h"
 #include "core/outlines/constants.h"
 
@@ -174,7 +175,8 @@ class Mixture {
     }
   }
 
-  /// None is drawn right but what is fixed: all tell how the whole lies, each as well as it is drawn.
+  /// None is drawn right but what is fixed: all tell how the whole lies, each as well as it is
+  /// drawn.
   void takeNoneAsRight() {
     for (Compared& building : buildings_) building.right = building.fixed ? 1.0 : 0.0;
     for (int round = 0; round < kMostRounds; ++round) maximize();
@@ -319,9 +321,7 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
 }
 
 double Agreement::sigmaAt(const Vec2& from_start) const {
-  Eigen::Matrix<double, 2, 3> slope = Eigen::Matrix<double, 2, 3>::Identity();
-  slope.col(2) = perpendicular(from_start);
-  return std::sqrt(0.5 * (slope * covariance * slope.transpose()).trace());
+  return std::sqrt(0.5 * swungBy(from_start, covariance).topLeftCorner<2, 2>().trace());
 }
 
 }  // namespace handmap

@@ -83,14 +83,9 @@ inline constexpr double kLeastNoise =
     0.1;  // 1; choice: of the odometry's, a scan may be off itself
 
 // Keyframes and their graph.
-inline constexpr double kKeyframe_m = 1.8;      // m; measured: FIELD.md (b)
-inline constexpr double kKernel = 9.0;          // χ²; measured: FIELD.md (b), odometry may slip
-inline constexpr double kLoopKernel = 30.0;     // χ²; measured: FIELD.md (b), far off at first
-inline constexpr int kGraphSteps = 12;          // iterations; limit: it has settled before
-inline constexpr double kLeastGain = 1e-4;      // 1; limit: of the cost, less is not worth a step
-inline constexpr double kFirstDamping = 1e-6;   // 1; limit: of the diagonal
-inline constexpr double kDampingFactor = 10.0;  // 1; choice: Marquardt's
-inline constexpr double kLeastInformation = 1e-9;  // 1/m²; limit: what nothing holds stays
+inline constexpr double kKeyframe_m = 1.8;   // m; measured: FIELD.md (b)
+inline constexpr double kKernel = 9.0;       // χ²; measured: FIELD.md (b), odometry may slip
+inline constexpr double kLoopKernel = 30.0;  // χ²; measured: FIELD.md (b), far off at first
 
 // Loops.
 inline constexpr std::size_t kSourceReach = 6;  // keyframes; measured: FIELD.md (b), either side

@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/pose_graph/motion_factor.h"
 #include "core/trajectory/constants.h"
-#include "core/trajectory/factors.h"
 #include "core/trajectory/submap.h"
 
 namespace handmap {

@@ -81,8 +81,8 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
       match.chance = sums.chance;
       match.matched = sums.matched;
       if (prior) {
-        const MotionFactor::Value value = prior->motion.at(prior->from, match.pose);
-        sums.add(value.to_slope, value.residual, 1.0);
+        const Factor<3, 6> factor = prior->motion.at(prior->from, match.pose);
+        sums.add(factor.jacobian.rightCols<3>(), factor.residual, 1.0);
       }
       const Eigen::LDLT<Eigen::Matrix3d> solver(sums.information);
       if (solver.info() != Eigen::Success || !solver.isPositive()) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/pose_graph/motion_factor.h"
 #include "core/trajectory/factors.h"
 #include "core/trajectory/point_map.h"
 

@@ -36,7 +36,7 @@ bool TrajectoryGraph::add(const Odometry& now, const std::vector<ScanPoint>& sca
   const std::vector<Loop> loops = search_.search(graph_.poses(), stop);
   for (const Loop& loop : loops) graph_.addEdge({loop.from, loop.to, loop.motion, kLoopKernel});
   loops_ += static_cast<int>(loops.size());
-  return !loops.empty() && graph_.optimize(kGraphSteps) > 0;
+  return !loops.empty() && graph_.optimize() > 0;
 }
 
 Pose2 TrajectoryGraph::corrected(const Pose2& smooth, std::size_t keyframe) const {

@@ -5,9 +5,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/pose_graph/pose_graph.h"
 #include "core/recording/odometry.h"
 #include "core/trajectory/loop_search.h"
-#include "core/trajectory/pose_graph.h"
 
 namespace handmap {
 

@@ -3,8 +3,8 @@
 
 #include <deque>
 
+#include "core/pose_graph/motion_factor.h"
 #include "core/trajectory/constants.h"
-#include "core/trajectory/factors.h"
 
 namespace handmap {
 

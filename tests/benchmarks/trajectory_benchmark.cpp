@@ -2,9 +2,9 @@
 // how far off both are.
 #include <benchmark/benchmark.h>
 
-#include "core/trajectory/constants.h"
+#include "core/pose_graph/constants.h"
 #include "core/trajectory/scan_trajectory.h"
-#include "tests/core/trajectory/ceres_pose_graph.h"
+#include "tests/core/pose_graph/ceres_pose_graph.h"
 #include "tests/core/trajectory/walled_world.h"
 
 namespace handmap {
@@ -76,7 +76,7 @@ BENCHMARK(poseGraph)->ArgName("rounds")->Arg(2)->Arg(5)->Arg(15)->Unit(benchmark
 
 void poseGraphByCeres(benchmark::State& state) {
   std::vector<Pose2> found;
-  for (auto _ : state) found = test::byCeres(rounds(state), trajectory::kLeastGain);
+  for (auto _ : state) found = test::byCeres(rounds(state), pose_graph::kLeastGain);
   state.counters["cost"] = rounds(state).cost(found);
 }
 BENCHMARK(poseGraphByCeres)

@@ -33,8 +33,6 @@ inline constexpr double kSizeDamping_m = 4.0;  // m; choice: of what no ray tell
 inline constexpr double kPlaceDamping_m = 10.0 * kSizeDamping_m;  // m; derived: of no account
 inline constexpr double kMostTurn = 0.05;    // rad; choice: as far as slopes hold
 inline constexpr double kLeastSize_m = 2.0;  // m; choice: no building is smaller
-inline constexpr std::array kDampings{0.0, 1e-9, 1e-6, 1e-3, 1.0};  // 1; choice: of the diagonal,
-                                                                    // from rounding to half a step
 
 // The heading's variance of the odometry.
 inline constexpr std::size_t kStretch = 8;    // keyframes; choice: 16 m

@@ -1,8 +1,9 @@
 // What a frame says of a compact thing.
 #pragma once
 
-#include "core/estimation/smoothing/factor.h"
+#include "core/estimation/smoothing/constants.h"
 #include "core/estimation/walls/frame.h"
+#include "core/pose_graph/factor.h"
 
 namespace handmap {
 

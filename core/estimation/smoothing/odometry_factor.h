@@ -1,9 +1,10 @@
 // What the odometry says of two poses after one another.
 #pragma once
 
-#include "core/estimation/smoothing/factor.h"
+#include "core/estimation/smoothing/constants.h"
 #include "core/estimation/walls/frame.h"
 #include "core/odometry/odometry_noise.h"
+#include "core/pose_graph/factor.h"
 
 namespace handmap {
 

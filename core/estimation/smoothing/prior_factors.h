@@ -5,8 +5,8 @@
 
 #include "core/estimation/drawing/drawing_prior.h"
 #include "core/estimation/drawing/drawn_box.h"
-#include "core/estimation/smoothing/normal_equations.h"
 #include "core/estimation/smoothing/smoothing_graph.h"
+#include "core/pose_graph/normal_equations.h"
 
 namespace handmap {
 

@@ -8,10 +8,29 @@
 #include "core/estimation/buildings/box_view.h"
 #include "core/estimation/buildings/found_box.h"
 #include "core/estimation/buildings/silhouette.h"
-#include "core/estimation/smoothing/factor.h"
+#include "core/estimation/smoothing/constants.h"
 #include "core/estimation/walls/sensor_model.h"
+#include "core/pose_graph/factor.h"
 
 namespace handmap {
+
+/// Of a pose, a box and the bias of the ranges, in this order: what a frame says of a building.
+struct SightEquations {
+  /// Where each begins, and how many there are.
+  enum : int { kBox = smoothing::kPoseSize, kBias = kBox + smoothing::kBoxSize, kSize = kBias + 1 };
+
+  Eigen::Matrix<double, kSize, kSize> matrix = Eigen::Matrix<double, kSize, kSize>::Zero();
+  Eigen::Matrix<double, kSize, 1> right = Eigen::Matrix<double, kSize, 1>::Zero();
+
+  void add(const ScalarFactor<kSize>& factor) {
+    matrix.noalias() += factor.weight * factor.slope * factor.slope.transpose();
+    right.noalias() -= factor.weight * factor.residual * factor.slope;
+  }
+  void add(const SightEquations& other, double share) {
+    matrix += share * other.matrix;
+    right += share * other.right;
+  }
+};
 
 /// How ranges and walls are off beside the noise of the sensor.
 struct SightErrors {

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/estimation/smoothing/normal_equations.h"
 #include "core/estimation/smoothing/odometry_factor.h"
 #include "core/estimation/smoothing/prior_factors.h"
 #include "core/estimation/smoothing/sight_factors.h"
 #include "core/estimation/smoothing/smoothing_graph.h"
+#include "core/pose_graph/normal_equations.h"
 
 namespace handmap {
 

@@ -7,7 +7,7 @@
 
 #include "core/estimation/drawing/drawing_prior.h"
 #include "core/estimation/loops/same_building.h"
-#include "core/estimation/smoothing/factor.h"
+#include "core/estimation/smoothing/constants.h"
 
 namespace handmap {
 

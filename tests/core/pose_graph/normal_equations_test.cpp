@@ -1,4 +1,4 @@
-#include "core/estimation/smoothing/normal_equations.h"
+#include "core/pose_graph/normal_equations.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/core/trajectory/ceres_pose_graph.h"
+#include "tests/core/pose_graph/ceres_pose_graph.h"
 
 namespace handmap {
 namespace {

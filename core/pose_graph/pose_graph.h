@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/trajectory/factors.h"
+#include "core/pose_graph/motion_factor.h"
+#include "core/pose_graph/normal_equations.h"
 
 namespace handmap {
 
@@ -15,8 +16,8 @@ struct GraphEdge {
   double kernel = 0.0;  ///< k of Cauchy's kernel on the squared residual
 };
 
-/// Levenberg-Marquardt on sparse normal equations; the first pose stays. The cost never rises, and
-/// what is not finite is never taken.
+/// Levenberg-Marquardt; the first pose stays. The cost never rises, and what is not finite is never
+/// taken.
 class PoseGraph {
  public:
   explicit PoseGraph(std::vector<Pose2> poses = {}) : poses_(std::move(poses)) {}
@@ -24,10 +25,10 @@ class PoseGraph {
   void addPose(const Pose2& pose) { poses_.push_back(pose); }
   void addEdge(const GraphEdge& edge) { edges_.push_back(edge); }
   /// Returns how many steps were taken.
-  int optimize(int most_steps);
+  int optimize(int most_steps = pose_graph::kMostSteps);
 
-  /// Of (x, y, heading) of one pose, the first held; as the edges weigh now. Not finite or not to
-  /// be had: as if nothing held it.
+  /// Of (x, y, heading) of one pose, the first held; as the edges weigh now. Not to be had: as if
+  /// nothing held it.
   Eigen::Matrix3d covariance(std::size_t pose) const;
 
   const std::vector<Pose2>& poses() const { return poses_; }
@@ -35,8 +36,7 @@ class PoseGraph {
   double cost(const std::vector<Pose2>& poses) const;
 
  private:
-  struct System;
-  System linearized() const;
+  NormalEquations equations() const;
 
   std::vector<Pose2> poses_;
   std::vector<GraphEdge> edges_;

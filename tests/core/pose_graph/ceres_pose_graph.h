@@ -12,7 +12,7 @@
 #include <ceres/solver.h>
 
 #include "core/base/random.h"
-#include "core/trajectory/pose_graph.h"
+#include "core/pose_graph/pose_graph.h"
 
 namespace handmap::test {
 

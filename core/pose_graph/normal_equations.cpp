@@ -1,10 +1,11 @@
-#include "core/estimation/smoothing/normal_equations.h"
+#include "core/pose_graph/normal_equations.h"
 
-#include "core/estimation/smoothing/constants.h"
+#include <algorithm>
+#include <span>
 
 namespace handmap {
 
-using namespace smoothing;
+using namespace pose_graph;
 
 namespace {
 
@@ -25,15 +26,23 @@ Eigen::SparseMatrix<double> NormalEquations::matrix() const {
 
 /// A negative pivot is no failure to Eigen, but to what is a sum of squares.
 bool NormalSolver::factorize(const Eigen::SparseMatrix<double>& matrix) {
-  factor_.compute(matrix);
+  const std::span columns(matrix.outerIndexPtr(), static_cast<std::size_t>(matrix.cols()) + 1);
+  const std::span rows(matrix.innerIndexPtr(), static_cast<std::size_t>(matrix.nonZeros()));
+  if (!std::ranges::equal(columns, columns_) || !std::ranges::equal(rows, rows_)) {
+    columns_.assign(columns.begin(), columns.end());
+    rows_.assign(rows.begin(), rows.end());
+    factor_.analyzePattern(matrix);
+  }
+  factor_.factorize(matrix);
   return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0.0).all();
 }
 
-std::optional<Eigen::VectorXd> NormalSolver::solve(const NormalEquations& equations) {
+std::optional<Eigen::VectorXd> NormalSolver::solve(const NormalEquations& equations,
+                                                   std::size_t first) {
   solved_ = false;
   const Eigen::SparseMatrix<double> matrix = equations.matrix();
   if (!matrix.diagonal().allFinite() || !equations.right().allFinite()) return std::nullopt;
-  for (const double damping : kDampings) {
+  for (const double damping : std::span(kDampings).subspan(first)) {
     if (!factorize(damping > 0.0 ? damped(matrix, damping) : matrix)) continue;
     Eigen::VectorXd step = factor_.solve(equations.right());
     if (factor_.info() != Eigen::Success || !step.allFinite()) continue;

@@ -7,7 +7,8 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "core/estimation/smoothing/factor.h"
+#include "core/pose_graph/constants.h"
+#include "core/pose_graph/factor.h"
 
 namespace handmap {
 
@@ -84,8 +85,9 @@ class NormalEquations {
 class NormalSolver {
  public:
   /// The step to take. Where the equations do not determine all unknowns, or rounding has it so, a
-  /// damped one (Levenberg); nullopt where that does not help either or a number is not finite.
-  std::optional<Eigen::VectorXd> solve(const NormalEquations& equations);
+  /// damped one (Levenberg), by pose_graph::kDampings from `first` on; nullopt where none helps or
+  /// a number is not finite.
+  std::optional<Eigen::VectorXd> solve(const NormalEquations& equations, std::size_t first = 0);
   /// Whether the last solve() did: the covariance is known.
   bool isSolved() const { return solved_; }
   /// Of the covariance of the unknowns. Only where isSolved().
@@ -95,6 +97,8 @@ class NormalSolver {
   bool factorize(const Eigen::SparseMatrix<double>& matrix);
 
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  std::vector<int> columns_;  ///< of the matrix that was ordered last, where they begin
+  std::vector<int> rows_;     ///< and the rows in them
   bool solved_ = false;
 };
 

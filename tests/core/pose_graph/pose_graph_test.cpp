@@ -1,4 +1,4 @@
-#include "core/trajectory/pose_graph.h"
+#include "core/pose_graph/pose_graph.h"
 
 #include <gtest/gtest.h>
 
