@@ -37,12 +37,12 @@ bool NormalSolver::factorize(const Eigen::SparseMatrix<double>& matrix) {
   return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0.0).all();
 }
 
-std::optional<Eigen::VectorXd> NormalSolver::solve(const NormalEquations& equations,
-                                                   std::size_t first) {
+std::optional<Eigen::VectorXd> NormalSolver::solve(const NormalEquations& equations, double least) {
   solved_ = false;
   const Eigen::SparseMatrix<double> matrix = equations.matrix();
   if (!matrix.diagonal().allFinite() || !equations.right().allFinite()) return std::nullopt;
-  for (const double damping : std::span(kDampings).subspan(first)) {
+  for (const double more : kDampings) {
+    const double damping = std::max(least, more);
     if (!factorize(damping > 0.0 ? damped(matrix, damping) : matrix)) continue;
     Eigen::VectorXd step = factor_.solve(equations.right());
     if (factor_.info() != Eigen::Success || !step.allFinite()) continue;

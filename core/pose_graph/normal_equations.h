@@ -84,10 +84,10 @@ class NormalEquations {
 /// Solves normal equations by a sparse Cholesky factor (LDLᵀ).
 class NormalSolver {
  public:
-  /// The step to take. Where the equations do not determine all unknowns, or rounding has it so, a
-  /// damped one (Levenberg), by pose_graph::kDampings from `first` on; nullopt where none helps or
-  /// a number is not finite.
-  std::optional<Eigen::VectorXd> solve(const NormalEquations& equations, std::size_t first = 0);
+  /// The step to take. The diagonal is raised by `least` of itself and of 1, and where the
+  /// equations do not determine all unknowns, or rounding has it so, by more (Levenberg); nullopt
+  /// where that does not help or a number is not finite.
+  std::optional<Eigen::VectorXd> solve(const NormalEquations& equations, double least = 0.0);
   /// Whether the last solve() did: the covariance is known.
   bool isSolved() const { return solved_; }
   /// Of the covariance of the unknowns. Only where isSolved().

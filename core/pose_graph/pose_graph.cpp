@@ -1,6 +1,7 @@
 #include "core/pose_graph/pose_graph.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "core/pose_graph/constants.h"
 
@@ -39,10 +40,10 @@ NormalEquations PoseGraph::equations() const {
 int PoseGraph::optimize(int most_steps) {
   if (poses_.size() < 2 || edges_.empty()) return 0;
   NormalSolver solver;
-  std::size_t damping = 0;
+  double damping = kFirstDamping;
   double now = cost(poses_);
   int taken = 0;
-  for (int tried = 0; tried < most_steps && damping < kDampings.size(); ++tried) {
+  for (int tried = 0; tried < most_steps; ++tried) {
     std::vector<Pose2> next = poses_;
     double then = now;
     if (const auto step = solver.solve(equations(), damping)) {
@@ -52,12 +53,12 @@ int PoseGraph::optimize(int most_steps) {
       then = cost(next);
     }
     if (!(then < now)) {
-      ++damping;
+      damping *= kDampingFactor;
       continue;
     }
     poses_ = std::move(next);
     ++taken;
-    damping = 0;
+    damping = std::max(damping / kDampingFactor, kFirstDamping);
     if (now - then < kLeastGain * now) break;
     now = then;
   }
