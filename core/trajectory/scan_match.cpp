@@ -15,7 +15,7 @@ using namespace trajectory;
 
 namespace {
 
-struct NormalEquations {
+struct MatchEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   double chance = 0.0;
@@ -28,9 +28,9 @@ struct NormalEquations {
   }
 };
 
-NormalEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& map,
+MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& map,
                            const Pose2& pose, double gate_m) {
-  NormalEquations sums;
+  MatchEquations sums;
   const ToOuter moved(pose);
   const std::size_t stride = scan.size() / kMostScanPoints + 1;
   for (std::size_t i = 0; i < scan.size(); i += stride) {
@@ -76,7 +76,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
   match.pose = start;
   for (const double gate_m : gates_m) {
     for (int i = 0; i < kMatchSteps; ++i) {
-      NormalEquations sums = linearized(scan, map, match.pose, gate_m);
+      MatchEquations sums = linearized(scan, map, match.pose, gate_m);
       match.information = sums.information;
       match.chance = sums.chance;
       match.matched = sums.matched;
