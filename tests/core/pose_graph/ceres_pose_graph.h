@@ -76,7 +76,7 @@ inline std::vector<Pose2> byCeres(const PoseGraph& graph, double least_gain) {
   for (const Pose2& pose : graph.poses()) states.push_back({pose.x, pose.y, pose.heading});
   ceres::Problem problem;
   for (const GraphEdge& edge : graph.edges()) {
-    auto residual = std::make_unique<CeresMotion>(edge.motion);
+    auto residual = std::make_unique<CeresMotion>(CeresMotion{edge.motion});
     auto cost =
         std::make_unique<ceres::AutoDiffCostFunction<CeresMotion, 3, 3, 3>>(residual.release());
     auto kernel = std::make_unique<ceres::CauchyLoss>(std::sqrt(edge.kernel));
