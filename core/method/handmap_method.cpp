@@ -318,23 +318,20 @@ class HandmapMethod : public EstimationMethod {
     covariance.diagonal().head<2>().array() += buildings::kFloor_m * buildings::kFloor_m;
     const bool laid =
         by == TrajectoryHypothesis::By::Walls || (concluded_ && concluded_->covariance);
-    if (by_scans_ && !laid) turnAboutStart(kMatchedTurn, covariance);
+    // What the start is off turns and shifts the whole way.
+    const Vec2 from_start = pose().position() - drawing_.start->position();
+    const auto add_start = [&](double position_m, double heading) {
+      const Eigen::Vector3d sigma(position_m, position_m, heading);
+      covariance += swungBy(from_start, sigma.cwiseAbs2().asDiagonal());
+    };
+    if (by_scans_ && !laid) add_start(0.0, kMatchedTurn);
     if (concluded_ && concluded_->start_variance) {
-      covariance +=
-          swungBy(pose().position() - drawing_.start->position(), *concluded_->start_variance);
+      covariance += swungBy(from_start, *concluded_->start_variance);
     } else if (const auto& start = drawing_.start_uncertainty) {
-      // The walls are corrected from where the robot is: what its start is off, all is off.
-      turnAboutStart(start->heading, covariance);
-      covariance.diagonal().head<2>().array() += start->position * start->position;
+      // The walls are corrected from where the robot is: they are off with it.
+      add_start(start->position, start->heading);
     }
     return covariance;
-  }
-
-  /// The whole way may be turned about its start by so much, one σ, radians.
-  void turnAboutStart(double sigma, Eigen::Matrix3d& covariance) const {
-    Eigen::Vector3d by;
-    by << perpendicular(pose().position() - drawing_.start->position()), 1.0;
-    covariance += sigma * sigma * by * by.transpose();
   }
 
   Map drawing_;

@@ -77,7 +77,7 @@ inline constexpr double kMostTurn = toRadians(15.0);  // rad; measured: core/ske
 inline constexpr double kMostShear = 0.03;        // 1; choice: walls stand upright on each other
 inline constexpr double kMostCorner_m = 1.0;      // m; choice: of a single wall
 inline constexpr double kLeastShare = 0.01;       // 1; choice: of sizes said to be exact
-inline constexpr int kSamples = 4000;             // samples; measured: README, 0.2 s a building
+inline constexpr int kSamples = 4000;             // samples; measured: README, what hangs on them
 inline constexpr std::size_t kAsked = 2500;       // rays; choice: samples are weighed by
 inline constexpr std::size_t kAskedLater = 8000;  // rays; choice: those that are left, by
 inline constexpr double kWidest = 2.5;            // σ; choice: of the prior that samples are from
@@ -91,7 +91,7 @@ struct Stage {
 };
 inline constexpr std::array kStages{Stage{0.8, 24, 1.0, 0.3},
                                     Stage{0.3, 12, 0.5, 0.15}};  // m; choice: from coarse to fine
-inline constexpr Stage kLast = {kSlack_m, 6, 0.25, 0.03};       // m; choice: the finest
+inline constexpr Stage kLast = {kSlack_m, 6, 0.25, 0.03};        // m; choice: the finest
 inline constexpr double kLeastWallStep = 0.06;  // m; choice: of a single wall's search
 inline constexpr double kAnotherThing = 1e4;    // nats; limit: a size out of its range, by its log
 inline constexpr double kAnother_m = 1.0;       // m; choice: nearer places are one

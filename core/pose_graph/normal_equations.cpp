@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "core/pose_graph/constants.h"
+
 namespace handmap {
 
 using namespace pose_graph;

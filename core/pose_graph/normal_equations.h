@@ -7,7 +7,6 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "core/pose_graph/constants.h"
 #include "core/pose_graph/factor.h"
 
 namespace handmap {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/pose_graph/constants.h"
-
 namespace handmap {
 
 using namespace pose_graph;

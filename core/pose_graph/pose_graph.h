@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/pose_graph/constants.h"
 #include "core/pose_graph/motion_factor.h"
 #include "core/pose_graph/normal_equations.h"
 
