@@ -1,6 +1,7 @@
 #include "core/outlines/joint_places.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/outlines/constants.h"
@@ -25,6 +26,21 @@ double sharedNats(const Standing& one, const Standing& other) {
   }
   return shared;
 }
+
+double natsOf(const Standing& standing) {
+  double sum = 0.0;
+  for (const OutlineScorer::Standing& claim : standing) sum += std::max(0.0, claim.nats());
+  return sum;
+}
+
+/// What evidence tells of which thing a building is: that one stands there, and ever less how much
+/// of it is seen. A long wall explains more than the right one.
+double ofWhichThing(double nats) {
+  return nats > 0.0 ? kLeastEvidence * std::log1p(nats / kLeastEvidence) : nats;
+}
+/// What it tells of where on one thing a building stands.
+double ofWhere(double nats) { return nats; }
+using Told = double (*)(double);
 
 /// Of the smaller one's area.
 double overlapCost(const Polygon& one, const Polygon& other) {
@@ -71,7 +87,7 @@ class Places {
       FittedOutline place;
     };
     std::vector<Beside> beside;
-    for (const auto& [i, m, k, n, cost] : conflicts(1)) {
+    for (const auto& [i, m, k, n, cost] : conflictsAmong(1)) {
       if (cost < kRivals) continue;
       beside.push_back({i, k, {}});
       beside.push_back({k, i, {}});
@@ -84,15 +100,14 @@ class Places {
     for (auto& [i, rival, place] : beside) add(i, std::move(place), scorerOf(i, owners_));
   }
 
+  /// First which thing each building is, then where on that it stands.
   std::vector<std::optional<FittedOutline>> choose() const {
-    std::vector<std::vector<double>> worth(priors_.size());
-    for (std::size_t i = 0; i < priors_.size(); ++i) {
-      for (const Mode& mode : modes_[i]) worth[i].push_back(mode.place.total());
-    }
-    const std::vector<int> chosen = chooseModes(worth, conflicts(kAllModes));
+    const std::vector<ModeConflict> conflicts = conflictsAmong(kAllModes);
+    const std::vector<int> things = chosen(conflicts, ofWhichThing);
+    const std::vector<int> modes = chosen(conflicts, ofWhere, things);
     std::vector<std::optional<FittedOutline>> places(priors_.size());
     for (std::size_t i = 0; i < priors_.size(); ++i) {
-      if (chosen[i] != kNoMode) places[i] = modes_[i][static_cast<std::size_t>(chosen[i])].place;
+      if (modes[i] != kNoMode) places[i] = modeOf(i, modes[i]).place;
     }
     return places;
   }
@@ -102,6 +117,37 @@ class Places {
     FittedOutline place;
     Standing standing;
   };
+
+  const Mode& modeOf(std::size_t i, int mode) const {
+    return modes_[i][static_cast<std::size_t>(mode)];
+  }
+
+  /// `things`: modes of the things that buildings stand on; any where empty or kNoMode.
+  std::vector<int> chosen(std::vector<ModeConflict> conflicts, Told told,
+                          const std::vector<int>& things = {}) const {
+    std::vector<std::vector<double>> worth(priors_.size());
+    for (std::size_t i = 0; i < priors_.size(); ++i) {
+      for (const Mode& mode : modes_[i]) {
+        const bool may =
+            things.empty() || things[i] == kNoMode || areOfOneThing(modeOf(i, things[i]), mode);
+        worth[i].push_back(may ? told(mode.place.score) + mode.place.prior : kNever);
+      }
+    }
+    for (ModeConflict& conflict : conflicts) {
+      const auto lost = [&](const Mode& mode) {
+        return told(mode.place.score) - told(mode.place.score - conflict.cost);
+      };
+      conflict.cost = std::min(lost(modes_[conflict.building][conflict.mode]),
+                               lost(modes_[conflict.other][conflict.other_mode]));
+    }
+    return chooseModes(worth, conflicts);
+  }
+
+  /// Most of what either explains.
+  static bool areOfOneThing(const Mode& one, const Mode& other) {
+    const double less = std::min(natsOf(one.standing), natsOf(other.standing));
+    return sharedNats(one.standing, other.standing) >= 0.5 * less;
+  }
 
   RandomStream random(std::size_t i) const {
     return RandomStream(seed_, static_cast<std::uint32_t>(i));
@@ -126,7 +172,7 @@ class Places {
   }
 
   /// Of the first so many modes of each.
-  std::vector<ModeConflict> conflicts(std::size_t most) const {
+  std::vector<ModeConflict> conflictsAmong(std::size_t most) const {
     std::vector<ModeConflict> conflicts;
     for (std::size_t i = 0; i < priors_.size() && !stop_.stop_requested(); ++i) {
       const Region here = regionOf(priors_[i]);

@@ -89,6 +89,16 @@ TEST(MapFit, GivesAWallBackToTheNeighbourThatItIsOf) {
   EXPECT_GT(intersectionOverUnion(results[1].outline, right), 0.8);
 }
 
+TEST(MapFit, ANearerHouseIsTheOneThoughAnotherExplainsMore) {
+  const Polygon house = Rectangle{{14.0, 17.0}, 10.0, 8.0, 0.0}.corners();
+  const Polygon undrawn = Rectangle{{29.0, 9.0}, 16.0, 8.0, 0.0}.corners();
+  const Drive drive = drivePast({house, undrawn});
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  const auto results = fitOutlines({taskFor(moved(house, {3.0, -2.0}), true)}, placed, 40.0, 1);
+  EXPECT_EQ(results.at(0).verdict, Verdict::Moved);
+  EXPECT_GT(intersectionOverUnion(results[0].outline, house), 0.7);
+}
+
 TEST(MapFit, IsTheSameEachTime) {
   const Drive drive = drivePast({kFittedHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
