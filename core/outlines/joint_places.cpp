@@ -27,12 +27,6 @@ double sharedNats(const Standing& one, const Standing& other) {
   return shared;
 }
 
-double natsOf(const Standing& standing) {
-  double sum = 0.0;
-  for (const OutlineScorer::Standing& claim : standing) sum += std::max(0.0, claim.nats());
-  return sum;
-}
-
 /// What evidence tells of which thing a building is: that one stands there, and ever less how much
 /// of it is seen. A long wall explains more than the right one.
 double ofWhichThing(double nats) {
@@ -145,7 +139,8 @@ class Places {
 
   /// Most of what either explains.
   static bool areOfOneThing(const Mode& one, const Mode& other) {
-    const double less = std::min(natsOf(one.standing), natsOf(other.standing));
+    const double less = std::min(sharedNats(one.standing, one.standing),
+                                 sharedNats(other.standing, other.standing));
     return sharedNats(one.standing, other.standing) >= 0.5 * less;
   }
 

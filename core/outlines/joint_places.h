@@ -19,8 +19,9 @@ OutlineScorer scorerFor(const OutlinePrior& prior, const PlacedRays& placed, dou
 
 /// By building; nullopt: there is no place for it beside the others that the rays speak for. Each
 /// is looked for by itself, then once more beside each neighbour that wants the same returns; of
-/// all places those are taken that go together best (chooseModes()). `owners`: what is known
-/// before. Anything where `stop` was requested.
+/// all places those are taken that go together best (chooseModes()), first as to which thing each
+/// building is, then as to where on it it stands. `owners`: what is known before. Anything where
+/// `stop` was requested.
 std::vector<std::optional<FittedOutline>> placesTogether(
     const std::vector<OutlinePrior>& priors, const PlacedRays& placed, double range_limit_m,
     const RayOwners& owners, std::uint64_t seed, const std::stop_token& stop = {});
