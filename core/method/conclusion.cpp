@@ -64,6 +64,16 @@ Map provenMap(const Map& drawing, const RunKnowledge& known, const PlacedRays& p
   return proven;
 }
 
+/// Whether rays end on what was found rather than pass through it, along the way that was laid on
+/// it: else that rests on things that are no buildings. What has no structure does not tell.
+bool isFounded(const Map& found, const PlacedRays& placed, double range_limit_m,
+               const std::stop_token& stop) {
+  if (!placed.showsStructure()) return true;
+  Map labelled = found;
+  std::erase_if(labelled.buildings, [](const Building& b) { return !isRecognised(b); });
+  return supportOf(labelled, placed, range_limit_m, stop) >= kFounded;
+}
+
 /// A way that was laid along the buildings may still be turned by as much as neither it alone nor
 /// they tell, one σ, radians: each is drawn a little off, as seen from the middle of all.
 double turnAmong(const Map& drawing, const Map& found, double alone) {
@@ -107,14 +117,21 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
     if (auto conclusion = asDrawn(drawing, known, alone, seed, stop)) return conclusion;
   }
   TrajectoryHypothesis trajectory = believed(known, alone);
-  const PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
+  PlacedRays placed = placeRays(known.seen, trajectory.poses, stop);
   if (stop.stop_requested()) return std::nullopt;
   Map proven;
   std::optional<FoundMap> found;
+  bool unfounded = false;
   if (trajectory.by == TrajectoryHypothesis::By::Buildings) {
     proven = provenMap(drawing, known, placed);
-    found.emplace(FoundMap{proven, known.motion});
-    trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
+    if (isFounded(proven, placed, known.seen.rangeLimit(), stop)) {
+      found.emplace(FoundMap{proven, known.motion});
+      trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
+    } else {
+      unfounded = true;
+      trajectory = known.alone;
+      placed = placeRays(known.seen, trajectory.poses, stop);
+    }
   }
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress,
                         trajectory.turn);
@@ -124,6 +141,7 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   for (Pose2& pose : trajectory.poses) pose = onto_map * pose;
   Conclusion conclusion{std::move(trajectory), std::move(refined->map), std::nullopt,
                         refined->start_variance};
+  conclusion.unfounded = unfounded;
   if (refined->refutes_start && drawing.start) {
     conclusion.start_off = between(*drawing.start, onto_map * *drawing.start);
   }

@@ -42,6 +42,7 @@ struct Conclusion {
   /// See RefinedMap.
   std::optional<Eigen::Matrix3d> start_variance = {};
   std::optional<Pose2> start_off = {};  ///< the drawn start, where the buildings refute it
+  bool unfounded = false;  ///< buildings that were found were dropped: few walls stand there
 };
 
 /// Outlines are fitted late: a conclusion on the way that leaves a building as it is drawn, and has

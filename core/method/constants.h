@@ -10,6 +10,7 @@ namespace handmap::method {
 
 // A conclusion.
 inline constexpr double kMostlyRight = 0.6;   // 1; choice: of the buildings that were seen
+inline constexpr double kFounded = 0.5;       // 1; derived: of what was found more stands than not
 inline constexpr double kNearlyTrue_m = 1.0;  // m; choice: what found buildings are off
 inline constexpr double kStretch_m = 20.0;    // m; choice: of way, between conclusions
 inline constexpr double kStretchShare = 0.1;  // 1; choice: of the way, the same

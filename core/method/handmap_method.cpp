@@ -86,6 +86,14 @@ class HandmapMethod : public EstimationMethod {
                           phrase("The correction on the way failed: {}", conclusions_.trouble()),
                           phrase("The end of the run does not depend on it.")});
     }
+    if (concluded_ && concluded_->unfounded) {
+      warnings.push_back(
+          {"buildings_dropped",
+           phrase("Some drawn buildings were found on the way, but few walls stand where they "
+                  "would be: they were dropped, and the way is that without them."),
+           phrase("Drive closer to the buildings, or with a sensor that sees more of their "
+                  "walls.")});
+    }
     if (concluded_ && concluded_->start_off) {
       const Pose2& off = *concluded_->start_off;
       warnings.push_back(

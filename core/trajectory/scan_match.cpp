@@ -29,7 +29,7 @@ struct MatchEquations {
 };
 
 MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& map,
-                           const Pose2& pose, double gate_m) {
+                          const Pose2& pose, double gate_m) {
   MatchEquations sums;
   const ToOuter moved(pose);
   const std::size_t stride = scan.size() / kMostScanPoints + 1;

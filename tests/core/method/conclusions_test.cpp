@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/map/certainty.h"
 
 namespace handmap {
 namespace {
@@ -122,24 +121,6 @@ TEST(Conclusions, OneThatCannotBeMadeIsToldAndEndsNothing) {
   EXPECT_EQ(waitFor(conclusions)->map.name, "the next one");
   conclusions.end();
   EXPECT_EQ(conclusions.trouble(), "too little to go by");
-}
-
-TEST(Conclusion, DoesNotTakeBackWhatWasFoundWithoutHavingSeenMore) {
-  const auto seen = [](double x, std::size_t walls) {
-    Building building;
-    building.shape = Rectangle{{x, 0.0}, 20.0, 10.0, 0.0};
-    building.estimate = Estimate{0.3, 0.3, 0.3, 4};
-    Sides sides{};
-    for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = {0.3, i < walls};
-    setSides(building, sides);
-    return building;
-  };
-  Building drawn;
-  drawn.shape = seen(0.0, 0).shape;
-  EXPECT_FALSE(isBetterFounded(seen(0.0, 1), seen(6.0, 1), drawn));
-  EXPECT_TRUE(isBetterFounded(seen(0.0, 2), seen(6.0, 1), drawn));
-  EXPECT_TRUE(isBetterFounded(seen(11.0, 1), seen(6.0, 1), drawn)) << "it was fitted";
-  EXPECT_TRUE(isBetterFounded(seen(0.0, 1), drawn, drawn)) << "nothing else was found";
 }
 
 }  // namespace
