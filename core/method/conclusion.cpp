@@ -126,7 +126,9 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
     proven = provenMap(drawing, known, placed);
     if (isFounded(proven, placed, known.seen.rangeLimit(), stop)) {
       found.emplace(FoundMap{proven, known.motion});
-      trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
+      // By the odometry what was found tells of its own how far it may be turned.
+      if (known.alone.by == TrajectoryHypothesis::By::Scans)
+        trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
     } else {
       unfounded = true;
       trajectory = known.alone;

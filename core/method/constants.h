@@ -17,9 +17,6 @@ inline constexpr double kStretchShare = 0.1;  // 1; choice: of the way, the same
 inline constexpr int kRest = 2;               // 1; derived: of what one took, a third of a core
 
 // What is stated of the pose, one σ.
-inline constexpr double kMatchedTurn =
-    toRadians(0.3);  // rad; measured: live poses of whole drives as seen from the start, rms: rough
-                     // simulated quarters 0.34°, campuses 0.17°, real ones 0.56° and 0.38°
 inline constexpr double kWheelScale =
     0.05;  // 1; measured: robots of another simulator, 5 % too long
 inline constexpr double kSigmaPerMetre =

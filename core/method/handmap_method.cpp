@@ -259,10 +259,9 @@ class HandmapMethod : public EstimationMethod {
     return concluded_ ? onward_ * newestBy(concluded_->trajectory.by) : estimator_.pose();
   }
 
-  /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
   double turnOf(TrajectoryHypothesis::By alone) const {
     return alone == TrajectoryHypothesis::By::Scans
-               ? kMatchedTurn
+               ? trajectory_.turn()
                : std::sqrt(std::max(0.0, wheels_.covariance()(2, 2)) / 3.0);
   }
 
@@ -332,7 +331,7 @@ class HandmapMethod : public EstimationMethod {
       const Eigen::Vector3d sigma(position_m, position_m, heading);
       covariance += swungBy(from_start, sigma.cwiseAbs2().asDiagonal());
     };
-    if (by_scans_ && !laid) add_start(0.0, kMatchedTurn);
+    if (by_scans_ && !laid) add_start(0.0, trajectory_.turn());
     if (concluded_ && concluded_->start_variance) {
       covariance += swungBy(from_start, *concluded_->start_variance);
     } else if (const auto& start = drawing_.start_uncertainty) {

@@ -184,6 +184,7 @@ Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
 }
 
 void turnLessSure(Building& building, double sigma_m) {
+  if (sigma_m <= 0.0) return;
   Sides sides = sidesOf(building);
   for (SideEstimate& side : sides) side.sigma = std::hypot(side.sigma, sigma_m);
   building.estimate->sigma_x = std::hypot(building.estimate->sigma_x, sigma_m);
@@ -215,7 +216,7 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     // A way that was told without the drawing says nothing of what nobody saw along it.
     const bool as_drawn = agreement.isRight(b) || (by_start && !seen);
     building.shape = as_drawn ? drawn.shape : moved(building.shape, back);
-    if (!told_by_start || !seen) continue;
+    if (!seen) continue;
     const Vec2 from_start = centroid(building.footprint()) - origin;
     const double way_m = way_turn * from_start.norm();
     // The drawing has its share already in a way that was laid along its buildings.
@@ -226,7 +227,8 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
       const Vec2 by = (1.0 - by_way) * back_to_drawn;
       building.shape = moved(building.shape, {by.x(), by.y(), 0.0});
     }
-    turnLessSure(building, std::hypot(agreement.sigmaAt(from_start), std::sqrt(by_way) * way_m));
+    const double start_m = told_by_start ? agreement.sigmaAt(from_start) : 0.0;
+    turnLessSure(building, std::hypot(start_m, std::sqrt(by_way) * way_m));
   }
   return refined;
 }

@@ -63,16 +63,20 @@ int PoseGraph::optimize(int most_steps) {
   return taken;
 }
 
-Eigen::Matrix3d PoseGraph::covariance(std::size_t pose) const {
-  if (pose == 0) return Eigen::Matrix3d::Zero();
+std::vector<Eigen::Matrix3d> PoseGraph::covariances(std::span<const std::size_t> poses) const {
   NormalSolver solver;
-  if (!solver.solve(equations())) return kNotHeld * Eigen::Matrix3d::Identity();
-  const int at = unknownsOf(pose).at;
-  Eigen::Matrix3d covariance;
-  for (int k = 0; k < 3; ++k) {
-    covariance.col(k) = solver.covarianceColumn(at + k).segment<3>(at);
+  const bool solved = solver.solve(equations()).has_value();
+  std::vector<Eigen::Matrix3d> covariances;
+  for (const std::size_t pose : poses) {
+    Eigen::Matrix3d& covariance = covariances.emplace_back(Eigen::Matrix3d::Zero());
+    if (pose == 0) continue;
+    if (!solved) covariance = kNotHeld * Eigen::Matrix3d::Identity();
+    const int at = unknownsOf(pose).at;
+    for (int k = 0; solved && k < 3; ++k) {
+      covariance.col(k) = solver.covarianceColumn(at + k).segment<3>(at);
+    }
   }
-  return covariance;
+  return covariances;
 }
 
 }  // namespace handmap

@@ -28,9 +28,10 @@ class PoseGraph {
   /// Returns how many steps were taken.
   int optimize(int most_steps = pose_graph::kMostSteps);
 
-  /// Of (x, y, heading) of one pose, the first held; as the edges weigh now. Not to be had: as if
-  /// nothing held it.
-  Eigen::Matrix3d covariance(std::size_t pose) const;
+  /// Of (x, y, heading) of some poses, the first held; as the edges weigh now. Not to be had: as if
+  /// nothing held them.
+  std::vector<Eigen::Matrix3d> covariances(std::span<const std::size_t> poses) const;
+  Eigen::Matrix3d covariance(std::size_t pose) const { return covariances({&pose, 1}).front(); }
 
   const std::vector<Pose2>& poses() const { return poses_; }
   std::span<const GraphEdge> edges() const { return edges_; }

@@ -57,6 +57,7 @@ inline constexpr double kMoveSquare = 18.0;  // σ²; measured: FIELD.md (a), th
 inline constexpr double kExplained = 0.7;  // 1; choice: of straight returns, no turn is looked for
 inline constexpr std::array kOtherTurns{0.12, -0.12, 0.25, -0.25, 0.4,
                                         -0.4, 0.6,   -0.6};  // rad; choice: a robot's, in a second
+inline constexpr double kStraysIn_m = 1.0;  // m; measured: README, of way, a match's own variance
 inline constexpr double kHeld = 1.5;  // 1; measured: README, times chance, two walls have 1.43
 inline constexpr double kMostOfBefore = 3.0;  // 1; choice: of a motion, speed does not last longer
 inline constexpr double kWorthAWord_m = 0.5;  // m; choice: that a guess may be off
@@ -84,6 +85,7 @@ inline constexpr double kLeastNoise =
 
 // Keyframes and their graph.
 inline constexpr double kKeyframe_m = 1.8;   // m; measured: FIELD.md (b)
+inline constexpr std::size_t kParts = 4;     // 1; choice: of the way, how far its heading is off
 inline constexpr double kKernel = 9.0;       // χ²; measured: FIELD.md (b), odometry may slip
 inline constexpr double kLoopKernel = 30.0;  // χ²; measured: FIELD.md (b), far off at first
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/geometry/pose_covariance.h"
 #include "core/trajectory/constants.h"
 
 namespace handmap {
@@ -19,6 +20,17 @@ std::optional<Vec2> unheldOf(const ScanMatch& match) {
       match.information.topLeftCorner<2, 2>());
   if (axes.eigenvalues()(0) > kHeld * match.chance) return std::nullopt;
   return axes.eigenvectors().col(0);
+}
+
+/// A match strays with each metre by as much as it is unsure of: what comes next is matched with
+/// what it left. The wheels hold what it does not.
+Eigen::Matrix3d strayOf(const ScanMatch& match, const MotionFactor& wheels) {
+  const Pose2& motion = wheels.motion;
+  const double way_m =
+      motion.position().norm() + odometry::kMetresARadian * std::abs(motion.heading);
+  const Eigen::Matrix3d known = wheels.root_information.transpose() * wheels.root_information;
+  const Eigen::Matrix3d own = turnedBy(-match.pose.heading, match.information / match.misfit);
+  return (known + own * (kStraysIn_m / std::max(way_m, kStill_m))).inverse();
 }
 
 double explained(const std::optional<ScanMatch>& match) {
@@ -54,6 +66,7 @@ bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& 
   const Pose2 motion = first ? Pose2{} : between(recorded_, recorded);
   unheld_.reset();
   const MotionPrior prior{before, noise_.factor(motion)};
+  if (!first) variance_ = noise_.sigma(motion).cwiseAbs2().asDiagonal();
   const auto matched = first ? std::nullopt : matchedPose(scan, motion, prior);
   pose_ = matched.value_or(before * prior.motion.motion);
   travelled_m_ += (pose_.position() - before.position()).norm();
@@ -71,6 +84,7 @@ std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>&
   const Eigen::Vector3d off = prior.motion.at(prior.from, match->pose).residual;
   if (std::abs(off.z()) > kTurnSigmas) return std::nullopt;
   if (off.head<2>().squaredNorm() > kMoveSquare) return std::nullopt;
+  variance_ = strayOf(*match, prior.motion);
   return match->pose;
 }
 

@@ -20,6 +20,8 @@ class LocalMapOdometry {
   /// Returns whether the match moved the pose.
   bool add(const Pose2& recorded, const std::vector<ScanPoint>& scan);
 
+  /// How far the newest motion strays: of (along, aside, heading), in the frame of the pose before.
+  const Eigen::Matrix3d& variance() const { return variance_; }
   /// Of the newest scan; the first is the first recorded one.
   const Pose2& pose() const { return pose_; }
   /// The direction, of the same frame, in which nothing held the newest match: there the guess went
@@ -44,6 +46,7 @@ class LocalMapOdometry {
   WheelNoise noise_;
   bool guessed_ = false;
   std::optional<Vec2> unheld_;
+  Eigen::Matrix3d variance_ = Eigen::Matrix3d::Zero();
   Pose2 pose_;
   Pose2 recorded_;
   std::optional<Pose2> kept_at_;

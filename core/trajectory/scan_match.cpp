@@ -19,6 +19,8 @@ struct MatchEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   double chance = 0.0;
+  double squares = 1.0;  // as one residual more that is as the model has it
+  double weights = 1.0;
   int matched = 0;
 
   template <typename Slope, typename Residual>
@@ -44,7 +46,10 @@ MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& ma
     const double bend = (kKernelGates * gate_m / sigma) * (kKernelGates * gate_m / sigma);
     if (p.straight()) {
       const LineFactor::Value value = LineFactor{p.at, *near, sigma}.at(pose);
-      const double weight = cauchyWeight(value.residual * value.residual, bend);
+      const double square = value.residual * value.residual;
+      const double weight = cauchyWeight(square, bend);
+      sums.squares += weight * square;
+      sums.weights += weight;
       sums.information += kShared * weight * value.slope.transpose() * value.slope;
       sums.gradient += kShared * weight * value.slope.transpose() * value.residual;
       sums.chance += kShared * weight * chance / (sigma * sigma);
@@ -79,6 +84,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
       MatchEquations sums = linearized(scan, map, match.pose, gate_m);
       match.information = sums.information;
       match.chance = sums.chance;
+      match.misfit = sums.squares / sums.weights;
       match.matched = sums.matched;
       if (prior) {
         const Factor<3, 6> factor = prior->motion.at(prior->from, match.pose);

@@ -14,6 +14,7 @@ namespace handmap {
 struct ScanMatch {
   Pose2 pose;
   Eigen::Matrix3d information;  ///< of (x, y, heading) from the returns alone, as if independent
+  double misfit = 1.0;    ///< mean square of the residuals, 1 where they are as the model has them
   double chance = 0.0;    ///< what noise that turns the lines would tell of any direction, likewise
   int matched = 0;        ///< returns that the last step used
   int straight = 0;       ///< returns on straight pieces

@@ -1,6 +1,7 @@
 #include "core/trajectory/scan_trajectory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -39,6 +40,7 @@ struct ScanTrajectory::State {
   void look(const Returns& from);
   void thinOut();
   void judge();
+  void stateTurn();
 
   TrajectoryOptions options;
   LocalMapOdometry odometry;
@@ -59,6 +61,9 @@ struct ScanTrajectory::State {
   bool never = false;             ///< to be used
   std::size_t covariance_of = 0;  ///< keyframes
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  std::size_t turn_at = 1;  ///< keyframes, to be stated anew
+  int turn_loops = 0;
+  double turn = 0.0;
 };
 
 void ScanTrajectory::State::place() {
@@ -98,6 +103,19 @@ void ScanTrajectory::State::judge() {
   sharper = sharpnessOf(seen, poses, rough) >= sharpnessOf(seen, recorded, rough);
 }
 
+/// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
+void ScanTrajectory::State::stateTurn() {
+  const std::size_t keyframes = graph.keyframes();
+  if (keyframes < turn_at && graph.loops() == turn_loops) return;
+  turn_at = keyframes + keyframes / kJudgedAnew;
+  turn_loops = graph.loops();
+  std::array<std::size_t, kParts> ends;
+  for (std::size_t i = 0; i < kParts; ++i) ends[i] = (i + 1) * (keyframes - 1) / kParts;
+  double most = 0.0;
+  for (const Eigen::Matrix3d& of : graph.covariances(ends)) most = std::max(most, of(2, 2));
+  turn = std::sqrt(most / 3.0);
+}
+
 ScanTrajectory::ScanTrajectory(const TrajectoryOptions& options)
     : state_(std::make_unique<State>(options)) {}
 ScanTrajectory::~ScanTrajectory() = default;
@@ -113,12 +131,10 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
   state.returns += static_cast<long>(scan.size());
   state.straight +=
       std::count_if(scan.begin(), scan.end(), [](const ScanPoint& p) { return p.straight(); });
-  const Pose2 motion =
-      state.recorded.empty() ? Pose2{} : between(state.recorded.back(), odometry.pose);
-  const bool matched = state.odometry.add(odometry.pose, scan);
+  state.odometry.add(odometry.pose, scan);
   const Pose2 pose = state.odometry.pose();
-  const bool closed = state.graph.add({pose, odometry.guessed}, scan,
-                                      state.odometry.noise().sigma(motion), matched, stop);
+  const bool closed =
+      state.graph.add({pose, odometry.guessed}, scan, state.odometry.variance(), stop);
   state.recorded.push_back(odometry.pose);
   state.smooth.push_back(pose);
   state.look(returns);
@@ -169,6 +185,11 @@ const Eigen::Matrix3d& ScanTrajectory::covariance() const {
     state.covariance = state.graph.covariance();
   }
   return state.covariance;
+}
+
+double ScanTrajectory::turn() const {
+  state_->stateTurn();
+  return state_->turn;
 }
 
 double ScanTrajectory::lengthScale() const { return state_->odometry.noise().lengthScale(); }

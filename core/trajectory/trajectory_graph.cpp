@@ -1,6 +1,5 @@
 #include "core/trajectory/trajectory_graph.h"
 
-#include "core/odometry/constants.h"
 #include "core/trajectory/constants.h"
 
 namespace handmap {
@@ -9,14 +8,13 @@ using namespace trajectory;
 
 MotionFactor TrajectoryGraph::edge(const Odometry& to) const {
   const Pose2 motion = between(last_.pose, to.pose);
-  const Eigen::Vector3d variance = kMatchedScans.sigmaOf(motion).cwiseAbs2() + unmatched_;
-  return loosened({motion, variance.cwiseSqrt().cwiseInverse().asDiagonal()}, guessedOf(last_, to));
+  return loosened({motion, rootOf(variance_.inverse()).value_or(Eigen::Matrix3d::Identity())},
+                  guessedOf(last_, to));
 }
 
 bool TrajectoryGraph::add(const Odometry& now, const std::vector<ScanPoint>& scan,
-                          const Eigen::Vector3d& wheel_sigma, bool matched,
-                          const std::stop_token& stop) {
-  if (!matched) unmatched_ += wheel_sigma.cwiseAbs2();
+                          const Eigen::Matrix3d& variance, const std::stop_token& stop) {
+  variance_ += variance;
   const Pose2& smooth = now.pose;
   if (smooth_.empty()) {
     graph_.addPose(smooth);
@@ -28,7 +26,7 @@ bool TrajectoryGraph::add(const Odometry& now, const std::vector<ScanPoint>& sca
     graph_.addPose(graph_.poses().back() * motion);
     graph_.addEdge({last, last + 1, edge(now), kKernel});
   }
-  unmatched_.setZero();
+  variance_.setZero();
   smooth_.push_back(smooth);
   last_ = now;
   search_.add(smooth, scan);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -15,16 +16,19 @@ class TrajectoryGraph {
  public:
   explicit TrajectoryGraph(bool close_loops) : close_loops_(close_loops) {}
 
-  /// Takes the next scan as a keyframe where it is far enough from the last one. `wheel_sigma` is
-  /// that of the recorded motion, which alone counts where the scan was not matched. Returns
-  /// whether the poses of before have changed.
+  /// Takes the next scan as a keyframe where it is far enough from the last one. `variance`: how
+  /// far the motion to it strays. Returns whether the poses of before have changed.
   bool add(const Odometry& smooth, const std::vector<ScanPoint>& scan,
-           const Eigen::Vector3d& wheel_sigma, bool matched, const std::stop_token& stop);
+           const Eigen::Matrix3d& variance, const std::stop_token& stop);
 
   /// Where a scan between two keyframes, or after the last, was.
   Pose2 corrected(const Pose2& smooth, std::size_t keyframe) const;
   /// Of the newest keyframe's pose, given the first.
   Eigen::Matrix3d covariance() const { return graph_.covariance(smooth_.size() - 1); }
+  /// The same of some keyframes.
+  std::vector<Eigen::Matrix3d> covariances(std::span<const std::size_t> keyframes) const {
+    return graph_.covariances(keyframes);
+  }
   std::size_t keyframes() const { return smooth_.size(); }
   int loops() const { return loops_; }
 
@@ -35,8 +39,8 @@ class TrajectoryGraph {
   LoopSearch search_;
   PoseGraph graph_;
   std::vector<Pose2> smooth_;
-  Odometry last_;                                        ///< of smooth_
-  Eigen::Vector3d unmatched_ = Eigen::Vector3d::Zero();  ///< variance since the last keyframe
+  Odometry last_;                                       ///< of smooth_
+  Eigen::Matrix3d variance_ = Eigen::Matrix3d::Zero();  ///< since the last keyframe
   int loops_ = 0;
 };
 

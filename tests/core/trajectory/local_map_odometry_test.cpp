@@ -1,5 +1,7 @@
 #include "core/trajectory/local_map_odometry.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/trajectory/returns.h"
@@ -42,6 +44,42 @@ TEST(LocalMapOdometry, BetweenTwoLongWallsTheGuessGoesOn) {
   }
   EXPECT_NEAR(odometry.pose().x, 0.15 * 39, 0.1);
   EXPECT_NEAR(odometry.pose().y, 0.0, 0.1);
+}
+
+/// What a drive of 6 m through a hall says of its heading, one σ, radians.
+double headingSigma(double sigma_m, double view_rad) {
+  const std::vector<Segment> walls{{{-10.0, 8.0}, {30.0, 8.0}},
+                                   {{-10.0, -8.0}, {30.0, -8.0}},
+                                   {{30.0, -8.0}, {30.0, 8.0}},
+                                   {{-10.0, -8.0}, {-10.0, 8.0}}};
+  RandomStream random(7);
+  LocalMapOdometry odometry;
+  double variance = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    const Pose2 pose{0.3 * i, 0.0, 0.0};
+    auto points = test::scanFrom(walls, pose, sigma_m, random);
+    std::erase_if(points,
+                  [&](const RangePoint& p) { return std::abs(std::atan2(p.y, p.x)) > view_rad; });
+    odometry.add(pose, features(usableReturns(points, 40.0)));
+    variance += odometry.variance()(2, 2);
+  }
+  return std::sqrt(variance);
+}
+
+TEST(LocalMapOdometry, StraysByWhatTheMatchesTell) {
+  const double good = headingSigma(0.02, kPi);
+  EXPECT_LT(good, toRadians(0.3));
+  EXPECT_GT(headingSigma(0.2, kPi), 2.0 * good);
+  EXPECT_GT(headingSigma(0.02, kPi / 4.0), 1.5 * good);
+}
+
+TEST(LocalMapOdometry, StraysAsTheWheelsWhereNothingIsSeen) {
+  LocalMapOdometry odometry;
+  odometry.add({}, {});
+  EXPECT_TRUE(odometry.variance().isZero());
+  odometry.add({1.0, 0.0, 0.0}, {});
+  const Eigen::Vector3d wheels = odometry.noise().sigma({1.0, 0.0, 0.0});
+  EXPECT_TRUE(odometry.variance().isApprox(wheels.cwiseAbs2().asDiagonal().toDenseMatrix()));
 }
 
 }  // namespace

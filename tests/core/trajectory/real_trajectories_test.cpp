@@ -76,8 +76,8 @@ class RealTrajectories : public ::testing::Test {
 TEST_F(RealTrajectories, Campus) {
   const DrivenTrajectory trajectory = trajectoryOf("campus", 1.0);
   EXPECT_TRUE(trajectory.usable);
-  EXPECT_LT(trajectory.scans.rms_m, 0.85);
-  EXPECT_LT(trajectory.scans.aligned_rms_m, 0.26);
+  EXPECT_LT(trajectory.scans.rms_m, 1.0);  // its start looks half a degree aside
+  EXPECT_LT(trajectory.scans.aligned_rms_m, 0.22);
 }
 
 /// Without wheels: 24 m off where nothing but the last motion held a scan along a wall.
@@ -98,7 +98,7 @@ TEST_F(RealTrajectories, CampusByScansAlone) {
 TEST_F(RealTrajectories, CampusWithDoubledErrors) {
   const DrivenTrajectory trajectory = trajectoryOf("campus", 2.0);
   EXPECT_TRUE(trajectory.usable);
-  EXPECT_LT(trajectory.scans.rms_m, 1.15);
+  EXPECT_LT(trajectory.scans.rms_m, 1.25);
   EXPECT_LT(trajectory.scans.aligned_rms_m, 0.32);
 }
 

@@ -37,6 +37,8 @@ TEST_F(AroundTheBlock, DriftIsCured) {
   EXPECT_EQ(trajectory.loops(), 0);
   EXPECT_NEAR(trajectory.lengthScale(), 1.0 / 1.02, 0.005);
   EXPECT_NEAR(trajectory.rangeNoise(8.0), 0.03, 0.01);
+  EXPECT_LT(trajectory.turn(), toRadians(2.0));
+  EXPECT_GT(drive(truth_, odometry_, 0.2, false).turn(), 2.0 * trajectory.turn());
 }
 
 TEST_F(AroundTheBlock, LoopsAreClosed) {
