@@ -85,7 +85,6 @@ inline constexpr double kLeastNoise =
 
 // Keyframes and their graph.
 inline constexpr double kKeyframe_m = 1.8;   // m; measured: FIELD.md (b)
-inline constexpr std::size_t kParts = 4;     // 1; choice: of the way, how far its heading is off
 inline constexpr double kKernel = 9.0;       // χ²; measured: FIELD.md (b), odometry may slip
 inline constexpr double kLoopKernel = 30.0;  // χ²; measured: FIELD.md (b), far off at first
 
@@ -95,8 +94,7 @@ inline constexpr std::size_t kTargetReach = 2 * kSourceReach;  // keyframes; der
 inline constexpr double kApart_m = 80.0;   // m; measured: FIELD.md (b), of way, nearer is no loop
 inline constexpr double kPassing_m = 6.0;  // m; measured: FIELD.md (b), two lanes
 inline constexpr double kShift_m = 2.5;    // m; measured: FIELD.md (b), is searched, is elsewhere
-inline constexpr double kShiftPerMetre = kMatchedScans.along_per_m;  // 1; derived: of way
-inline constexpr double kMostShift_m = 12.0;                         // m; measured: FIELD.md (b)
+inline constexpr double kMostShift_m = 12.0;     // m; measured: FIELD.md (b)
 inline constexpr double kTurn = 0.06;            // rad; measured: FIELD.md (b), is searched
 inline constexpr double kTurnPerMetre = 0.0002;  // rad/m; measured: FIELD.md (b)
 inline constexpr double kMostTurn = 0.22;        // rad; measured: FIELD.md (b)

@@ -72,7 +72,7 @@ std::vector<Loop> LoopSearch::search(const std::vector<Pose2>& poses, const std:
   if (keyframes_.size() <= kSourceReach) return {};
   const std::size_t newest = keyframes_.size() - 1 - kSourceReach;
   const double since = keyframes_[newest].travelled_m - closed_m_;
-  const SearchWindow window{std::min(kShift_m + kShiftPerMetre * since, kMostShift_m),
+  const SearchWindow window{std::min(kShift_m + kMatchedScans.along_per_m * since, kMostShift_m),
                             std::min(kTurn + kTurnPerMetre * since, kMostTurn)};
   const std::vector<std::size_t> places = candidates(newest, poses, kPassing_m + window.shift_m);
   if (places.empty()) return {};

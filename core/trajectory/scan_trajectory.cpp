@@ -109,11 +109,9 @@ void ScanTrajectory::State::stateTurn() {
   if (keyframes < turn_at && graph.loops() == turn_loops) return;
   turn_at = keyframes + keyframes / kJudgedAnew;
   turn_loops = graph.loops();
-  std::array<std::size_t, kParts> ends;
-  for (std::size_t i = 0; i < kParts; ++i) ends[i] = (i + 1) * (keyframes - 1) / kParts;
-  double most = 0.0;
-  for (const Eigen::Matrix3d& of : graph.covariances(ends)) most = std::max(most, of(2, 2));
-  turn = std::sqrt(most / 3.0);
+  // A loop back to the start holds the end, least the middle.
+  const auto of = graph.covariances(std::array{(keyframes - 1) / 2, keyframes - 1});
+  turn = std::sqrt(std::max(of.front()(2, 2), of.back()(2, 2)) / 3.0);
 }
 
 ScanTrajectory::ScanTrajectory(const TrajectoryOptions& options)
