@@ -71,7 +71,7 @@ bool isFounded(const Map& found, const PlacedRays& placed, double range_limit_m,
   if (!placed.showsStructure()) return true;
   Map labelled = found;
   std::erase_if(labelled.buildings, [](const Building& b) { return !isRecognised(b); });
-  return supportOf(labelled, placed, range_limit_m, stop) >= kFounded;
+  return labelled.buildings.empty() || supportOf(labelled, placed, range_limit_m, stop) >= kFounded;
 }
 
 /// A way that was laid along the buildings may still be turned by as much as neither it alone nor

@@ -63,8 +63,16 @@ TEST(Conclusion, BelievesBuildingsThatStandWhereWallsWereSeen) {
   EXPECT_EQ(conclusion->trajectory.by, TrajectoryHypothesis::By::Buildings);
 }
 
-TEST(Conclusion, DropsBuildingsThatWereFoundWhereNothingIs) {
-  const TwoHouses place({moved(kTrueHouse, {0.0, -10.0}), moved(kTrueHouse, {25.0, -10.0})});
+TEST(Conclusion, HasNothingToDropWhereNothingWasFound) {
+  const TwoHouses place({});
+  const auto conclusion = conclude(place.drawing, place.known, 1);
+  ASSERT_TRUE(conclusion);
+  EXPECT_FALSE(conclusion->unfounded);
+}
+
+TEST(Conclusion, DropsBuildingsThatRaysPassThrough) {
+  // Side walls are on those of the true ones, fronts are not.
+  const TwoHouses place({moved(kTrueHouse, {0.0, -3.0}), moved(kTrueHouse, {25.0, -3.0})});
   const auto conclusion = conclude(place.drawing, place.known, 1);
   ASSERT_TRUE(conclusion);
   EXPECT_TRUE(conclusion->unfounded);
