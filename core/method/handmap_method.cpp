@@ -259,6 +259,7 @@ class HandmapMethod : public EstimationMethod {
     return concluded_ ? onward_ * newestBy(concluded_->trajectory.by) : estimator_.pose();
   }
 
+  /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
   double turnOf(TrajectoryHypothesis::By alone) const {
     return alone == TrajectoryHypothesis::By::Scans
                ? trajectory_.turn()

@@ -28,7 +28,7 @@ TEST(Conclusion, DoesNotTakeBackWhatWasFoundWithoutHavingSeenMore) {
 
 const Polygon kTrueHouse = Rectangle{{20.0, 12.0}, 14.0, 8.0, 0.1}.corners();
 
-/// Two houses drawn 3 m off, of which one is there; both were found at `found`.
+/// Two houses drawn 3.6 m off, found at `found`.
 struct TwoHouses {
   Map drawing;
   RunKnowledge known;

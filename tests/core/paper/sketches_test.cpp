@@ -78,6 +78,7 @@ TEST(Sketches, OfPeopleAreRead) {
                score.found, score.missed, score.wrong, took.count());
     EXPECT_GE(score.found, 0.85 * (score.found + score.missed)) << photo_file;
     EXPECT_LE(5 * score.wrong, score.found) << photo_file;
+    EXPECT_LT(took.count(), 10.0) << photo_file;
   }
 }
 
