@@ -366,13 +366,11 @@ Map RunSession::refinedMap() const { return state_->refinedMap()(); }
 
 std::vector<RunWarning> RunSession::warnings() const {
   const RunSettings& settings = state_->settings;
-  std::vector<RunWarning> all = state_->method->warnings();
-  const auto of_outcome = runWarnings(
+  return runWarnings(
       {state_->counts, source().range_limit_m, state_->drawing, state_->method->refinedMap()(),
        trajectory(), settings.slam.refine,
-       state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m, state_->drawn_start});
-  all.insert(all.end(), of_outcome.begin(), of_outcome.end());
-  return all;
+       state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m, state_->drawn_start,
+       state_->method->warnings()});
 }
 
 std::string RunSession::reportJson() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/base/phrase.h"
@@ -135,6 +136,9 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
              finding.hint}};
   }
   if (outcome.refine && std::none_of(buildings.begin(), buildings.end(), isRecognised)) {
+    const bool told = std::ranges::any_of(
+        outcome.of_method, [](const RunWarning& w) { return w.code == "buildings_dropped"; });
+    if (told) return {};
     return {nothingCorrected(outcome)};
   }
   const int blind = counts.observations - counts.with_building;
@@ -209,7 +213,8 @@ void RunCounts::add(const Percept& percept, const FrameReport& report) {
 
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
   constexpr int kLeastGuessed = 3;  // one or two go on well enough at the speed of before
-  std::vector<RunWarning> warnings = warningsOfRecognition(outcome);
+  std::vector<RunWarning> warnings = outcome.of_method;
+  std::ranges::move(warningsOfRecognition(outcome), std::back_inserter(warnings));
   const RunCounts& counts = outcome.counts;
   if (counts.guessed >= kLeastGuessed) {
     warnings.push_back(

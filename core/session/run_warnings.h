@@ -40,11 +40,13 @@ struct RunOutcome {
   bool refine;                            ///< buildings were to be corrected
   double unrecognised_m = 0.0;            ///< at the end, see Recognition
   std::optional<Pose2> drawn_start = {};  ///< where given poses told another one for `drawing`
+  std::vector<RunWarning> of_method = {};
 };
 
-/// At most one of the codes nothing_recognised, nothing_corrected, way_from_odometry,
-/// end_unrecognised and part_unrecognised: the first that holds says what follows from it too. And
-/// motion_guessed, began_elsewhere and start_moved.
+/// Those of the method, then at most one of the codes nothing_recognised, nothing_corrected, way_from_odometry,
+/// end_unrecognised and part_unrecognised: the first that holds says what follows from it too, and
+/// none where the method says why (buildings_dropped). And motion_guessed, began_elsewhere and
+/// start_moved.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap

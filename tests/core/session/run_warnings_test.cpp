@@ -55,6 +55,19 @@ TEST(RunWarnings, TellsThatNothingWasCorrected) {
   EXPECT_TRUE(warningsOf(seen, corrected(0), 80.0, false).empty()) << "nothing was to be corrected";
 }
 
+TEST(RunWarnings, SaysOnceThatWhatWasFoundWasDropped) {
+  const RunCounts seen{10, 8, false, 1000, 300, 20.0};
+  const Map drawing = oneBuilding();
+  const Map refined = corrected(0);
+  const std::vector<StampedPose> way{{0.0, {0.0, 0.0, 0.0}}, {1.0, {20.0, 0.0, 0.0}}};
+  RunOutcome outcome{seen, 80.0, drawing, refined, way, true};
+  outcome.of_method = {{"buildings_dropped", "Some were found and dropped.", "Drive closer."}};
+  EXPECT_TRUE(says(runWarnings(outcome), "buildings_dropped", "dropped"));
+  outcome.of_method[0].code = "start_refuted";
+  ASSERT_EQ(runWarnings(outcome).size(), 2U);
+  EXPECT_EQ(runWarnings(outcome)[1].code, "nothing_corrected");
+}
+
 TEST(RunWarnings, TellsThatTheWayIsMostlyTheOdometrys) {
   EXPECT_TRUE(says(warningsOf({10, 4, false, 1000, 300, 20.0}, corrected(4)), "way_from_odometry",
                    "in 6 of 10 observations"));
