@@ -105,7 +105,6 @@ inline constexpr double kLeastEigenvalue = 1e-12;  // 1; limit: rounding makes n
 
 // Which places go together.
 inline constexpr double kRivals = 3.0;          // nats; choice: less, wanted by two, is no matter
-inline constexpr std::size_t kAllModes = 1000;  // places; limit: no building has more
 inline constexpr double kOwnedWithin_m = 0.5;   // m; choice: a building stands for returns so near
 inline constexpr double kOverlap = 400.0;       // nats; choice: for all of a building on another
 inline constexpr int kMostPasses = 20;          // passes; measured: three settle what was tried
@@ -115,7 +114,7 @@ inline constexpr double kLeastEvidence = 10.0;  // nats; measured: FIELD.md's pa
 inline constexpr double kLeastGain = 3.0;       // nats; measured: FIELD.md's part 2, 4
 
 // Terraces.
-inline constexpr std::size_t kLeastHouses = 2;       // houses; choice: one is a house, not a row
+inline constexpr double kHouseFills = 0.8;           // 1; choice: of its bounding rectangle
 inline constexpr double kFaceOff_m = 1.5;            // m; choice: of a face from that of another
 inline constexpr double kWallToWall_m = 1.0;         // m; choice: between places, along it
 inline constexpr double kRowTurn = toRadians(10.0);  // rad; choice: more is no row
@@ -131,6 +130,7 @@ inline constexpr double kFaceDepth_m = 0.1;      // m; paper: the cell of its ma
 inline constexpr double kFaceOther = 0.1;        // 1; choice: returns from something else
 inline constexpr double kFaceStep_m = 1.0;       // m; choice: σ of a face against the row's
 inline constexpr double kFaceTemper = 0.5;       // 1; choice: neighbouring cells have one error
+inline constexpr double kWallShare = 0.25;       // 1; choice: of a row's returns, else a gap
 inline constexpr double kFaceReturns = 2.0;      // returns; choice: of a cell that was seen
 
 // What is drawn right, and how the map lies.

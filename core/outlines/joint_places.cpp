@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/outlines/constants.h"
@@ -96,7 +97,7 @@ class Places {
 
   /// First which thing each building is, then where on that it stands.
   std::vector<std::optional<FittedOutline>> choose() const {
-    const std::vector<ModeConflict> conflicts = conflictsAmong(kAllModes);
+    const std::vector<ModeConflict> conflicts = conflictsAmong();
     const std::vector<int> things = chosen(conflicts, ofWhichThing);
     const std::vector<int> modes = chosen(conflicts, ofWhere, things);
     std::vector<std::optional<FittedOutline>> places(priors_.size());
@@ -167,7 +168,8 @@ class Places {
   }
 
   /// Of the first so many modes of each.
-  std::vector<ModeConflict> conflictsAmong(std::size_t most) const {
+  std::vector<ModeConflict> conflictsAmong(
+      std::size_t most = std::numeric_limits<std::size_t>::max()) const {
     std::vector<ModeConflict> conflicts;
     for (std::size_t i = 0; i < priors_.size() && !stop_.stop_requested(); ++i) {
       const Region here = regionOf(priors_[i]);

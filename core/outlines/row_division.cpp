@@ -56,60 +56,40 @@ class Row {
 
   /// The most probable one.
   Division best() const {
-    // best[n][c]: of the row up to c, the first n houses decided; of those that end by an undrawn
-    // thing apart, as two of them are one.
-    const std::size_t n = houses_.size();
     struct Step {
       double nats = kNever;
       std::size_t houses = 0;
       std::size_t cell = 0;
       std::size_t part = kUndrawn;
-      bool cut = false;
-      bool undrawn_before = false;
     };
-    const auto table = [&] {
-      return std::vector<std::vector<Step>>(n + 1, std::vector<Step>(cells_ + 1));
-    };
-    auto drawn = table();
-    auto undrawn = table();
-    drawn[0][0] = {0.0};
-    const auto better = [](Step& step, const Step& other) {
-      if (other.nats > step.nats) step = other;
-    };
+    const std::size_t n = houses_.size();
+    // Of the row up to a cell, the first so many houses decided.
+    std::vector<std::vector<Step>> steps(n + 1, std::vector<Step>(cells_ + 1));
+    steps[0][0].nats = 0.0;
     for (std::size_t h = 0; h <= n; ++h) {
       for (std::size_t c = 0; c <= cells_; ++c) {
+        Step& best = steps[h][c];
+        const auto offer = [&](const Step& step) {
+          if (step.nats > best.nats) best = step;
+        };
         if (h > 0) {
-          const double skipped = houses_[h - 1].worth_elsewhere;
-          for (auto* of : {&drawn, &undrawn}) {
-            Step skip = (*of)[h - 1][c];
-            skip = {skip.nats + skipped, h - 1, c, kUndrawn, false, of == &undrawn};
-            better((*of)[h][c], skip);
-          }
-          const std::size_t most = std::min(c, most_[h - 1]);
-          for (std::size_t a = c - most; a < c; ++a) {
-            const double nats = houseNats(h - 1, a, c);
-            if (nats == kNever) continue;
-            better(drawn[h][c], {drawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, false});
-            better(drawn[h][c], {undrawn[h - 1][a].nats + nats, h - 1, a, h - 1, true, true});
+          offer({steps[h - 1][c].nats + houses_[h - 1].worth_elsewhere, h - 1, c});
+          for (std::size_t a = c - std::min(c, most_[h - 1]); a < c; ++a) {
+            offer({steps[h - 1][a].nats + houseNats(h - 1, a, c), h - 1, a, h - 1});
           }
         }
         for (std::size_t a = 0; a < c; ++a) {
-          better(undrawn[h][c],
-                 {drawn[h][a].nats + undrawnNats(a, c), h, a, kUndrawn, true, false});
+          offer({steps[h][a].nats + undrawnNats(a, c), h, a});
         }
       }
     }
-    Division division;
-    bool in_undrawn = undrawn[n][cells_].nats > drawn[n][cells_].nats;
-    const Step* step = &(in_undrawn ? undrawn : drawn)[n][cells_];
-    division.nats = step->nats;
-    if (step->nats == kNever) return division;
-    std::size_t h = n;
-    for (std::size_t c = cells_; c > 0 || h > 0;) {
-      if (step->cut) division.parts.push_back(step->part);
-      h = step->houses;
-      c = step->cell;
-      step = &(step->undrawn_before ? undrawn : drawn)[h][c];
+    Division division{steps[n][cells_].nats, {}};
+    if (division.nats == kNever) return division;
+    for (std::size_t h = n, c = cells_; c > 0 || h > 0;) {
+      const Step& step = steps[h][c];
+      if (step.cell < c) division.parts.push_back(step.part);
+      h = step.houses;
+      c = step.cell;
     }
     std::ranges::reverse(division.parts);
     return division;

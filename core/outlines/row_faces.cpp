@@ -19,21 +19,23 @@ RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
   const auto size = static_cast<std::size_t>(depths_ * (cells_ + 1));
   for (auto& sums : sums_) sums.assign(size, 0.0);
   for (auto& seen : seen_) seen.assign(static_cast<std::size_t>(cells_ + 1), 0);
+  returns_.assign(static_cast<std::size_t>(cells_), 0);
   Vec2 direction = Vec2::Zero();
   // Returns by cell, first where sums will be.
   for (const PlacedRay& ray : placed.rays) {
-    if (ray.echo != Echo::Tall || ray.structure != Structure::Straight) continue;
-    const Vec2 normal(static_cast<double>(ray.nx), static_cast<double>(ray.ny));
-    if (std::abs(normal.dot(across)) < kParallel) continue;
+    if (ray.echo != Echo::Tall) continue;
     const Vec2 end = ray.end();
     const double x = along.dot(end);
     const double y = across.dot(end);
     if (x < band.from || x >= band.to || y < band.low || y >= band.high) continue;
+    const int cell = std::min(cellOf(x), cells_ - 1);
+    ++returns_[static_cast<std::size_t>(cell)];
+    const Vec2 normal(static_cast<double>(ray.nx), static_cast<double>(ray.ny));
+    if (ray.structure != Structure::Straight || std::abs(normal.dot(across)) < kParallel) continue;
     const Vec2 robot(static_cast<double>(ray.x), static_cast<double>(ray.y));
     direction += std::copysign(1.0, normal.dot(across)) * normal;
     const Face face = across.dot(robot) < y ? kLow : kHigh;
-    sum(face, static_cast<int>((y - band.low) / kFaceDepth_m),
-        std::min(cellOf(x), cells_ - 1) + 1) += 1.0;
+    sum(face, static_cast<int>((y - band.low) / kFaceDepth_m), cell + 1) += 1.0;
   }
   if (!direction.isZero()) turn_ = std::atan2(cross(across, direction), across.dot(direction));
   const int reach = static_cast<int>(std::lround(kSlack_m / kFaceDepth_m));
@@ -71,6 +73,26 @@ std::optional<double> RowFaces::across(Face face, double from, double to) const 
   const auto& seen = seen_[face];
   if (seen[static_cast<std::size_t>(a)] == seen[static_cast<std::size_t>(b)]) return std::nullopt;
   return band_.low + (best(face, a, b).depth + 0.5) * kFaceDepth_m;
+}
+
+std::pair<double, double> RowFaces::seenAround(double from, double to) const {
+  const int gap = static_cast<int>(kWallToWall_m / kRowCell_m);
+  const int at_from = cellOf(from);
+  const int at_to = cellOf(to);
+  int all = 0;
+  for (int c = at_from; c < at_to; ++c) all += returns_[static_cast<std::size_t>(c)];
+  const double least = kWallShare * all / std::max(1, at_to - at_from);
+  const auto isWall = [&](int cell) { return returns_[static_cast<std::size_t>(cell)] > least; };
+  int first = at_from;
+  int last = at_to;
+  for (int c = first - 1; c >= std::max(0, first - gap); --c) {
+    if (isWall(c)) first = c;
+  }
+  for (int c = last + 1; c < std::min(cells_, last + 1 + gap); ++c) {
+    if (isWall(c)) last = c;
+  }
+  return {first < at_from ? band_.from + first * kRowCell_m : from,
+          last > at_to ? band_.from + (last + 1) * kRowCell_m : to};
 }
 
 int RowFaces::cellOf(double along) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/outlines/structure.h"
@@ -24,6 +25,8 @@ class RowFaces {
 
   /// How the faces are turned against the heading, radians.
   double turn() const { return turn_; }
+  /// As far as the walls of from..to go on, but for gaps of less than kWallToWall_m.
+  std::pair<double, double> seenAround(double from, double to) const;
   /// How well the returns of a stretch fit to one plane face each, which is not far from that of
   /// the whole row; nats, at most 0.
   double evidence(double from, double to) const;
@@ -44,6 +47,7 @@ class RowFaces {
   double turn_ = 0.0;
   int cells_, depths_;
   std::array<std::vector<double>, 2> sums_;  ///< up to each cell, by depth
+  std::vector<int> returns_;                 ///< of whatever, in each cell: walls end in corners
   std::array<std::vector<int>, 2> seen_;     ///< cells that were seen, up to each
   std::array<std::optional<int>, 2> whole_;  ///< depth of the whole row
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/outlines/constants.h"
 #include "core/outlines/joint_places.h"
@@ -40,7 +41,7 @@ Stretch stretchOf(const Polygon& outline, double heading) {
   return {centre - 0.5 * box.width, centre + 0.5 * box.width, cross(along, box.centre), box.depth};
 }
 
-/// Places wall to wall.
+/// Places wall to wall, or with walls between them that nobody drew.
 struct Terrace {
   double heading;
   std::vector<std::size_t> houses;
@@ -55,6 +56,12 @@ struct Terrace {
     to = std::max(to, place.to);
   }
   bool has(std::size_t b) const { return std::ranges::find(houses, b) != houses.end(); }
+  bool isBeside(const Stretch& other) const {
+    if (std::max(from, other.from) - std::min(to, other.to) >= kWallToWall_m) return false;
+    return std::ranges::any_of(places, [&](const Stretch& house) {
+      return std::abs(house.middle - other.middle) < 0.25 * (house.depth + other.depth);
+    });
+  }
   double middle() const {  // across
     double sum = 0.0;
     for (const Stretch& place : places) sum += place.middle / static_cast<double>(places.size());
@@ -62,27 +69,45 @@ struct Terrace {
   }
 };
 
+RowBand bandOf(const Terrace& terrace) {
+  RowBand band{terrace.heading, terrace.from, terrace.to, 1e300, -1e300};
+  for (const Stretch& place : terrace.places) {
+    band.low = std::min(band.low, place.middle - 0.5 * place.depth - kFaceOff_m);
+    band.high = std::max(band.high, place.middle + 0.5 * place.depth + kFaceOff_m);
+  }
+  return band;
+}
+
+/// With one face to each side, as those of a row have: not with wings.
+bool isHouse(const Polygon& outline) {
+  const Rectangle box = boundingRectangle(outline, headingOf(outline));
+  return std::abs(signedArea(outline)) > kHouseFills * box.width * box.depth;
+}
+
 bool isParallel(const Polygon& outline, double heading) {
   return std::abs(std::remainder(headingOf(outline) - heading, kPi / 2.0)) < kRowTurn;
 }
 
-Terrace terraceAround(std::size_t first, double heading, const Buildings& buildings) {
+/// As far as walls are seen on from its places, and what has its place there.
+Terrace terraceAround(std::size_t first, double heading, const Buildings& buildings,
+                      const PlacedRays& placed) {
   const Places& places = buildings.places;
   Terrace terrace{heading, {}, {}};
   terrace.add(first, stretchOf(places[first]->outline, heading));
-  for (bool grown = true; grown;) {
-    grown = false;
+  for (std::size_t before = 0; before < terrace.houses.size();) {
+    before = terrace.houses.size();
+    const double length = terrace.to - terrace.from;
+    RowBand wider = bandOf(terrace);
+    wider.from -= length;
+    wider.to += length;
+    std::tie(terrace.from, terrace.to) =
+        RowFaces(placed, wider).seenAround(terrace.from, terrace.to);
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (terrace.has(k)) continue;
-      if (!buildings.hasPlace(k) || !isParallel(places[k]->outline, heading)) continue;
-      const Stretch other = stretchOf(places[k]->outline, heading);
-      const bool beside = std::ranges::any_of(terrace.places, [&](const Stretch& house) {
-        return std::max(house.from, other.from) - std::min(house.to, other.to) < kWallToWall_m &&
-               std::abs(house.middle - other.middle) < 0.25 * (house.depth + other.depth);
-      });
-      if (!beside) continue;
-      terrace.add(k, other);
-      grown = true;
+      if (terrace.has(k) || !buildings.hasPlace(k)) continue;
+      const Polygon& outline = places[k]->outline;
+      if (!isHouse(outline) || !isParallel(outline, heading)) continue;
+      const Stretch other = stretchOf(outline, heading);
+      if (terrace.isBeside(other)) terrace.add(k, other);
     }
   }
   return terrace;
@@ -107,7 +132,7 @@ std::vector<std::size_t> drawnOn(const Terrace& terrace, const Buildings& buildi
   const std::vector<OutlineTask>& tasks = buildings.tasks;
   std::vector<std::size_t> others;
   for (std::size_t b = 0; b < tasks.size(); ++b) {
-    if (buildings.done[b] || terrace.has(b)) continue;
+    if (buildings.done[b] || terrace.has(b) || !isHouse(tasks[b].drawn)) continue;
     const Stretch drawn = stretchOf(tasks[b].drawn, terrace.heading);
     const double off = tasks[b].drawn_shift_m;
     if (drawn.from > terrace.to + off || drawn.to < terrace.from - off) continue;
@@ -162,29 +187,10 @@ Rectangle boxOf(const RowPart& part, const Terrace& terrace, const RowFaces& fac
           part.to - part.from, *high - *low, terrace.heading};
 }
 
-RowBand bandOf(const Terrace& terrace) {
-  RowBand band{terrace.heading, terrace.from, terrace.to, 1e300, -1e300};
-  for (const Stretch& place : terrace.places) {
-    band.low = std::min(band.low, place.middle - 0.5 * place.depth - kFaceOff_m);
-    band.high = std::max(band.high, place.middle + 0.5 * place.depth + kFaceOff_m);
-  }
-  return band;
-}
-
-/// As its faces are turned, which one house may be not.
-Terrace turned(const Terrace& terrace, double by, const Places& places) {
-  Terrace straight{terrace.heading + by, {}, {}};
-  for (const std::size_t b : terrace.houses) {
-    straight.add(b, stretchOf(places[b]->outline, straight.heading));
-  }
-  return straight;
-}
-
-/// Empty where nobody else is of it.
+/// Empty where it is all of the houses that have their places there: those tell more of their ends.
 std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& buildings,
                                   const PlacedRays& placed, const std::stop_token& stop) {
   std::vector<std::size_t> among = drawnOn(terrace, buildings);
-  if (among.empty()) return {};
   among.insert(among.end(), terrace.houses.begin(), terrace.houses.end());
   std::ranges::stable_sort(among, {}, [&](std::size_t b) {
     return stretchOf(asDrawn(buildings.tasks[b]).start, terrace.heading).centre();
@@ -197,10 +203,10 @@ std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& build
   std::vector<TerraceHouse> houses;
   bool more = false;
   for (const RowPart& part : divideRow(row, terrace.from, terrace.to, evidence, stop)) {
+    more = more || part.house == kUndrawn || !terrace.has(among[part.house]);
     if (part.house == kUndrawn) continue;
     const std::size_t b = among[part.house];
     const Rectangle box = boxOf(part, terrace, faces);
-    more = more || !terrace.has(b);
     const OutlinePrior prior = priorOf(asDrawn(buildings.tasks[b]));
     houses.push_back({b, prior, placedOn(box, prior), {along, part.from_sigma, part.to_sigma}});
   }
@@ -223,12 +229,14 @@ std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
   std::vector<TerraceHouse> all;
   for (const std::size_t i : longestFirst(places)) {
     if (stop.stop_requested()) break;
-    if (buildings.done[i]) continue;
+    if (buildings.done[i] || !isHouse(places[i]->outline)) continue;
     const double heading = headingOf(places[i]->outline);
     for (const double along : {heading, heading + kPi / 2.0}) {
-      Terrace terrace = terraceAround(i, along, buildings);
-      if (terrace.houses.size() < kLeastHouses) continue;
-      terrace = turned(terrace, RowFaces(placed, bandOf(terrace)).turn(), places);
+      Terrace terrace = terraceAround(i, along, buildings, placed);
+      if (terrace.houses.size() < 2) continue;  // a house
+      // As its faces are turned, which one house may be not.
+      const double turn = RowFaces(placed, bandOf(terrace)).turn();
+      terrace = terraceAround(i, along + turn, buildings, placed);
       std::vector<TerraceHouse> houses = divided(terrace, buildings, placed, stop);
       if (houses.empty()) continue;
       for (const std::size_t b : terrace.houses) buildings.done[b] = true;

@@ -24,10 +24,10 @@ struct TerraceHouse {
   RowEnds ends;
 };
 
-/// Places wall to wall are a terrace, of which one house alone takes as much as it may. Where
-/// others are drawn on it, too, it is divided (row_division.h) among those that make it most
-/// probable, by how they are drawn and by the steps of its faces. The houses of those that were
-/// divided.
+/// Places wall to wall are a terrace, with what is seen on from them; one house alone takes as much
+/// of it as it may. It is divided (row_division.h) among those of the houses that are drawn there,
+/// and things that nobody drew, that make it most probable, by how they are drawn and by the steps
+/// of its faces. The houses of those that were divided.
 std::vector<TerraceHouse> dividedTerraces(const std::vector<OutlineTask>& tasks,
                                           const std::vector<std::optional<FittedOutline>>& places,
                                           const PlacedRays& placed, double range_limit_m,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/outlines/constants.h"
+#include "core/outlines/terraces.h"
 #include "tests/core/outlines/drive.h"
 
 namespace handmap {
@@ -159,6 +160,38 @@ TEST(MapFit, MakesNoVanOfTheLastHouseOfATerrace) {
   for (std::size_t i = 0; i < houses.size(); ++i) {
     EXPECT_GT(intersectionOverUnion(results.at(i).outline, houses[i]), 0.6) << i;
   }
+}
+
+/// Four houses wall to wall of which nobody drew the two in the middle: their walls are not those
+/// of the others, which would explain them.
+TEST(MapFit, LeavesHousesOfATerraceThatNobodyDrewToNobody) {
+  const std::vector<Polygon> houses = {Rectangle{{9.0, 12.0}, 10.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{19.0, 12.6}, 10.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{29.0, 12.0}, 10.0, 8.0, 0.0}.corners(),
+                                       Rectangle{{39.0, 12.7}, 10.0, 8.0, 0.0}.corners()};
+  const Drive drive = drivePast(houses);
+  const auto results =
+      fitOutlines({taskFor(Rectangle{{12.0, 13.0}, 8.0, 8.0, 0.0}.corners(), true),
+                   taskFor(Rectangle{{37.5, 11.0}, 9.0, 9.0, 0.0}.corners(), true)},
+                  placeRays(drive.seen, drive.way), 40.0, 1);
+  EXPECT_GT(intersectionOverUnion(results.at(0).outline, houses[0]), 0.65);
+  EXPECT_GT(intersectionOverUnion(results.at(1).outline, houses[3]), 0.65);
+}
+
+/// What has wings has more than one face to a side.
+TEST(Terraces, HaveNoBuildingsWithWings) {
+  const Polygon house = Rectangle{{29.0, 12.0}, 12.0, 8.0, 0.0}.corners();
+  const Polygon another = Rectangle{{41.0, 12.0}, 12.0, 8.0, 0.0}.corners();
+  const Polygon undrawn = Rectangle{{17.0, 12.6}, 12.0, 8.0, 0.0}.corners();
+  const auto divided = [&](const Polygon& beside) {
+    const Drive drive = drivePast({undrawn, house, beside});
+    const std::vector<OutlineTask> tasks = {taskFor(house, true), taskFor(beside, false)};
+    const std::vector<std::optional<FittedOutline>> places = {FittedOutline{house},
+                                                              FittedOutline{beside}};
+    return dividedTerraces(tasks, places, placeRays(drive.seen, drive.way), 40.0, {}).size();
+  };
+  EXPECT_EQ(divided(another), 2U);
+  EXPECT_EQ(divided(kEll), 0U);
 }
 
 TEST(MapFit, DividesNoHouseOnWhichAnotherIsDrawnToo) {

@@ -56,6 +56,17 @@ TEST(RowDivision, LeavesRoomForAHouseThatIsNotDrawn) {
   EXPECT_NEAR(parts[1].to, 30.0, 3.0);
 }
 
+TEST(RowDivision, LeavesRoomForTwoThatAreNotDrawnWhereAStepTellsThemApart) {
+  const auto stepped_at_20 = [](double from, double to) {
+    return -4.0 * std::max(0.0, std::min(20.0 - from, to - 20.0));
+  };
+  const auto parts = divideRow({house(5.0, 10.0), house(35.0, 10.0)}, 0.0, 40.0, stepped_at_20);
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_EQ(parts[1].house, kUndrawn);
+  EXPECT_EQ(parts[2].house, kUndrawn);
+  EXPECT_NEAR(parts[1].to, 20.0, 0.3);
+}
+
 TEST(RowDivision, LeavesOutAHouseForWhichThereIsNoRoom) {
   RowHouse across = house(10.0, 10.0);
   across.nats = -9.0;

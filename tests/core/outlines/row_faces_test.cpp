@@ -35,6 +35,18 @@ TEST(RowFaces, SayHowTheyAreTurned) {
   EXPECT_NEAR(faces.turn(), turn, 0.01);
 }
 
+TEST(RowFaces, GoOnAsFarAsWallsDo) {
+  const Polygon apart = Rectangle{{37.0, 12.0}, 10.0, 8.0, 0.0}.corners();  // 2 m beyond
+  std::vector<Polygon> houses = kStepped;
+  houses.push_back(apart);
+  const Drive drive = drivePast(houses);
+  const RowFaces faces(placeRays(drive.seen, drive.way), {0.0, 0.0, 60.0, 6.0, 18.0});
+  const auto [from, to] = faces.seenAround(12.0, 17.0);
+  EXPECT_NEAR(from, 10.0, 1.0);  // at a corner it is not clear along which wall it goes on
+  EXPECT_NEAR(to, 30.0, 1.0);
+  EXPECT_EQ(faces.seenAround(5.0, 55.0), std::pair(5.0, 55.0));
+}
+
 TEST(RowFaces, SayNothingOfWhatNobodySaw) {
   const RowFaces faces(PlacedRays{}, kBand);
   EXPECT_EQ(faces.evidence(10.0, 30.0), 0.0);
