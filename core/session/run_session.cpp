@@ -366,11 +366,10 @@ Map RunSession::refinedMap() const { return state_->refinedMap()(); }
 
 std::vector<RunWarning> RunSession::warnings() const {
   const RunSettings& settings = state_->settings;
-  return runWarnings(
-      {state_->counts, source().range_limit_m, state_->drawing, state_->method->refinedMap()(),
-       trajectory(), settings.slam.refine,
-       state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m, state_->drawn_start,
-       state_->method->warnings()});
+  return runWarnings({state_->counts, source().range_limit_m, state_->drawing,
+                      state_->method->refinedMap()(), trajectory(), settings.slam.refine,
+                      state_->frames.empty() ? 0.0 : state_->frames.back().unrecognised_m,
+                      state_->drawn_start, state_->method->warnings()});
 }
 
 std::string RunSession::reportJson() const {
