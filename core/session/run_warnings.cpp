@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "core/base/phrase.h"
@@ -214,7 +213,8 @@ void RunCounts::add(const Percept& percept, const FrameReport& report) {
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome) {
   constexpr int kLeastGuessed = 3;  // one or two go on well enough at the speed of before
   std::vector<RunWarning> warnings = outcome.of_method;
-  std::ranges::move(warningsOfRecognition(outcome), std::back_inserter(warnings));
+  const std::vector<RunWarning> of_recognition = warningsOfRecognition(outcome);
+  warnings.insert(warnings.end(), of_recognition.begin(), of_recognition.end());
   const RunCounts& counts = outcome.counts;
   if (counts.guessed >= kLeastGuessed) {
     warnings.push_back(

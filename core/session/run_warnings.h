@@ -43,10 +43,10 @@ struct RunOutcome {
   std::vector<RunWarning> of_method = {};
 };
 
-/// Those of the method, then at most one of the codes nothing_recognised, nothing_corrected, way_from_odometry,
-/// end_unrecognised and part_unrecognised: the first that holds says what follows from it too, and
-/// none where the method says why (buildings_dropped). And motion_guessed, began_elsewhere and
-/// start_moved.
+/// Those of the method, then at most one of the codes nothing_recognised, nothing_corrected,
+/// way_from_odometry, end_unrecognised and part_unrecognised: the first that holds says what
+/// follows from it too; nothing_corrected is left out where the method says why
+/// (buildings_dropped). And motion_guessed, began_elsewhere and start_moved.
 std::vector<RunWarning> runWarnings(const RunOutcome& outcome);
 
 }  // namespace handmap
