@@ -20,9 +20,11 @@ RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
   for (auto& sums : sums_) sums.assign(size, 0.0);
   for (auto& seen : seen_) seen.assign(static_cast<std::size_t>(cells_ + 1), 0);
   returns_.assign(static_cast<std::size_t>(cells_), 0);
+  const double middle = 0.5 * (band.low + band.high);
   Vec2 direction = Vec2::Zero();
   // Returns by cell, first where sums will be.
   for (const PlacedRay& ray : placed.rays) {
+    if (const auto cell = crossed(ray, along, across, middle)) --returns_[*cell];
     if (ray.echo != Echo::Tall) continue;
     const Vec2 end = ray.end();
     const double x = along.dot(end);
@@ -80,7 +82,7 @@ std::pair<double, double> RowFaces::seenAround(double from, double to) const {
   const int at_from = cellOf(from);
   const int at_to = cellOf(to);
   int all = 0;
-  for (int c = at_from; c < at_to; ++c) all += returns_[static_cast<std::size_t>(c)];
+  for (int c = at_from; c < at_to; ++c) all += std::max(0, returns_[static_cast<std::size_t>(c)]);
   const double least = kWallShare * all / std::max(1, at_to - at_from);
   const auto isWall = [&](int cell) { return returns_[static_cast<std::size_t>(cell)] > least; };
   int first = at_from;
@@ -93,6 +95,18 @@ std::pair<double, double> RowFaces::seenAround(double from, double to) const {
   }
   return {first < at_from ? band_.from + first * kRowCell_m : from,
           last > at_to ? band_.from + (last + 1) * kRowCell_m : to};
+}
+
+/// Where it goes through.
+std::optional<std::size_t> RowFaces::crossed(const PlacedRay& ray, const Vec2& along,
+                                             const Vec2& across, double middle) const {
+  const Vec2 robot(static_cast<double>(ray.x), static_cast<double>(ray.y));
+  const Vec2 direction(static_cast<double>(ray.dx), static_cast<double>(ray.dy));
+  const double reach = (middle - across.dot(robot)) / across.dot(direction);
+  if (!(reach > 0.0 && reach < static_cast<double>(ray.range))) return std::nullopt;
+  const double x = along.dot(robot + reach * direction);
+  if (x < band_.from || x >= band_.to) return std::nullopt;
+  return static_cast<std::size_t>(std::min(cellOf(x), cells_ - 1));
 }
 
 int RowFaces::cellOf(double along) const {

@@ -39,6 +39,8 @@ class RowFaces {
     int depth = 0;
   };
   int cellOf(double along) const;
+  std::optional<std::size_t> crossed(const PlacedRay& ray, const Vec2& along, const Vec2& across,
+                                     double middle) const;
   Best best(Face face, int from, int to) const;
   double& sum(Face face, int depth, int cell);
   double sum(Face face, int depth, int cell) const;
@@ -47,7 +49,7 @@ class RowFaces {
   double turn_ = 0.0;
   int cells_, depths_;
   std::array<std::vector<double>, 2> sums_;  ///< up to each cell, by depth
-  std::vector<int> returns_;                 ///< of whatever, in each cell: walls end in corners
+  std::vector<int> returns_;                 ///< of whatever, less rays that go through, by cell
   std::array<std::vector<int>, 2> seen_;     ///< cells that were seen, up to each
   std::array<std::optional<int>, 2> whole_;  ///< depth of the whole row
 };
