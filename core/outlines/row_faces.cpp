@@ -42,22 +42,22 @@ RowFaces::RowFaces(const PlacedRays& placed, const RowBand& band)
   if (!direction.isZero()) turn_ = std::atan2(cross(across, direction), across.dot(direction));
   const int reach = static_cast<int>(std::lround(kSlack_m / kFaceDepth_m));
   for (const Face face : {kLow, kHigh}) {
-    std::vector<double> counts(static_cast<std::size_t>(depths_));
+    std::vector<double> nearer(static_cast<std::size_t>(depths_ + 1));  // across, than a depth
     for (int cell = 0; cell < cells_; ++cell) {
-      double all = 0.0;
       for (int d = 0; d < depths_; ++d) {
-        all += counts[static_cast<std::size_t>(d)] = sum(face, d, cell + 1);
+        const auto depth = static_cast<std::size_t>(d);
+        nearer[depth + 1] = nearer[depth] + sum(face, d, cell + 1);
       }
+      const double all = nearer.back();
       const bool seen = all >= kFaceReturns;
       seen_[face][static_cast<std::size_t>(cell + 1)] =
           seen_[face][static_cast<std::size_t>(cell)] + (seen ? 1 : 0);
       for (int d = 0; d < depths_; ++d) {
-        double near = 0.0;
-        for (int k = std::max(0, d - reach); k <= std::min(depths_ - 1, d + reach); ++k) {
-          near += counts[static_cast<std::size_t>(k)];
-        }
-        const double nats =
-            seen ? kFaceTemper * std::log(kFaceOther + (1.0 - kFaceOther) * near / all) : 0.0;
+        const double low = nearer[static_cast<std::size_t>(std::max(0, d - reach))];
+        const double high = nearer[static_cast<std::size_t>(std::min(depths_, d + reach + 1))];
+        const double before = face == kLow ? low : all - high;
+        const double share = (high - low + kBeforeFace * before) / all;
+        const double nats = seen ? kFaceTemper * std::log(1.0 - kStopped + kStopped * share) : 0.0;
         sum(face, d, cell + 1) = sum(face, d, cell) + nats;
       }
     }

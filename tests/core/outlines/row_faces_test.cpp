@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outlines/constants.h"
 #include "drive.h"
 
 namespace handmap {
@@ -26,6 +27,17 @@ TEST(RowFaces, TellWhereOneIsSteppedAgainstTheOther) {
   const double at_step = faces.evidence(10.0, 20.0) + faces.evidence(20.0, 30.0);
   EXPECT_GT(at_step, faces.evidence(10.0, 17.0) + faces.evidence(17.0, 30.0) + 2.0);
   EXPECT_GT(at_step, faces.evidence(10.0, 23.0) + faces.evidence(23.0, 30.0) + 2.0);
+}
+
+TEST(RowFaces, DivideNoHouseForAShedBeforeIt) {
+  const Polygon house = Rectangle{{20.0, 12.0}, 20.0, 8.0, 0.0}.corners();
+  const Polygon shed = Rectangle{{20.0, 7.0}, 5.0, 1.0, 0.0}.corners();
+  const Drive drive = drivePast({house, shed});
+  const RowFaces faces(placeRays(drive.seen, drive.way), kBand);
+  EXPECT_NEAR(faces.across(RowFaces::kLow, 17.5, 22.5).value_or(0.0), 6.5, 0.15);
+  const double divided =
+      faces.evidence(10.0, 17.5) + faces.evidence(17.5, 22.5) + faces.evidence(22.5, 30.0);
+  EXPECT_LT(divided - faces.evidence(10.0, 30.0), 2.0 * outlines::kIsThere);
 }
 
 TEST(RowFaces, SayHowTheyAreTurned) {
