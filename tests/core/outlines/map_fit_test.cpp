@@ -194,6 +194,24 @@ TEST(Terraces, HaveNoBuildingsWithWings) {
   EXPECT_EQ(divided(kEll), 0U);
 }
 
+/// Drawn behind the row, and found where it cannot be.
+TEST(Terraces, HaveNoRoomForOneWhoseOtherPlaceIsWorseStill) {
+  const Polygon first = Rectangle{{17.0, 12.6}, 12.0, 8.0, 0.0}.corners();
+  const Polygon second = Rectangle{{29.0, 12.0}, 12.0, 8.0, 0.0}.corners();
+  const Polygon undrawn = Rectangle{{41.0, 12.5}, 12.0, 8.0, 0.0}.corners();
+  const Polygon behind = moved(second, {1.0, 10.0});
+  const Drive drive = drivePast({first, second, undrawn});
+  const std::vector<OutlineTask> tasks = {taskFor(first, true), taskFor(second, true),
+                                          taskFor(behind, true)};
+  const std::vector<std::optional<FittedOutline>> places = {
+      FittedOutline{first}, FittedOutline{second}, FittedOutline{moved(behind, {0.0, 50.0})}};
+  const auto houses = dividedTerraces(tasks, places, placeRays(drive.seen, drive.way), 40.0, {});
+  ASSERT_EQ(houses.size(), 2U);
+  EXPECT_EQ(houses[0].building, 0U);
+  EXPECT_EQ(houses[1].building, 1U);
+  EXPECT_TRUE(houses[1].place);
+}
+
 TEST(MapFit, DividesNoHouseOnWhichAnotherIsDrawnToo) {
   const Drive drive = drivePast({kFittedHouse});
   const auto results = fitOutlines({taskFor(moved(kFittedHouse, {1.0, 1.0}), true),
