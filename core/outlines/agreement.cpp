@@ -37,8 +37,8 @@ struct SideError {
 struct Compared {
   std::vector<SideError> sides;
   double drawn_sigma = 0.0;  ///< of a side, as the drawing says
-  Polygon drawn;
-  double of_row = 1.0;  ///< share of the houses that it is drawn wall to wall with, and were seen
+  Polygon drawn, fitted;
+  double of_row = 1.0;  ///< share of the houses that it stands wall to wall with, and were seen
   bool fixed = false;   ///< right whatever was seen
   double right = 0.5;
 };
@@ -59,9 +59,8 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
   const Rectangle box = drawn.box();
   const double fitted_heading = fitted.box().heading;
   const Sides sides = sidesOf(fitted);
-  const Polygon before = drawn.footprint();
-  building.drawn = before;
-  const Polygon after = fitted.footprint();
+  building.drawn = drawn.footprint();
+  building.fitted = fitted.footprint();
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Vec2 normal = unitVector(box.heading + static_cast<double>(k) * kPi / 2.0);
     const SideEstimate& side = sides[sideFacing(fitted_heading, normal)];
@@ -69,7 +68,7 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
     const Vec2 middle = box.centre + 0.5 * (k % 2 == 0 ? box.width : box.depth) * normal;
     const double turn = normal.dot(perpendicular(middle - origin));
     building.sides.push_back({{normal.x(), normal.y(), turn, normal.x(), normal.y()},
-                              farthest(after, normal) - farthest(before, normal),
+                              farthest(building.fitted, normal) - farthest(building.drawn, normal),
                               std::max(side.sigma, buildings::kFloor_m)});
   }
   return building;
@@ -89,7 +88,10 @@ void shareRows(std::vector<Compared>& buildings) {
   for (std::size_t a = 0; a < buildings.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       if (buildings[a].sides.empty() || buildings[b].sides.empty()) continue;
-      if (row[a] != row[b] && touch(buildings[a].drawn, buildings[b].drawn))
+      if (row[a] == row[b]) continue;
+      // People leave gaps, or none, where there are none, or gaps.
+      if (touch(buildings[a].drawn, buildings[b].drawn) ||
+          touch(buildings[a].fitted, buildings[b].fitted))
         std::ranges::replace(row, row[a], row[b]);
     }
   }

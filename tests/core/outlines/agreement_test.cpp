@@ -190,6 +190,9 @@ TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
     fitted.buildings[b].shape = Rectangle{at + Vec2(5.0, 4.0), 12.0, 8.0, 0.0};
   }
   EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
+  // People leave gaps where there are none.
+  for (Building& house : drawing.buildings) std::get<Rectangle>(house.shape).width = 10.0;
+  EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
 }
 
 TEST(Agreement, TakesWhatWasNotSeenAsTheRest) {
