@@ -134,17 +134,16 @@ inline constexpr double kWallShare = 0.25;       // 1; choice: of a row's return
 inline constexpr double kFaceReturns = 2.0;      // returns; choice: of a cell that was seen
 
 // What is drawn right, and how the map lies.
-inline constexpr int kMostRounds = 50;            // rounds; limit: it has settled before
-inline constexpr double kSettled = 1e-6;          // nats; limit: of a round
-inline constexpr double kMisfitted = 0.15;        // 1; measured: fits of true maps to other things
-inline constexpr double kMisfit_m = 1.5;          // m; measured: σ of such a side
-inline constexpr double kTogether = 8.0;          // nats; measured: true maps 10 on, chance up to 6
-inline constexpr double kStatedSides = 4.0;       // sides; choice: what the drawing says counts as
-inline constexpr double kSeenToEndReturns = 2.0;  // returns; measured: gables 2.4 to 5, gaps 1.7
-inline constexpr double kDrawnSlack_m = 0.3;      // m; choice: of walls that were not fitted
-inline constexpr double kFoundRear_m = 2.7;  // m; measured: rear walls found, FIELD.md's part 2, 1
-inline constexpr double kLabelled_m = 1.0;   // m; measured: σ of what was found, METHOD.md
-inline constexpr double kTells = 3.0;        // nats; choice: for or against a building
+inline constexpr int kMostRounds = 50;        // rounds; limit: it has settled before
+inline constexpr double kSettled = 1e-6;      // nats; limit: of a round
+inline constexpr double kMisfitted = 0.15;    // 1; measured: fits of true maps to other things
+inline constexpr double kMisfit_m = 1.5;      // m; measured: σ of such a side
+inline constexpr double kTogether = 8.0;      // nats; measured: true maps 10 on, chance up to 6
+inline constexpr double kStatedSides = 4.0;   // sides; choice: what the drawing says counts as
+inline constexpr double kDrawnSlack_m = 0.3;  // m; choice: of walls that were not fitted
+inline constexpr double kFoundRear_m = 2.7;   // m; measured: rear walls found, FIELD.md's part 2, 1
+inline constexpr double kLabelled_m = 1.0;    // m; measured: σ of what was found, METHOD.md
+inline constexpr double kTells = 3.0;         // nats; choice: for or against a building
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start
 inline constexpr double kStart_m = 0.3;               // m; choice: the same
 inline constexpr double kLeastToRefute = 5.0;         // rows; choice: fewer may all be misplaced

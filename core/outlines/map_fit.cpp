@@ -60,12 +60,7 @@ Sides sidesOf(const Polygon& outline, const OutlineTask& task, const OutlineScor
     const Vec2 normal = unitVector(heading + static_cast<double>(k) * kPi / 2.0);
     sides[k].sigma = spread(normal);
   }
-  const std::vector<double> returns = scorer.returnsOf(outline, kSlack_m);
-  std::array<double, 4> of_side{};
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 along = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
-    of_side[sideFacing(heading, -perpendicular(along))] += returns[i];
-  }
+  const auto of_side = scorer.returnsOfSides(outline, heading, kSlack_m);
   for (std::size_t k = 0; k < sides.size(); ++k) sides[k].seen = of_side[k] >= kSeenReturns;
   return sides;
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/estimation/walls/constants.h"
+#include "core/map/certainty.h"
 #include "core/outlines/constants.h"
 
 namespace handmap {
@@ -184,6 +185,17 @@ std::vector<double> OutlineScorer::returnsOf(const Polygon& outline, double slac
     returns[met.wall] += kTemper * static_cast<double>(asked.ray.share);
   });
   return returns;
+}
+
+std::array<double, 4> OutlineScorer::returnsOfSides(const Polygon& outline, double heading,
+                                                    double slack_m) const {
+  const std::vector<double> returns = returnsOf(outline, slack_m);
+  std::array<double, 4> of_side{};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 along = outline[i] - outline[(i + outline.size() - 1) % outline.size()];
+    of_side[sideFacing(heading, -perpendicular(along))] += returns[i];
+  }
+  return of_side;
 }
 
 std::vector<OutlineScorer::Standing> OutlineScorer::standingFor(const Polygon& outline,

@@ -41,6 +41,9 @@ class OutlineScorer {
   double operator()(const Polygon& outline, double slack_m, std::size_t stride = 1) const;
   /// Tempered number of returns that are from each wall (i: from corner i − 1 to corner i).
   std::vector<double> returnsOf(const Polygon& outline, double slack_m) const;
+  /// The same of the sides of a box that is turned by `heading`, as box() has them.
+  std::array<double, 4> returnsOfSides(const Polygon& outline, double heading,
+                                       double slack_m) const;
   /// A return that is near a wall which its ray enters by. Small: of a long drive there are
   /// millions, for each place that a building may have.
   struct Standing {

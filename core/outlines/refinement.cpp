@@ -1,10 +1,8 @@
 #include "core/outlines/refinement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/estimation/walls/constants.h"
 #include "core/map/certainty.h"
 #include "core/outlines/agreement.h"
 #include "core/outlines/constants.h"
@@ -21,70 +19,34 @@ Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
   return outline;
 }
 
-struct HalfWall {
-  Vec2 middle;
-  Vec2 normal;     ///< outwards
-  double returns;  ///< tempered
-};
-
-std::vector<HalfWall> halfWalls(const Polygon& outline, const OutlineScorer& scorer) {
-  Polygon halves;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2& from = outline[(i + outline.size() - 1) % outline.size()];
-    halves.push_back(0.5 * (from + outline[i]));
-    halves.push_back(outline[i]);
-  }
-  const std::vector<double> returns = scorer.returnsOf(halves, kDrawnSlack_m);
-  std::vector<HalfWall> walls;
-  for (std::size_t i = 0; i < halves.size(); ++i) {
-    const Vec2& from = halves[(i + halves.size() - 1) % halves.size()];
-    walls.push_back(
-        {0.5 * (from + halves[i]), -perpendicular((halves[i] - from).normalized()), returns[i]});
-  }
-  return walls;
-}
-
-/// The side opposite the one that was seen best keeps the drawn distance from it, unless it was
-/// seen too, or a wall that leads there was, or the drawing knows its sizes, `size_m`, far
-/// worse than even a rear wall is found. The ends of what was seen best are where its returns stop.
+/// The side opposite the one that was seen best keeps the drawn distance from it, unless the rays
+/// tell where it is, or the drawing knows its sizes, `size_m`, far worse than even a rear wall is
+/// found. The ends of what was seen best are where its returns stop.
 Polygon unseenAsDrawn(const Building& found, const Building& drawn, double size_m,
                       const DrawingMotion& motion, const PlacedRays& placed, double range_limit_m) {
   Polygon outline = found.footprint();
   const Rectangle box = found.box();
-  const double radius = 0.5 * std::hypot(box.width, box.depth);
-  const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, box.centre, radius + 1.0);
-  const auto normal_of = [&](std::size_t side) {
-    return unitVector(box.heading + static_cast<double>(side) * kPi / 2.0);
-  };
-  const std::vector<HalfWall> walls = halfWalls(outline, scorer);
-  std::array<double, 4> of_side{};
-  for (const HalfWall& wall : walls) {
-    for (std::size_t side = 0; side < 4; ++side) {
-      if (wall.normal.dot(normal_of(side)) > walls::kSameHeading) of_side[side] += wall.returns;
-    }
-  }
-  const auto front =
-      static_cast<std::size_t>(std::max_element(of_side.begin(), of_side.end()) - of_side.begin());
-  const Vec2 outwards = normal_of(front);
-  const bool deep = std::any_of(walls.begin(), walls.end(), [&](const HalfWall& wall) {
-    return wall.returns >= kSeenToEndReturns &&
-           std::abs(wall.normal.dot(outwards)) < walls::kSameHeading &&
-           outwards.dot(wall.middle - box.centre) < 0.0;
-  });
-  const SideEstimate rear = sidesOf(found)[(front + 2) % 4];
-  const bool known = rear.seen && std::hypot(rear.sigma, kFoundRear_m) < 0.5 * size_m;
-  if (deep || known || of_side[front] < kSeenReturns || of_side[(front + 2) % 4] >= kSeenReturns) {
-    return outline;
-  }
   // Not its box(): that of a crooked outline may lie along another wall.
   const Rectangle as_drawn = boundingRectangle(drawn.footprint(), box.heading - motion.turn());
+  const double reach = std::hypot(box.width, box.depth) +
+                       motion.scale() * std::hypot(as_drawn.width, as_drawn.depth);
+  const OutlineScorer scorer(placed, range_limit_m, {}, kNobody, box.centre, reach);
+  const auto of_side = scorer.returnsOfSides(outline, box.heading, kDrawnSlack_m);
+  const auto front =
+      static_cast<std::size_t>(std::max_element(of_side.begin(), of_side.end()) - of_side.begin());
+  const SideEstimate rear = sidesOf(found)[(front + 2) % 4];
+  const bool known = rear.seen && std::hypot(rear.sigma, kFoundRear_m) < 0.5 * size_m;
+  if (known || of_side[front] < kSeenReturns) return outline;
   const double now = front % 2 == 0 ? box.width : box.depth;
   const double ratio = motion.scale() * (front % 2 == 0 ? as_drawn.width : as_drawn.depth) / now;
-  for (Vec2& corner : outline) {
+  const Vec2 outwards = unitVector(box.heading + static_cast<double>(front) * kPi / 2.0);
+  Polygon as_deep = outline;
+  for (Vec2& corner : as_deep) {
     const double depth = 0.5 * now - outwards.dot(corner - box.centre);
     corner += (1.0 - ratio) * depth * outwards;
   }
-  return outline;
+  const double told = scorer(outline, kDrawnSlack_m) - scorer(as_deep, kDrawnSlack_m);
+  return told > kLeastEvidence ? outline : as_deep;
 }
 
 Building withOutline(const Building& drawn, const Polygon& outline) {

@@ -63,6 +63,27 @@ TEST(Refinement, KeepsTheDrawnDepthOfACrookedOutline) {
   EXPECT_NEAR(bounds.high.y() - bounds.low.y(), 12.0, 3.0);
 }
 
+/// What stands beside it hides how far its gables go on behind what was seen of them.
+TEST(Refinement, KeepsTheDrawnDepthWhereRaysTellNothingOfTheRear) {
+  const Rectangle house{{31.0, 12.7}, 17.0, 10.0, 0.0};
+  Map drawing = drawingOf({{32.0, 14.0}, 17.0, 10.0, 0.0}, 3.0);
+  Map found = drawing;
+  found.buildings[0].shape = Rectangle{{31.0, 9.6}, 17.0, 3.8, 0.0};
+  found.buildings[0].estimate = Estimate{0.1, 0.1, 0.1, 12};
+  Sides sides;
+  sides.fill({0.3, true});
+  setSides(found.buildings[0], sides);
+  const Polygon west = Rectangle{{21.5, 14.6}, 1.6, 6.2, 0.0}.corners();
+  const Polygon east = Rectangle{{40.5, 14.6}, 1.6, 6.2, 0.0}.corners();
+  const Drive drive = drivePast({house.corners(), west, east});
+  const auto refined =
+      refine(drawing, FoundMap{found, DrawingMotion{}}, placeRays(drive.seen, drive.way), 40.0, 1);
+  ASSERT_TRUE(refined);
+  const Bounds bounds = boundsOf(refined->map.buildings[0].footprint());
+  EXPECT_NEAR(bounds.low.y(), 7.7, 0.4);
+  EXPECT_NEAR(bounds.high.y(), 17.7, 1.0);
+}
+
 TEST(Refinement, WhatNobodySawStaysAsDrawnWhereTheWayIsToldWithoutTheDrawing) {
   // Ten houses are seen, four of them where they are drawn but for a turn of the way.
   const double turn = toRadians(1.5);
