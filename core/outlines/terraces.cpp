@@ -166,7 +166,7 @@ RowHouse rowHouseOf(std::size_t b, const Terrace& terrace, const Buildings& buil
   house.most_width = width * std::exp(prior.most_log_size[axis]);
   house.nats = -0.5 * std::pow((drawn.middle - terrace.middle()) / prior.shift_m, 2);
   if (!terrace.has(b) && buildings.places[b]) {
-    // What is there may be another thing, too.
+    // Never less than nothing: what is there may be another thing.
     house.worth_elsewhere =
         std::max(0.0, 2.0 * kIsThere + priorAsItIs(b, terrace.heading, buildings));
   }
