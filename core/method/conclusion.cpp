@@ -22,6 +22,7 @@ namespace {
 /// The ways of walls and buildings are dropped where they make what was seen less sharp.
 const TrajectoryHypothesis& believed(const RunKnowledge& known, double sharpness_alone) {
   const double needed = sharpness_alone - trajectory::kClearlySharper;
+  if (known.alone.followed && !known.walls) return known.alone;
   if (known.walls && known.sharpness(known.walls->poses) >= needed) return *known.walls;
   return known.sharpness(known.buildings.poses) >= needed ? known.buildings : known.alone;
 }

@@ -18,7 +18,8 @@ struct TrajectoryHypothesis {
   enum class By { Buildings, Odometry, Scans, Walls };
   By by;
   std::vector<Pose2> poses;
-  double turn = 0.0;  ///< it may be turned about its start by so much, one σ, radians
+  double turn = 0.0;      ///< it may be turned about its start by so much, one σ, radians
+  bool followed = false;  ///< corner by corner in images: no drawing tells it better
 };
 
 /// What is known after some observations; a copy, so that any thread may conclude from it while the

@@ -41,8 +41,7 @@ void GivenStart::add(double time_s, const Odometry& odometry, const Percept& per
   const bool is_first = trajectory_.recorded().empty();
   const Pose2 before = is_first ? odometry.pose : trajectory_.recorded().back();
   driven_m_ += between(before, odometry.pose).position().norm();
-  if (percept.joined) trajectory_.neverUse();
-  trajectory_.add(time_s, odometry, percept.points, stop);
+  trajectory_.add(time_s, odometry, percept, stop);
   wheels_.add(odometry);
   guessed_ = odometry.guessed;
   const double passed = is_first ? 0.0 : time_s - last_s_;

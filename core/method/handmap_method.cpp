@@ -149,8 +149,7 @@ class HandmapMethod : public EstimationMethod {
              const std::stop_token& stop) {
     const Pose2 before = observations_ == 0 ? odometry.pose : trajectory_.recorded().back();
     driven_m_ += between(before, odometry.pose).position().norm();
-    if (percept.joined) trajectory_.neverUse();
-    trajectory_.add(time_s, odometry, percept.points, stop);
+    trajectory_.add(time_s, odometry, percept, stop);
     wheels_.add(odometry);
     followTrajectory();
   }
@@ -273,7 +272,7 @@ class HandmapMethod : public EstimationMethod {
     if (matched_)
       walls = TrajectoryHypothesis{TrajectoryHypothesis::By::Walls,
                                    posesBy(TrajectoryHypothesis::By::Walls)};
-    return {{alone, posesBy(alone), turnOf(alone)},
+    return {{alone, posesBy(alone), turnOf(alone), trajectory_.isFollowed()},
             {TrajectoryHypothesis::By::Buildings, posesBy(TrajectoryHypothesis::By::Buildings)},
             std::move(walls),
             estimator_.refinedMap(),

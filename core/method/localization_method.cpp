@@ -74,8 +74,7 @@ class LocalizationMethod : public EstimationMethod {
   void add(double time_s, const Odometry& odometry, const Percept& percept,
            const std::stop_token& stop) {
     const Pose2 before = times_.empty() ? odometry.pose : trajectory_.recorded().back();
-    if (percept.joined) trajectory_.neverUse();
-    trajectory_.add(time_s, odometry, percept.points, stop);
+    trajectory_.add(time_s, odometry, percept, stop);
     if (!times_.empty()) seen_.add(times_.size(), odometry.pose, percept.scan, percept.points);
     times_.push_back(time_s);
     matched_.add(trajectory_.poses(), trajectory_.usable() ? kMatchedScans : kWheels,

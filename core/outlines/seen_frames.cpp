@@ -35,12 +35,15 @@ void shareOut(std::vector<SeenRay>& rays) {
   }
 }
 
+/// What images show that is rather no building counts as what is low.
 std::vector<SeenRay> raysOf(const Scan& scan, double range_limit_m) {
   std::vector<SeenRay> rays;
   rays.reserve(scan.rays.size());
   for (const Ray& ray : scan.rays) {
     const bool silent = static_cast<double>(ray.range) > kSilent * range_limit_m;
-    const Echo echo = ray.returned ? Echo::Tall : silent ? Echo::Silent : Echo::Ground;
+    const bool tall = scan.ray_by_ray || showsWall(ray);
+    const Echo returned = tall ? Echo::Tall : Echo::Low;
+    const Echo echo = ray.returned ? returned : silent ? Echo::Silent : Echo::Ground;
     rays.push_back({ray.bearing, ray.range, 1.0F, echo});
   }
   return rays;

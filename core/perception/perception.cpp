@@ -56,6 +56,24 @@ Perception::Perception(const SourceInfo& source, const PerceptionOptions& option
   std::optional<WallJudge> judge;
   if (options.classify) judge.emplace(options.classifier);
   stereo_.emplace(*source.camera, options.stereo, std::move(judge));
+  if (!source.visual_odometry) odometry_.emplace(*source.camera);
+}
+
+/// What was guessed while nothing was recognised is made up for by the motion after it: neither is
+/// told.
+std::optional<Pose2> Perception::motionTo(const Observation& observation) {
+  const Pose2 before = std::exchange(at_, observation.odometry);
+  const bool from_followed = std::exchange(followed_, false);
+  if (observation.standing || observation.views.size() != 1) return std::nullopt;
+  const View& view = observation.views.front();
+  if (view.left.empty() || view.right.empty()) return std::nullopt;
+  if (!odometry_) {
+    followed_ = !observation.odometry_guessed;
+    return from_followed && followed_ ? std::optional(between(before, at_)) : std::nullopt;
+  }
+  const auto motion = (*odometry_)(view.left, view.right, observation.time_s, view.pan);
+  followed_ = !motion || !motion->guessed;  // from the first pair on
+  return motion && from_followed && followed_ ? std::optional(motion->motion) : std::nullopt;
 }
 
 std::optional<Percept> Perception::operator()(const Observation& observation,
@@ -98,11 +116,15 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
     walls.insert(walls.end(), found.begin(), found.end());
   }
   if (stop.stop_requested()) return std::nullopt;
+  const Stopwatch following;
+  const std::optional<Pose2> moved = motionTo(observation);
+  if (!image.empty()) stereo_ms += following.ms();
   const Stopwatch stopwatch;
   Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
   classify_ms += stopwatch.ms();
-  return Percept{std::move(walls), std::move(scan), std::move(points), joined_.areJoined(), image,
-                 seen.disparity,   seen.buildings,  stereo_ms,         classify_ms};
+  return Percept{
+      std::move(walls), std::move(scan), std::move(points), joined_.areJoined(), moved, image,
+      seen.disparity,   seen.buildings,  stereo_ms,         classify_ms};
 }
 
 }  // namespace handmap

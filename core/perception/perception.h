@@ -4,6 +4,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/odometry/stereo_odometry.h"
 #include "core/perception/joined_frames.h"
 #include "core/perception/local_map.h"
 #include "core/perception/range_walls.h"
@@ -27,6 +28,9 @@ struct Percept {
   std::vector<RangePoint> points;  ///< of all views, as they came; empty with images
   /// They were put together from several frames by the odometry; the repeats are taken out.
   bool joined = false;
+  /// How the robot moved since the observation before, in its frame there, as images tell it;
+  /// nullopt where they do not.
+  std::optional<Pose2> moved = {};
   cv::Mat image;        ///< left image of the last view, empty without images
   cv::Mat1f disparity;  ///< of the last view
   cv::Mat1f buildings;  ///< as StereoResult, of the last view
@@ -44,9 +48,14 @@ class Perception {
                                     const std::stop_token& stop = {});
 
  private:
+  std::optional<Pose2> motionTo(const Observation& observation);
+
   double range_limit_m_;
   double camera_yaw_ = 0.0;  ///< radians
   std::optional<StereoWalls> stereo_;
+  std::optional<StereoOdometry> odometry_;  ///< not where the odometry is of images already
+  Pose2 at_;                                ///< by odometry, the observation before
+  bool followed_ = false;                   ///< images told the motion to it
   JoinedFrames joined_;
   RangeWalls range_walls_;
   ScanBuilder scans_;

@@ -28,6 +28,16 @@ void keepNearest(Ray& kept, const Ray& ray) {
 
 }  // namespace
 
+std::vector<RangePoint> likelyWalls(const Scan& scan) {
+  std::vector<RangePoint> points;
+  for (const Ray& ray : scan.rays) {
+    if (!showsWall(ray)) continue;
+    points.push_back(
+        {ray.range * std::cos(ray.bearing), ray.range * std::sin(ray.bearing), kTall_m, 1.0F});
+  }
+  return points;
+}
+
 bool Sweeps::areRegular(const std::vector<RangePoint>& points) {
   std::vector<float> bearings;
   for (const RangePoint& p : points) bearings.push_back(std::atan2(p.y, p.x));

@@ -17,6 +17,9 @@ struct Ray {
   bool returned = false;  ///< false: nothing came back along this direction
 };
 
+/// Whether what came back is rather a wall of a building than anything else.
+inline bool showsWall(const Ray& ray) { return ray.returned && ray.wall >= 0.5F; }
+
 /// At most one ray a direction, sorted by bearing. Directions without a ray were not looked at.
 struct Scan {
   std::vector<Ray> rays;
@@ -30,6 +33,9 @@ struct Scan {
   /// of that kind: it had looked there all the while, and nothing was there.
   std::vector<float> first_looked_at;
 };
+
+/// What its rays met that show walls, as a planar scanner has them.
+std::vector<RangePoint> likelyWalls(const Scan& scan);
 
 /// A scanner looks along one direction after the other, in steps of one width. Corners that a
 /// camera follows lie where they lie, and that there is none in a direction says nothing.

@@ -33,6 +33,14 @@ Eigen::Matrix3d strayOf(const ScanMatch& match, const MotionFactor& wheels) {
   return (known + own * (kStraysIn_m / std::max(way_m, kStill_m))).inverse();
 }
 
+/// What is followed over many steps errs by the way; the steps add nothing.
+Eigen::Vector3d followedSigma(const Pose2& motion) {
+  OdometryNoise noise = kMatchedScans;
+  noise.least_m = kStill_m;
+  noise.least_heading = kStill;
+  return noise.sigmaOf(motion);
+}
+
 double explained(const std::optional<ScanMatch>& match) {
   return match ? match->straight_near / std::max(1.0, static_cast<double>(match->straight)) : 0.0;
 }
@@ -60,14 +68,21 @@ std::optional<ScanMatch> LocalMapOdometry::bestMatch(const std::vector<ScanPoint
   return best;
 }
 
-bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& scan) {
+bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& scan,
+                           const std::optional<Pose2>& moved) {
   const bool first = scans_++ == 0;
   const Pose2 before = first ? recorded : pose_;
   const Pose2 motion = first ? Pose2{} : between(recorded_, recorded);
   unheld_.reset();
   const MotionPrior prior{before, noise_.factor(motion)};
   if (!first) variance_ = noise_.sigma(motion).cwiseAbs2().asDiagonal();
-  const auto matched = first ? std::nullopt : matchedPose(scan, motion, prior);
+  std::optional<Pose2> matched;
+  if (!first && moved) {
+    variance_ = followedSigma(*moved).cwiseAbs2().asDiagonal();
+    matched = before * *moved;
+  } else if (!first) {
+    matched = matchedPose(scan, motion, prior);
+  }
   pose_ = matched.value_or(before * prior.motion.motion);
   travelled_m_ += (pose_.position() - before.position()).norm();
   recorded_ = recorded;

@@ -16,9 +16,10 @@ class LocalMapOdometry {
   static LocalMapOdometry ofGuesses();
 
   /// The recorded odometry and what was seen there. Where the match is not to be believed, the
-  /// odometry goes on.
-  /// Returns whether the match moved the pose.
-  bool add(const Pose2& recorded, const std::vector<ScanPoint>& scan);
+  /// odometry goes on. `moved`: since the last one, where something tells that better than a match.
+  /// Returns whether the pose is another than by the odometry.
+  bool add(const Pose2& recorded, const std::vector<ScanPoint>& scan,
+           const std::optional<Pose2>& moved = {});
 
   /// How far the newest motion strays: of (along, aside, heading), in the frame of the pose before.
   const Eigen::Matrix3d& variance() const { return variance_; }

@@ -40,6 +40,8 @@ struct ScanTrajectory::State {
   void look(const Returns& from);
   void thinOut();
   void judge();
+  double chance() const;
+  bool isFollowed() const { return 2 * followed > poses.size(); }
   void stateTurn();
 
   TrajectoryOptions options;
@@ -51,6 +53,7 @@ struct ScanTrajectory::State {
   std::vector<std::size_t> keyframe;  ///< the last one at each observation
   std::vector<Pose2> poses;
   std::vector<SharpnessFrame> seen;
+  std::size_t followed = 0;  ///< motions that something told better than matching
   long returns = 0;
   long straight = 0;
   double look_m = kLook_m;              ///< between frames that sharpness is judged by
@@ -96,11 +99,17 @@ void ScanTrajectory::State::thinOut() {
   }
 }
 
+/// What of the sharpness is chance: the more the noisier the ranges.
+double ScanTrajectory::State::chance() const {
+  return kClearlySharper * std::max(1.0, noise.sigma(kBin_m) / perception::kLaserSigma_m);
+}
+
 void ScanTrajectory::State::judge() {
   if (poses.size() < judge_at) return;
   judge_at = poses.size() + poses.size() / kJudgedAnew;
   const SharpnessOptions rough{.samples = kRoughSamples};
-  sharper = sharpnessOf(seen, poses, rough) >= sharpnessOf(seen, recorded, rough);
+  const double needed = sharpnessOf(seen, recorded, rough) - (isFollowed() ? chance() : 0.0);
+  sharper = sharpnessOf(seen, poses, rough) >= needed;
 }
 
 /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
@@ -121,7 +130,8 @@ ScanTrajectory::ScanTrajectory(ScanTrajectory&&) noexcept = default;
 ScanTrajectory& ScanTrajectory::operator=(ScanTrajectory&&) noexcept = default;
 
 void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
-                         const std::vector<RangePoint>& points, const std::stop_token& stop) {
+                         const std::vector<RangePoint>& points, const std::stop_token& stop,
+                         const std::optional<Pose2>& moved) {
   State& state = *state_;
   const Returns returns = usableReturns(points, state.options.range_limit_m);
   const std::vector<ScanPoint> scan = features(returns);
@@ -129,7 +139,8 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
   state.returns += static_cast<long>(scan.size());
   state.straight +=
       std::count_if(scan.begin(), scan.end(), [](const ScanPoint& p) { return p.straight(); });
-  state.odometry.add(odometry.pose, scan);
+  state.odometry.add(odometry.pose, scan, moved);
+  if (moved) ++state.followed;
   const Pose2 pose = state.odometry.pose();
   const bool closed =
       state.graph.add({pose, odometry.guessed}, scan, state.odometry.variance(), stop);
@@ -145,6 +156,14 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
   state.judge();
 }
 
+void ScanTrajectory::add(double time_s, const Odometry& odometry, const Percept& percept,
+                         const std::stop_token& stop) {
+  if (percept.joined) neverUse();
+  std::vector<RangePoint> walls;
+  if (percept.points.empty()) walls = likelyWalls(percept.scan);
+  add(time_s, odometry, walls.empty() ? percept.points : walls, stop, percept.moved);
+}
+
 Pose2 ScanTrajectory::odometry() const { return state_->odometry.pose(); }
 const std::vector<Pose2>& ScanTrajectory::scanPoses() const { return state_->poses; }
 const std::vector<Pose2>& ScanTrajectory::recorded() const { return state_->recorded; }
@@ -156,6 +175,8 @@ bool ScanTrajectory::usable() const {
   return !state_->never && state_->straight > 0 && state_->sharper &&
          static_cast<double>(state_->straight) >= share;
 }
+
+bool ScanTrajectory::isFollowed() const { return usable() && state_->isFollowed(); }
 
 double ScanTrajectory::sharpness(const std::vector<Pose2>& trajectory) const {
   return sharpnessOf(state_->seen, trajectory);

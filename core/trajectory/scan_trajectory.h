@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/recording/observation.h"
+#include "core/perception/perception.h"
 
 namespace handmap {
 
@@ -27,10 +27,14 @@ class ScanTrajectory {
   ScanTrajectory& operator=(ScanTrajectory&&) noexcept;
 
   /// One observation: the recorded odometry, and the returns in the robot frame as recorded (empty
-  /// where there are none: the odometry alone goes on). Always adds one pose. A stop leaves out the
+  /// where there are none: the odometry alone goes on). `moved`: since the last one, where
+  /// something tells that better than the odometry. Always adds one pose. A stop leaves out the
   /// search for loops and makes the call return soon.
   void add(double time_s, const Odometry& odometry, const std::vector<RangePoint>& points,
-           const std::stop_token& stop = {});
+           const std::stop_token& stop = {}, const std::optional<Pose2>& moved = {});
+  /// With what was seen, whatever by: of images the likely walls, and the motion that they tell.
+  void add(double time_s, const Odometry& odometry, const Percept& percept,
+           const std::stop_token& stop);
 
   /// Of the newest observation, by matching with the last scans: smooth, does not jump where a loop
   /// is closed. The first is the first recorded odometry.
@@ -42,6 +46,9 @@ class ScanTrajectory {
   /// as sharp as the recorded odometry does. Looked at anew whenever there is a quarter more to
   /// see.
   bool usable() const;
+
+  /// Whether it is usable and most motions were told by something better than matching.
+  bool isFollowed() const;
 
   /// What comes was put together by an odometry: matched with itself it tells that odometry again.
   void neverUse();

@@ -80,5 +80,16 @@ TEST(Conclusion, DropsBuildingsThatRaysPassThrough) {
   EXPECT_GT(intersectionOverUnion(conclusion->map.buildings[0].footprint(), kTrueHouse), 0.7);
 }
 
+TEST(Conclusion, BelievesTheWayThatImagesTold) {
+  TwoHouses place({kTrueHouse, moved(kTrueHouse, {25.0, 0.0})});
+  place.known.alone.by = TrajectoryHypothesis::By::Scans;
+  place.known.alone.followed = true;
+  const auto conclusion = conclude(place.drawing, place.known, 1);
+  ASSERT_TRUE(conclusion);
+  EXPECT_FALSE(conclusion->unfounded);
+  EXPECT_EQ(conclusion->trajectory.by, TrajectoryHypothesis::By::Scans);
+  EXPECT_GT(intersectionOverUnion(conclusion->map.buildings[0].footprint(), kTrueHouse), 0.7);
+}
+
 }  // namespace
 }  // namespace handmap

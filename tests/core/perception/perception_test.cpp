@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "tests/core/base/expect_error.h"
+#include "tests/core/odometry/drive.h"
 #include "tests/core/perception/rendered_scene.h"
 
 namespace handmap {
@@ -102,6 +103,44 @@ TEST(Perception, RefusesViewsThatCannotBeUsed) {
   source.camera = streetCamera();
   images.right = cv::Mat();
   expectBadInput([&] { Perception(source, {})(observed({images})); }, {"right image"});
+}
+
+Observation inTheYard(double x, double odometry_x) {
+  Observation observation = observed({test::viewFrom(test::yard(), {x, 0.0, 0.0})});
+  observation.time_s = x;
+  observation.odometry = {odometry_x, 0.0, 0.0};
+  return observation;
+}
+
+TEST(Perception, ImagesTellTheMotionWhateverTheOdometrySays) {
+  SourceInfo source;
+  source.camera = test::odometryCamera();
+  Perception perception(source, {});
+  EXPECT_FALSE(perception(inTheYard(0.0, 0.0))->moved) << "the first";
+  const auto moved = perception(inTheYard(0.5, 3.0))->moved;
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR(moved->x, 0.5, 0.02);
+  EXPECT_NEAR(moved->heading, 0.0, toRadians(0.2));
+  Observation dark = inTheYard(1.0, 4.0);
+  dark.views.front().left.setTo(cv::Scalar(0));
+  dark.views.front().right.setTo(cv::Scalar(0));
+  EXPECT_FALSE(perception(dark)->moved);
+  EXPECT_FALSE(perception(inTheYard(1.5, 5.0))->moved) << "it makes up for what was guessed";
+  EXPECT_TRUE(perception(inTheYard(2.0, 6.0))->moved);
+}
+
+TEST(Perception, AnOdometryOfImagesIsNotMadeAnew) {
+  SourceInfo source;
+  source.camera = test::odometryCamera();
+  source.visual_odometry = true;
+  Perception perception(source, {});
+  EXPECT_FALSE(perception(inTheYard(0.0, 0.0))->moved);
+  const auto moved = perception(inTheYard(0.5, 0.51))->moved;
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->x, 0.51);
+  Observation guessed = inTheYard(1.0, 1.2);
+  guessed.odometry_guessed = true;
+  EXPECT_FALSE(perception(guessed)->moved);
 }
 
 }  // namespace

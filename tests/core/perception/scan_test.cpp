@@ -119,5 +119,18 @@ TEST(ScanBuilder, CornersThatAreFollowedSayNothingOfTheDirectionsBetween) {
   EXPECT_TRUE(std::ranges::all_of(followed.rays, &Ray::returned));
 }
 
+TEST(Scan, LikelyWallsAreThoseOfAPlanarScanner) {
+  Scan scan;
+  scan.rays = {{0.0F, 5.0F, 0.1F, 0.9F, true},
+               {static_cast<float>(kPi / 2.0), 7.0F, 0.1F, 0.6F, true},
+               {1.7F, 6.0F, 0.1F, 0.4F, true},
+               {1.8F, 9.0F, 0.0F, 0.9F, false}};
+  const std::vector<RangePoint> walls = likelyWalls(scan);
+  ASSERT_EQ(walls.size(), 2U) << "no hedge, and nothing where nothing came back";
+  EXPECT_NEAR(walls[0].x, 5.0F, 1e-5F);
+  EXPECT_NEAR(walls[1].y, 7.0F, 1e-5F);
+  EXPECT_TRUE(isPlanar(walls));
+}
+
 }  // namespace
 }  // namespace handmap

@@ -61,6 +61,22 @@ TEST_F(AroundTheBlock, ANoisySensorIsLeftAlone) {
   EXPECT_EQ(trajectory.noiseScale(), 1.0);
 }
 
+TEST_F(AroundTheBlock, WhatTellsTheMotionBetterIsFollowed) {
+  const auto walls = test::ringCorridor();
+  RandomStream random(2);
+  ScanTrajectory trajectory({40.0, false});
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    const auto moved =
+        i % 10 != 0 ? std::optional(between(truth_[i - 1], truth_[i])) : std::nullopt;
+    trajectory.add(0.1 * static_cast<double>(i), odometry_[i],
+                   test::scanFrom(walls, truth_[i], 0.1, random), {}, moved);
+  }
+  EXPECT_TRUE(trajectory.isFollowed());
+  EXPECT_LT(test::rms(trajectory.poses(), truth_), 1.0);
+  EXPECT_TRUE(trajectory.recorded() == odometry_);
+  EXPECT_FALSE(drive(truth_, odometry_, 0.1, false).isFollowed());
+}
+
 TEST_F(AroundTheBlock, WithoutReturnsTheOdometryGoesOn) {
   ScanTrajectory trajectory({40.0});
   for (const Pose2& pose : odometry_) trajectory.add(0.0, pose, {});
