@@ -61,7 +61,7 @@ class HandmapMethod : public EstimationMethod {
     if (matched_) {
       matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels, odometry.guessed);
     }
-    if (concluded_) goOn(time_s);
+    goOn(time_s);
     if (on_the_way_) conclusions_.begin(driven_m_, [this] { return concluding(); });
     return true;
   }
@@ -123,7 +123,7 @@ class HandmapMethod : public EstimationMethod {
   }
   std::vector<BuildingSwarm> swarms() const override { return estimator_.swarms(kSwarmMembers); }
   SharedList<StampedPose> trajectory() const override {
-    return concluded_ ? shown_trajectory_ : estimator_.trajectory();
+    return showsEstimator() ? estimator_.trajectory() : shown_trajectory_;
   }
   std::function<Map()> refinedMap() const override {
     const bool goes_on = !concluded_ || (!finished_ && concluded_->trajectory.by ==
@@ -173,9 +173,18 @@ class HandmapMethod : public EstimationMethod {
 
   /// The believed way, as what tells it tells on.
   void goOn(double time_s) {
-    shown_writer_.push_back({time_s, onward_ * newestBy(concluded_->trajectory.by)});
+    if (showsEstimator()) return;
+    shown_writer_.push_back({time_s, pose()});
     shown_trajectory_ = shown_writer_.share();
   }
+
+  /// What tells the way that is shown: until something is concluded the buildings, unless it was
+  /// followed in images.
+  TrajectoryHypothesis::By shownBy() const {
+    if (concluded_) return concluded_->trajectory.by;
+    return followed_ ? TrajectoryHypothesis::By::Scans : TrajectoryHypothesis::By::Buildings;
+  }
+  bool showsEstimator() const { return !concluded_ && !followed_; }
 
   /// Which walls rays end on.
   void look(const Scan& scan, const Eigen::Matrix3d& guessed) {
@@ -218,8 +227,15 @@ class HandmapMethod : public EstimationMethod {
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
   /// where a loop was closed.
   void followTrajectory() {
-    const bool changed = trajectory_.usable() != by_scans_ || trajectory_.loops() != loops_;
-    if (!changed) return;
+    const bool loop_closed = trajectory_.loops() != loops_;
+    const bool followed = trajectory_.isFollowed() && !matched_;
+    if (followed && !concluded_ && (!followed_ || loop_closed)) {
+      std::vector<Pose2> before = posesBy(TrajectoryHypothesis::By::Scans);
+      before.pop_back();  // the newest goes on from them
+      showAlong(before);
+    }
+    followed_ = followed;
+    if (trajectory_.usable() == by_scans_ && !loop_closed) return;
     by_scans_ = trajectory_.usable();
     loops_ = trajectory_.loops();
     std::vector<Pose2> before = trajectory_.poses();
@@ -254,9 +270,7 @@ class HandmapMethod : public EstimationMethod {
     }
     return estimator_.pose();
   }
-  Pose2 pose() const {
-    return concluded_ ? onward_ * newestBy(concluded_->trajectory.by) : estimator_.pose();
-  }
+  Pose2 pose() const { return onward_ * newestBy(shownBy()); }
 
   /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
   double turnOf(TrajectoryHypothesis::By alone) const {
@@ -296,6 +310,10 @@ class HandmapMethod : public EstimationMethod {
     const std::vector<Pose2> told = posesBy(concluded_->trajectory.by);
     onward_ = poses.back() * inverse(told[poses.size() - 1]);
     for (std::size_t i = poses.size(); i < told.size(); ++i) poses.push_back(onward_ * told[i]);
+    showAlong(poses);
+  }
+
+  void showAlong(const std::vector<Pose2>& poses) {
     shown_writer_ = {};
     for (std::size_t i = 0; i < poses.size(); ++i) {
       shown_writer_.push_back({estimator_.trajectory()[i].time_s, poses[i]});
@@ -304,12 +322,12 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// Of the stated pose. A way without the buildings was told by one thing alone: where the
-  /// buildings would have had the robot farther away than either says, it is as much less sure.
+  /// buildings would have had the robot farther away than either says, it is as much less sure,
+  /// unless it was followed in images: no drawing tells that better.
   Eigen::Matrix3d poseCovariance() const {
     const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
     Eigen::Matrix3d covariance = buildings;
-    const TrajectoryHypothesis::By by =
-        concluded_ ? concluded_->trajectory.by : TrajectoryHypothesis::By::Buildings;
+    const TrajectoryHypothesis::By by = shownBy();
     if (concluded_ && concluded_->covariance) {
       covariance = *concluded_->covariance;
     } else if (by == TrajectoryHypothesis::By::Walls) {
@@ -320,7 +338,8 @@ class HandmapMethod : public EstimationMethod {
           turnedBy(start_.heading, scans ? trajectory_.covariance() : wheels_.covariance());
       const Vec2 apart = pose().position() - estimator_.pose().position();
       const double stated = (covariance + buildings).topLeftCorner<2, 2>().trace();
-      if (stated > 0.0) covariance *= std::max(1.0, apart.squaredNorm() / stated);
+      if (stated > 0.0 && !(scans && followed_))
+        covariance *= std::max(1.0, apart.squaredNorm() / stated);
     }
     covariance.diagonal().head<2>().array() += buildings::kFloor_m * buildings::kFloor_m;
     const bool laid =
@@ -351,6 +370,7 @@ class HandmapMethod : public EstimationMethod {
   ScanTrajectory trajectory_;
   WheelUncertainty wheels_;
   bool by_scans_ = false;
+  bool followed_ = false;  ///< it was, in images
   int loops_ = 0;
   HandmapEstimator estimator_;
   Recognition recognition_{Recognition::Drawing::FromMemory};
@@ -365,7 +385,7 @@ class HandmapMethod : public EstimationMethod {
   std::shared_ptr<const Map> concluded_map_;  ///< shared by all that is shown of it
   Pose2 onward_;  ///< from what tells its way to where that lies on the map
   SharedListWriter<StampedPose> shown_writer_;
-  SharedList<StampedPose> shown_trajectory_;  ///< the believed way, once there is a conclusion
+  SharedList<StampedPose> shown_trajectory_;  ///< the believed way, where it is not the estimator's
   bool finished_ = false;
 };
 

@@ -86,11 +86,12 @@ struct RunSession::State {
   }
 
   const SourceInfo& source() const { return tape->info(); }
-  bool begin(const std::stop_token& stop);
+  bool begin(const std::stop_token& stop, const std::function<void(double)>& progress);
   std::vector<StampedPose> allOdometry() const {
     return source().odometry.empty() ? tape->odometry() : source().odometry;
   }
-  bool lookAlong(GivenStart& start, const std::stop_token& stop);
+  bool lookAlong(GivenStart& start, const std::stop_token& stop,
+                 const std::function<void(double)>& progress);
   GivenPoses bent() const {
     return {*drawing.start, source().start_odometry, allOdometry(), settings.given_poses};
   }
@@ -155,17 +156,13 @@ const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->sk
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
 
 /// The way to the last given pose. False where `stop` was requested.
-bool RunSession::State::lookAlong(GivenStart& start, const std::stop_token& stop) {
-  if (source().camera) {  // no scans; and a picture is there once, for whoever looks at the run
-    for (const StampedPose& pose : allOdometry()) {
-      if (!start.isDone()) start.add(pose.time_s, pose.pose, {}, stop);
-    }
-    return !stop.stop_requested();
-  }
+bool RunSession::State::lookAlong(GivenStart& start, const std::stop_token& stop,
+                                  const std::function<void(double)>& progress) {
   for (std::size_t n = 0; !start.isDone(); ++n) {
     const std::optional<Tape::Taken> next = tape->take(n, stop);
     if (stop.stop_requested()) return false;
     if (!next) break;
+    if (progress) progress(0.0);
     if (const auto& seen = next->entry.perceived) {
       const Observation& observation = seen->observation;
       start.add(observation.time_s, {observation.odometry, observation.odometry_variance},
@@ -177,11 +174,12 @@ bool RunSession::State::lookAlong(GivenStart& start, const std::stop_token& stop
 
 /// Poses that were given may tell where it started; where no matched scans lead there the odometry
 /// is bent, too. Returns false, to be done anew, when `stop` was requested.
-bool RunSession::State::begin(const std::stop_token& stop) {
+bool RunSession::State::begin(const std::stop_token& stop,
+                              const std::function<void(double)>& progress) {
   if (begun) return true;
   if (!settings.given_poses.empty() && settings.method == Method::Handmap) {
     GivenStart start(drawing, source(), settings.given_poses);
-    if (!lookAlong(start, stop)) return false;
+    if (!lookAlong(start, stop, progress)) return false;
     drawing = start.drawing();
     given = start.isByScans() ? GivenPoses() : bent();
     method = makeMethod(drawing, source(), settings);
@@ -214,7 +212,7 @@ std::shared_ptr<const Snapshot> RunSession::step(const std::stop_token& stop,
                                                  const std::function<void(double)>& progress) {
   State& state = *state_;
   const auto begin = Clock::now();
-  if (!state.begin(stop)) return nullptr;
+  if (!state.begin(stop, progress)) return nullptr;
   const std::optional<Tape::Taken> taken = state.nextReadable(stop, progress);
   if (stop.stop_requested()) return nullptr;
   if (!taken) {
