@@ -29,7 +29,9 @@ void printFigures(const std::string& name, const Confusion& figures) {
 
 TrainingSet readTrainingSet(const TrainArguments& arguments, ShareProgress& progress,
                             const std::stop_token& stop) {
-  TrainingSet set({arguments.family, !arguments.grey});
+  // What trees are for, streets elsewhere, is where equalized features are better.
+  const bool equalizes = arguments.options.trees && arguments.family == FeatureFamily::Handmap;
+  TrainingSet set({equalizes ? FeatureFamily::Equalized : arguments.family, !arguments.grey});
   const auto add = [&](const cv::Mat& image, const std::vector<WindowLabel>& labels, double share) {
     set.add(image, labels);
     progress.update("reading images", share);
@@ -72,7 +74,7 @@ int train(const TrainArguments& arguments) {
           ? "trees"
           : fmt::format("gamma {}, C {}", classifier->record().gamma, classifier->record().c);
   fmt::print("{} windows, {} of buildings; {} features, {}; {}\n", set.buildings().size(),
-             crossed.buildings(), arguments.family == FeatureFamily::Paper ? "paper" : "handmap",
+             crossed.buildings(), nameOf(classifier->features().family),
              arguments.grey ? "grey" : "colour", method);
   fmt::print("{:15} balanced accuracy  precision  recall     F1\n", "");
   printFigures("cross-validated", crossed);

@@ -4,9 +4,13 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
+#include "core/classification/equalization.h"
+#include "core/classification/joint_filter.h"
+#include "core/recording/image_file.h"
 
 namespace handmap {
 
@@ -27,9 +31,11 @@ cv::Mat1f BuildingClassifier::probabilities(const cv::Mat& image, const cv::Mat1
                   fmt::format("{} × {}", wanted.cols, wanted.rows),
                   fmt::format("{} × {}", grid.columns, grid.rows));
   }
+  const bool filters = features_.family == FeatureFamily::Equalized;
+  const bool all = wanted.empty() || (filters && cv::countNonZero(wanted) > 0);
   std::vector<Eigen::Index> judged;
   for (int i = 0; i < grid.count(); ++i) {
-    if (wanted.empty() || wanted(i / grid.columns, i % grid.columns) != 0) judged.push_back(i);
+    if (all || wanted(i / grid.columns, i % grid.columns) != 0) judged.push_back(i);
   }
   cv::Mat1f result(grid.rows, grid.columns, 0.5F);
   if (judged.empty()) return result;
@@ -39,6 +45,9 @@ cv::Mat1f BuildingClassifier::probabilities(const cv::Mat& image, const cv::Mat1
   for (std::size_t i = 0; i < judged.size(); ++i) {
     result.ptr<float>()[judged[i]] = logistic_(distances[static_cast<Eigen::Index>(i)]);
   }
+  if (!filters) return result;
+  result = jointlyFiltered(result, equalized(features_.colour ? image : greyImage(image)));
+  if (!wanted.empty()) result.setTo(0.5F, wanted == 0);
   return result;
 }
 

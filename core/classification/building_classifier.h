@@ -45,7 +45,8 @@ class BuildingClassifier : public WindowClassifier {
   /// Throws RunFailed.
   void save(const std::filesystem::path& path) const;
 
-  /// If buildings and the rest were equally frequent. `image` and errors as windowFeatures().
+  /// If buildings and the rest were equally frequent; of equalized features jointlyFiltered().
+  /// `image` and errors as windowFeatures().
   cv::Mat1f probabilities(const cv::Mat& image, const cv::Mat1b& wanted = {}) const override;
 
   const FeatureSet& features() const { return features_; }

@@ -42,10 +42,13 @@ FeatureSet readFeatures(const JsonValue& json) {
   FeatureSet set;
   const JsonValue family = json.at("features");
   const std::string name = family.text(20);
-  if (name != "handmap" && name != "paper") {
-    family.fail(phrase("{} or {}", "\"handmap\"", "\"paper\""));
+  for (const FeatureFamily known :
+       {FeatureFamily::Paper, FeatureFamily::Handmap, FeatureFamily::Equalized}) {
+    if (name == nameOf(known)) set.family = known;
   }
-  set.family = name == "paper" ? FeatureFamily::Paper : FeatureFamily::Handmap;
+  if (name != nameOf(set.family)) {
+    family.fail(phrase("{} or {}", "\"handmap\", \"equalized\"", "\"paper\""));
+  }
   set.colour = json.at("colour").flag();
   return set;
 }
@@ -177,10 +180,9 @@ std::string BuildingClassifier::toJson() const {
       "{{\"format\":\"{}\",\"version\":{},\"window\":{},\"features\":\"{}\",\"colour\":{},\n"
       "\"training\":{},\n\"probability\":{{\"slope\":{},\"offset\":{}}},\n\"mean\":{},\n"
       "\"scale\":{},\n{}}}\n",
-      kFormat, trees ? kVersionWithTrees : kVersion, kWindow_px,
-      features_.family == FeatureFamily::Paper ? "paper" : "handmap", features_.colour,
-      recordJson(record_), logistic_.slope, logistic_.offset, numbers(standardization_.mean),
-      numbers(standardization_.scale),
+      kFormat, trees ? kVersionWithTrees : kVersion, kWindow_px, nameOf(features_.family),
+      features_.colour, recordJson(record_), logistic_.slope, logistic_.offset,
+      numbers(standardization_.mean), numbers(standardization_.scale),
       std::visit([](const auto& separator) { return separatorJson(separator); }, separator_));
 }
 

@@ -28,10 +28,10 @@ double impurity(const Weights& sums) {
   return all > 0.0 ? 2.0 * sums[0] * sums[1] / all : 0.0;
 }
 
-/// Grows one tree.
+/// Grows one tree. Samples are columns: a feature's values lie side by side.
 class Grower {
  public:
-  Grower(const SampleMatrix& samples, const std::vector<bool>& positive, const Weights& weights,
+  Grower(const SampleMatrix& samples, const std::vector<int>& positive, const Weights& weights,
          int least, RandomStream random)
       : samples_(samples), positive_(positive), weights_(weights), least_(least), random_(random) {}
 
@@ -44,7 +44,7 @@ class Grower {
     const TreeNode best = bestOf(rows, sums);
     if (best.feature == TreeNode::kLeaf) return;
     const auto middle = std::partition(rows.begin(), rows.end(), [&](Eigen::Index row) {
-      return samples_(row, best.feature) < best.value;
+      return samples_(best.feature, row) < best.value;
     });
     const auto lower = static_cast<std::size_t>(middle - rows.begin());
     tree_[place] = best;
@@ -57,14 +57,13 @@ class Grower {
 
  private:
   Weights sumsOf(std::span<const Eigen::Index> rows) const {
-    Weights sums{};
-    for (const Eigen::Index row : rows) add(row, sums);
-    return sums;
+    int positives = 0;
+    for (const Eigen::Index row : rows) positives += positive_[static_cast<std::size_t>(row)];
+    return sumsOf(static_cast<int>(rows.size()), positives);
   }
 
-  void add(Eigen::Index row, Weights& sums) const {
-    const std::size_t of_class = positive_[static_cast<std::size_t>(row)] ? 1 : 0;
-    sums[of_class] += weights_[of_class];
+  Weights sumsOf(int count, int positives) const {
+    return {(count - positives) * weights_[0], positives * weights_[1]};
   }
 
   /// Of one random border of each feature that which parts the classes best; a leaf where none
@@ -72,18 +71,24 @@ class Grower {
   TreeNode bestOf(std::span<const Eigen::Index> rows, const Weights& sums) {
     TreeNode best;
     double least_left = impurity(sums) * (1.0 - 1e-9);
-    for (int feature = 0; feature < static_cast<int>(samples_.cols()); ++feature) {
-      const auto value = [&](Eigen::Index row) { return samples_(row, feature); };
-      const auto [low, high] = std::ranges::minmax(rows, {}, value);
-      const float border = rounded(random_.uniform(value(low), value(high)));
-      Weights below{};
-      int count = 0;
+    for (int feature = 0; feature < static_cast<int>(samples_.rows()); ++feature) {
+      const float* values = samples_.row(feature).data();
+      float low = values[rows.front()];
+      float high = low;
       for (const Eigen::Index row : rows) {
-        if (value(row) >= border) continue;
-        add(row, below);
-        ++count;
+        low = std::min(low, values[row]);
+        high = std::max(high, values[row]);
+      }
+      const float border = rounded(random_.uniform(low, high));
+      int count = 0;
+      int positives = 0;
+      for (const Eigen::Index row : rows) {  // no branch: three times as fast
+        const int is_below = values[row] < border ? 1 : 0;
+        count += is_below;
+        positives += is_below & positive_[static_cast<std::size_t>(row)];
       }
       if (count < least_ || static_cast<int>(rows.size()) - count < least_) continue;
+      const Weights below = sumsOf(count, positives);
       const double left = impurity(below) + impurity({sums[0] - below[0], sums[1] - below[1]});
       if (left >= least_left) continue;
       least_left = left;
@@ -93,7 +98,7 @@ class Grower {
   }
 
   const SampleMatrix& samples_;
-  const std::vector<bool>& positive_;
+  const std::vector<int>& positive_;  // 1 or 0
   Weights weights_;
   int least_;
   RandomStream random_;
@@ -116,11 +121,13 @@ RandomTrees RandomTrees::train(const SampleMatrix& samples, const std::vector<bo
   const auto positives = static_cast<double>(std::ranges::count(positive, true));
   const Weights weights = {1.0 / (static_cast<double>(positive.size()) - positives),
                            1.0 / positives};
+  const SampleMatrix columns = samples.transpose();
+  const std::vector<int> is_positive(positive.begin(), positive.end());
   std::vector<Eigen::Index> rows(positive.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<Eigen::Index>(i);
   std::vector<DecisionTree> trees;
   for (int i = 0; i < options.trees; ++i) {
-    Grower grower(samples, positive, weights, options.least,
+    Grower grower(columns, is_positive, weights, options.least,
                   RandomStream(options.seed, static_cast<std::uint32_t>(i)));
     grower.grow(rows);
     trees.push_back(grower.take());

@@ -20,6 +20,7 @@ constexpr std::array kCs = {1.0, 3.0};
 // memory.
 constexpr std::size_t kEnoughToChoose = 1500;
 constexpr std::size_t kEnough = 3000;
+constexpr std::size_t kEnoughOfTrees = 10'000;  // their time grows little faster than the number
 constexpr std::size_t kMost = 30'000;
 constexpr std::size_t kMostKept = 2'000'000;  // of both, in a set: less than a gigabyte
 
@@ -199,7 +200,8 @@ std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
   samples.features = standardization(samples.features);
   const Folds folds(std::move(samples), options.folds);
   const std::vector<bool>& buildings = folds.samples().buildings;
-  const Samples enough = thinned(folds.samples().features, buildings, kEnough);
+  const std::size_t count = options.trees ? kEnoughOfTrees : kEnough;
+  const Samples enough = thinned(folds.samples().features, buildings, count);
   // In the time of one fold while options are chosen.
   constexpr double kCost = static_cast<double>(kEnough * kEnough) /
                            static_cast<double>(kEnoughToChoose * kEnoughToChoose);
@@ -214,7 +216,7 @@ std::optional<BuildingClassifier> trainClassifier(const TrainingSet& set,
   SvmOptions chosen{.vectors = options.vectors, .gamma = 0.0, .c = 0.0, .seed = options.seed};
   if (!options.trees) chosen = chooseOptions(folds, chosen, stop, [&] { tell(1.0); });
   const Trainer train = options.trees ? trees(options.seed) : machines(chosen);
-  const Eigen::VectorXf distances = folds.heldOut(train, kEnough, stop, [&] { tell(kCost); });
+  const Eigen::VectorXf distances = folds.heldOut(train, count, stop, [&] { tell(kCost); });
   if (stop.stop_requested()) return std::nullopt;
   Separator separator = train(enough);
   tell(kCost);

@@ -1,7 +1,6 @@
 #include "core/classification/window_features.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,14 +9,18 @@
 #include "core/base/error.h"
 #include "core/base/phrase.h"
 #include "core/classification/edge_statistics.h"
+#include "core/classification/equalization.h"
 #include "core/recording/image_file.h"
 
 namespace handmap {
 
 namespace {
 
-constexpr int kAround = 5;  ///< itself, 3×3, 9×9, above, below
-constexpr int kPlace = 2;
+/// What features are taken of: itself, 3×3, 9×9; the row, or above and below.
+int aroundCount(const FeatureSet& set) { return set.family == FeatureFamily::Equalized ? 4 : 5; }
+
+/// Of the place in the image.
+int placeCount(const FeatureSet& set) { return set.family == FeatureFamily::Equalized ? 1 : 2; }
 
 /// Features of a window by itself.
 int ownCount(const FeatureSet& set) {
@@ -68,7 +71,7 @@ void writeColour(const cv::Vec3b& bgr, bool more, Writer& write) {
 cv::Mat ownFeatures(const cv::Mat& image, const cv::Mat1b& grey, const FeatureSet& set) {
   const WindowGrid grid = WindowGrid::of(grey.size());
   const cv::Rect whole(0, 0, grid.columns * kWindow_px, grid.rows * kWindow_px);
-  const bool more = set.family == FeatureFamily::Handmap;
+  const bool more = set.family != FeatureFamily::Paper;
   const std::vector<EdgeStatistics> edges = edgeStatistics(grey);
   cv::Mat mean;  // colour or brightness
   cv::resize((set.colour ? image : cv::Mat(grey))(whole), mean, {grid.columns, grid.rows}, 0, 0,
@@ -94,26 +97,34 @@ cv::Mat ownFeatures(const cv::Mat& image, const cv::Mat1b& grey, const FeatureSe
 }
 
 /// Beside the features of each window those of what is around it, and its place.
-SampleMatrix withSurroundings(const cv::Mat& own) {
+SampleMatrix withSurroundings(const cv::Mat& own, const FeatureSet& set) {
   cv::Mat near;
   cv::Mat far;
   cv::blur(own, near, {3, 3}, {-1, -1}, cv::BORDER_REPLICATE);
   cv::blur(own, far, {9, 9}, {-1, -1}, cv::BORDER_REPLICATE);
+  const bool equalized = set.family == FeatureFamily::Equalized;
   const int count = own.channels();
-  SampleMatrix samples(own.rows * own.cols, kAround * count + kPlace);
+  SampleMatrix samples(own.rows * own.cols, featureCount(set));
   for (int row = 0; row < own.rows; ++row) {
-    const int above = std::max(row - 2, 0);
-    const int below = std::min(row + 2, own.rows - 1);
+    const float* above = near.ptr<float>(std::max(row - 2, 0));
+    const float* below = near.ptr<float>(std::min(row + 2, own.rows - 1));
+    const Eigen::RowVectorXf mean =
+        Eigen::Map<const SampleMatrix>(own.ptr<float>(row), own.cols, count).colwise().mean();
     for (int column = 0; column < own.cols; ++column) {
       float* to = samples.row(static_cast<Eigen::Index>(row) * own.cols + column).data();
       const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(column) * count;
-      const std::array<const float*, kAround> rows = {own.ptr<float>(row), near.ptr<float>(row),
-                                                      far.ptr<float>(row), near.ptr<float>(above),
-                                                      near.ptr<float>(below)};
-      for (const float* from : rows) {
-        to = std::copy_n(from + at, count, to);
+      const auto write = [&](const float* from) { to = std::copy_n(from, count, to); };
+      write(own.ptr<float>(row) + at);
+      write(near.ptr<float>(row) + at);
+      write(far.ptr<float>(row) + at);
+      if (equalized) {
+        write(mean.data());
+      } else {
+        write(above + at);
+        write(below + at);
       }
       *to++ = (static_cast<float>(row) + 0.5F) / static_cast<float>(own.rows);
+      if (equalized) continue;
       *to = std::abs((static_cast<float>(column) + 0.5F) / static_cast<float>(own.cols) - 0.5F);
     }
   }
@@ -139,16 +150,28 @@ void checkImage(const cv::Mat& image, const FeatureSet& set) {
 
 }  // namespace
 
+std::string_view nameOf(FeatureFamily family) {
+  switch (family) {
+    case FeatureFamily::Paper:
+      return "paper";
+    case FeatureFamily::Handmap:
+      return "handmap";
+    case FeatureFamily::Equalized:
+      return "equalized";
+  }
+  return {};
+}
+
 int featureCount(const FeatureSet& set) {
   const int own = ownCount(set);
-  return set.family == FeatureFamily::Paper ? own : kAround * own + kPlace;
+  return set.family == FeatureFamily::Paper ? own : aroundCount(set) * own + placeCount(set);
 }
 
 SampleMatrix windowFeatures(const cv::Mat& image, const FeatureSet& set) {
   checkImage(image, set);
-  const cv::Mat1b grey = greyImage(image);
-  const cv::Mat own = ownFeatures(image, grey, set);
-  if (set.family == FeatureFamily::Handmap) return withSurroundings(own);
+  const cv::Mat seen = set.family == FeatureFamily::Equalized ? equalized(image) : image;
+  const cv::Mat own = ownFeatures(seen, greyImage(seen), set);
+  if (set.family != FeatureFamily::Paper) return withSurroundings(own, set);
   return Eigen::Map<const SampleMatrix>(own.ptr<float>(), own.rows * own.cols, own.channels());
 }
 

@@ -1,6 +1,8 @@
 // What is measured of every window, section II-A.
 #pragma once
 
+#include <string_view>
+
 #include <opencv2/core/mat.hpp>
 
 #include "core/classification/sample_matrix.h"
@@ -14,7 +16,12 @@ namespace handmap {
 /// Handmap: also b, saturation, contrast, strength and directions of the edges; all of
 /// these also of the 3×3 and 9×9 windows around, of the 3×3 around the window two above and of
 /// those around the window two below; the place in the image.
-enum class FeatureFamily { Paper, Handmap };
+/// Equalized: the same of the image equalized(), but of the whole row of windows in place of what
+/// is above and below, and of the place the height alone: holds better in other light and streets.
+enum class FeatureFamily { Paper, Handmap, Equalized };
+
+/// In files and options.
+std::string_view nameOf(FeatureFamily family);
 
 struct FeatureSet {
   FeatureFamily family = FeatureFamily::Handmap;

@@ -29,7 +29,7 @@ const cv::Mat3b& street() {
 /// Of full size; what it says does not matter here.
 const BuildingClassifier& classifier(bool colour, bool trees) {
   const auto train = [](bool in_colour, bool of_trees) {
-    TrainingSet set({FeatureFamily::Handmap, in_colour});
+    TrainingSet set({of_trees ? FeatureFamily::Equalized : FeatureFamily::Handmap, in_colour});
     std::vector<WindowLabel> labels(1200);
     for (std::size_t i = 0; i < labels.size(); ++i) {
       labels[i] = i % 40 < 20 ? WindowLabel::Building : WindowLabel::Other;

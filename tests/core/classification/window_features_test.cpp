@@ -1,6 +1,7 @@
 #include "core/classification/window_features.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 #include "core/classification/window_labels.h"
 #include "tests/core/base/expect_error.h"
@@ -9,10 +10,9 @@
 namespace handmap {
 namespace {
 
-constexpr FeatureSet kAll[] = {{FeatureFamily::Paper, true},
-                               {FeatureFamily::Paper, false},
-                               {FeatureFamily::Handmap, true},
-                               {FeatureFamily::Handmap, false}};
+constexpr FeatureSet kAll[] = {{FeatureFamily::Paper, true},     {FeatureFamily::Paper, false},
+                               {FeatureFamily::Handmap, true},   {FeatureFamily::Handmap, false},
+                               {FeatureFamily::Equalized, true}, {FeatureFamily::Equalized, false}};
 
 TEST(WindowFeatures, AreAsManyAsSaidAndFinite) {
   const cv::Mat3b image = test::paintStreet(1).image;
@@ -51,6 +51,22 @@ TEST(WindowFeatures, OfAMirroredImageAreMirrored) {
       EXPECT_LT((features.row(i) - others.row(other)).cwiseAbs().maxCoeff(), 0.08F) << i;
     }
   }
+}
+
+TEST(WindowFeatures, OfAnEqualizedImageAreTheSameAtDusk) {
+  const cv::Mat3b noon = test::paintStreet(2).image;
+  cv::Mat1b curve(1, 256);  // rises at every level that the street has
+  for (int level = 0; level < 256; ++level) {
+    curve(level) = cv::saturate_cast<std::uint8_t>(level < 60 ? level / 2 : level - 30);
+  }
+  cv::Mat3b dusk;
+  cv::LUT(noon, curve, dusk);
+  const auto difference = [&](FeatureFamily family) {
+    return (windowFeatures(noon, {family, false}) - windowFeatures(dusk, {family, false}))
+        .cwiseAbs()
+        .mean();
+  };
+  EXPECT_LT(difference(FeatureFamily::Equalized), 0.2F * difference(FeatureFamily::Handmap));
 }
 
 TEST(WindowFeatures, RefuseWhatTheyAreNotFor) {
