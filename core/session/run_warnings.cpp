@@ -15,9 +15,10 @@ namespace handmap {
 
 namespace {
 
-constexpr double kMostlyBlind = 0.5;  // share of the observations, or of the way
-constexpr float kLikelyWall = 0.2F;   // a return less sure of being a wall is not counted
-constexpr std::size_t kPlaces = 100;  // enough to tell how near a way comes to a building
+constexpr double kMostlyBlind = 0.5;     // share of the observations, or of the way
+constexpr float kLikelyWall = 0.2F;      // a return less sure of being a wall is not counted
+constexpr std::size_t kPlaces = 100;     // enough to tell how near a way comes to a building
+constexpr double kNearSighted_m = 20.0;  // from there on a camera sees houses by a street
 
 std::string checkStart() {
   return phrase("Is the start where the recording begins, and does it look the right way?");
@@ -107,6 +108,12 @@ RunWarning nothingCorrected(const RunOutcome& outcome) {
     warning.hint = phrase("All buildings of the drawing are fixed.");
   } else if (nearest > outcome.range_limit_m) {
     warning.message += phrase(" The way comes no nearer than {:.0f} m to one.", nearest);
+  } else if (outcome.counts.images && outcome.counts.farthest_m < kNearSighted_m) {
+    warning.message +=
+        phrase(" The cameras saw no wall beyond {:.0f} m: farther away they are too imprecise.",
+               outcome.counts.farthest_m);
+    warning.hint = phrase(
+        "Drive closer to the walls, or with cameras that are farther apart or have more pixels.");
   } else {
     warning.hint += phrase(" Leave the scale and the turn of the drawing free.");
   }

@@ -4821,6 +4821,14 @@
         <source>Drive closer to the buildings, or with a sensor that sees more of their walls.</source>
         <translation>建物のもっと近くを走るか、壁がもっとよく見えるセンサーを使ってください。</translation>
     </message>
+    <message>
+        <source> The cameras saw no wall beyond {:.0f} m: farther away they are too imprecise.</source>
+        <translation> カメラは {:.0f} m より遠くの壁を見ていません。それより遠くでは精度が足りません。</translation>
+    </message>
+    <message>
+        <source>Drive closer to the walls, or with cameras that are farther apart or have more pixels.</source>
+        <translation>壁のもっと近くを走るか、間隔のより広い、または画素数のより多いカメラを使ってください。</translation>
+    </message>
 </context>
 <context>
     <name>handmap::Application</name>

@@ -68,6 +68,13 @@ TEST(RunWarnings, SaysOnceThatWhatWasFoundWasDropped) {
   EXPECT_EQ(runWarnings(outcome)[1].code, "nothing_corrected");
 }
 
+TEST(RunWarnings, TellsThatCamerasAreNearSighted) {
+  EXPECT_TRUE(
+      says(warningsOf({10, 8, true, 0, 300, 15.4}), "nothing_corrected", "no wall beyond 15 m"));
+  EXPECT_FALSE(says(warningsOf({10, 8, true, 0, 300, 35.0}), "nothing_corrected", "no wall"));
+  EXPECT_FALSE(says(warningsOf({10, 8, false, 900, 300, 15.4}), "nothing_corrected", "no wall"));
+}
+
 TEST(RunWarnings, TellsThatTheWayIsMostlyTheOdometrys) {
   EXPECT_TRUE(says(warningsOf({10, 4, false, 1000, 300, 20.0}, corrected(4)), "way_from_odometry",
                    "in 6 of 10 observations"));
