@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <mutex>
 
 #include <malloc.h>
@@ -22,6 +23,8 @@ namespace handmap {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kAhead = std::size_t{256} << 20U;  // bytes of pictures that wait for the run
 
 double millisecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -92,6 +95,7 @@ struct RunSession::State {
   }
   bool lookAlong(GivenStart& start, const std::stop_token& stop,
                  const std::function<void(double)>& progress);
+  void keepAhead(std::size_t n, const Pictures& pictures);
   GivenPoses bent() const {
     return {*drawing.start, source().start_odometry, allOdometry(), settings.given_poses};
   }
@@ -120,6 +124,9 @@ struct RunSession::State {
   std::optional<Pose2> drawn_start;  ///< that of `drawing` may be told by poses that were given
   std::shared_ptr<Tape> tape;
   std::size_t taken = 0;  ///< of the tape
+  /// Of what was looked at before the run came there: they are there once, for whoever looks at it.
+  std::map<std::size_t, Pictures> ahead;
+  std::size_t ahead_bytes = 0;
   RunSettings settings;
   GivenPoses given;
   LocalMapBuilder local_maps;
@@ -155,6 +162,15 @@ void RunSession::setTracing(bool on) { state_->tracing = on; }
 const std::vector<SkippedFrame>& RunSession::skipped() const { return state_->skipped; }
 const std::vector<FrameReport>& RunSession::frames() const { return state_->frames; }
 
+void RunSession::State::keepAhead(std::size_t n, const Pictures& pictures) {
+  if (pictures.image.empty()) return;
+  for (const cv::Mat& picture :
+       {pictures.image, cv::Mat(pictures.disparity), cv::Mat(pictures.buildings)}) {
+    ahead_bytes += picture.total() * picture.elemSize();
+  }
+  if (ahead_bytes < kAhead) ahead.emplace(n, pictures);
+}
+
 /// The way to the last given pose. False where `stop` was requested.
 bool RunSession::State::lookAlong(GivenStart& start, const std::stop_token& stop,
                                   const std::function<void(double)>& progress) {
@@ -163,6 +179,7 @@ bool RunSession::State::lookAlong(GivenStart& start, const std::stop_token& stop
     if (stop.stop_requested()) return false;
     if (!next) break;
     if (progress) progress(0.0);
+    keepAhead(n, next->pictures);
     if (const auto& seen = next->entry.perceived) {
       const Observation& observation = seen->observation;
       start.add(observation.time_s, {observation.odometry, observation.odometry_variance},
@@ -200,6 +217,7 @@ std::optional<Tape::Taken> RunSession::State::nextReadable(
   while (!stop.stop_requested()) {
     std::optional<Tape::Taken> next = tape->take(taken, stop);
     if (!next) return std::nullopt;
+    if (auto pictures = ahead.extract(taken)) next->pictures = std::move(pictures.mapped());
     ++taken;
     if (next->entry.perceived) return next;
     skipped.push_back(*next->entry.skipped);
