@@ -225,7 +225,8 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
-  /// where a loop was closed.
+  /// where a loop was closed. A way that was followed in images is shown until there is a
+  /// conclusion.
   void followTrajectory() {
     const bool loop_closed = trajectory_.loops() != loops_;
     const bool followed = trajectory_.isFollowed() && !matched_;
