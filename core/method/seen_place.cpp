@@ -66,7 +66,7 @@ std::optional<double> SeenPlace::shareSeen(const std::vector<ScanPoint>& now,
   PointMap map;
   map.add(seen, 0);
   const auto match = matchScan(now, map, place.value_or(Pose2()), trajectory::kLoopGates_m);
-  return match ? static_cast<double>(match->straight_near) / match->straight : 0.0;
+  return match ? static_cast<double>(match->near) / match->known : 0.0;
 }
 
 }  // namespace handmap

@@ -36,6 +36,13 @@ std::vector<Eigen::Vector3d> placed(const std::vector<RangePoint>& points, const
   return places;
 }
 
+/// A followed point is looked at once a frame.
+bool hasTwice(std::vector<std::uint32_t> ids) {
+  std::erase(ids, 0U);
+  std::sort(ids.begin(), ids.end());
+  return std::adjacent_find(ids.begin(), ids.end()) != ids.end();
+}
+
 }  // namespace
 
 bool JoinedFrames::repeat(const std::vector<Eigen::Vector3d>& placed) const {
@@ -59,22 +66,26 @@ bool JoinedFrames::wasThere(const Eigen::Vector3d& p) const {
   return false;
 }
 
-std::vector<RangePoint> JoinedFrames::without(std::vector<RangePoint> points,
-                                              const Pose2& odometry) {
+void JoinedFrames::removeRepeats(SeenPoints& seen, const Pose2& odometry) {
+  auto& [points, ids] = seen;
   std::vector<Eigen::Vector3d> places = placed(points, odometry);
   const double moved_m = between(last_, odometry).position().norm();
   driven_m_ += moved_m;
   if (!before_.empty() && moved_m > kMoved_m) joined_ = repeat(places);
   if (joined_ && givesOneReturnADirection(points)) joined_ = false;  // one look, not many
+  joined_ = joined_ || hasTwice(ids);
   if (joined_) {
     for (const Eigen::Vector3d& p : before_) {
       if (p.allFinite()) seen_[keyOf(cellOf(p))] = driven_m_;
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!wasThere(places[i])) points[kept++] = points[i];
+      if (wasThere(places[i])) continue;
+      if (!ids.empty()) ids[kept] = ids[i];
+      points[kept++] = points[i];
     }
     points.resize(kept);
+    if (!ids.empty()) ids.resize(kept);
     if (seen_.size() > kMostPlaces) {
       std::erase_if(seen_,
                     [&](const auto& place) { return driven_m_ - place.second > kJoinedWay_m; });
@@ -82,7 +93,6 @@ std::vector<RangePoint> JoinedFrames::without(std::vector<RangePoint> points,
   }
   last_ = odometry;
   before_ = std::move(places);
-  return points;
 }
 
 }  // namespace handmap

@@ -14,13 +14,12 @@
 namespace handmap {
 
 /// Takes out of each frame what frames before had at the same place of the odometry frame, where
-/// the last one had most of it. A sensor never measures a place again to the millimetre; frames
-/// with one return a direction are left as they are.
+/// the last one had most of it, or where one has a followed point twice. A sensor never measures a
+/// place again to the millimetre; other frames with one return a direction are left as they are.
 class JoinedFrames {
  public:
-  /// Points of the next frame, robot frame, and where the robot is. Where they are no repeats they
-  /// come back as they are.
-  std::vector<RangePoint> without(std::vector<RangePoint> points, const Pose2& odometry);
+  /// Points of the next frame, and where the robot is. Where they are no repeats they stay.
+  void removeRepeats(SeenPoints& seen, const Pose2& odometry);
 
   /// Whether the last ones were put together so.
   bool areJoined() const { return joined_; }

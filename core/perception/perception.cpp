@@ -79,7 +79,7 @@ std::optional<Pose2> Perception::motionTo(const Observation& observation) {
 std::optional<Percept> Perception::operator()(const Observation& observation,
                                               const std::stop_token& stop) {
   std::vector<WallPoint> walls;
-  std::vector<RangePoint> points;
+  SeenPoints range;
   std::vector<Vec2> looked_through;
   StereoResult seen;
   cv::Mat image;
@@ -104,10 +104,10 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
                             seen.looked_through.end());
     } else if (view.points) {
       const Stopwatch stopwatch;
-      points.insert(points.end(), view.points->begin(), view.points->end());
+      range.add(view);
       const bool only = observation.views.size() == 1;
-      if (only) points = joined_.without(std::move(points), observation.odometry);
-      found = range_walls_(only ? points : *view.points, observation.odometry);
+      if (only) joined_.removeRepeats(range, observation.odometry);
+      found = range_walls_(only ? range.points : *view.points, observation.odometry);
       classify_ms += stopwatch.ms();
     } else {
       throwBadInput(phrase("observation"), phrase("view"), phrase("neither images nor points"),
@@ -120,11 +120,19 @@ std::optional<Percept> Perception::operator()(const Observation& observation,
   const std::optional<Pose2> moved = motionTo(observation);
   if (!image.empty()) stereo_ms += following.ms();
   const Stopwatch stopwatch;
-  Scan scan = image.empty() ? scans_(points, walls) : stereoScan(walls, looked_through);
+  Scan scan = image.empty() ? scans_(range.points, walls) : stereoScan(walls, looked_through);
   classify_ms += stopwatch.ms();
-  return Percept{
-      std::move(walls), std::move(scan), std::move(points), joined_.areJoined(), moved, image,
-      seen.disparity,   seen.buildings,  stereo_ms,         classify_ms};
+  return Percept{std::move(walls),
+                 std::move(scan),
+                 std::move(range.points),
+                 std::move(range.ids),
+                 joined_.areJoined(),
+                 moved,
+                 image,
+                 seen.disparity,
+                 seen.buildings,
+                 stereo_ms,
+                 classify_ms};
 }
 
 }  // namespace handmap

@@ -26,6 +26,7 @@ struct Percept {
   std::vector<WallPoint> walls;    ///< of this observation alone, for a local map
   Scan scan;                       ///< of this observation alone
   std::vector<RangePoint> points;  ///< of all views, as they came; empty with images
+  std::vector<std::uint32_t> ids;  ///< as View::ids, of the points
   /// They were put together from several frames by the odometry; the repeats are taken out.
   bool joined = false;
   /// How the robot moved since the observation before, in its frame there, as images tell it;

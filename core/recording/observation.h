@@ -40,6 +40,15 @@ struct View {
   std::vector<std::uint32_t> ids = {};
 };
 
+/// The points of several views.
+struct SeenPoints {
+  std::vector<RangePoint> points;
+  std::vector<std::uint32_t> ids;  ///< as View has them
+
+  /// Adds those of a view that has some.
+  void add(const View& view);
+};
+
 /// A robot on the move: one view. A standing robot (stop-and-scan): the views of one stop.
 struct Observation {
   int frame = 0;

@@ -75,7 +75,7 @@ bool forEach(Each& each, Of& of) {
          each(variance(2, 2)) && each(observation.read_ms) && each(observation.odometry_guessed) &&
          each(observation.blind_s) && each(percept.walls) && each(percept.points) &&
          each(percept.scan.rays) && each(percept.scan.bias_sigma_per_m) && each(percept.joined) &&
-         each(percept.moved) && each(percept.scan.ray_by_ray) &&
+         each(percept.ids) && each(percept.moved) && each(percept.scan.ray_by_ray) &&
          each(percept.scan.first_looked_at) && each(percept.stereo_ms) && each(percept.classify_ms);
 }
 

@@ -11,7 +11,6 @@
 namespace handmap::trajectory {
 
 // What can be used of the returns.
-inline constexpr double kLeastRange_m = 0.3;   // m; choice: nearer is the robot itself
 inline constexpr double kLeastStraight = 0.1;  // 1; measured: README, of the returns
 
 // Straight pieces.
@@ -43,10 +42,9 @@ inline constexpr double kPoint_m = 0.3;  // m; measured: FIELD.md (a), σ about 
 inline constexpr double kShared = 0.4;   // 1; measured: FIELD.md (a), neighbours are off together
 inline constexpr double kKernelGates = 0.3;  // gates; measured: FIELD.md (a), Cauchy's kernel bends
 inline constexpr std::size_t kMostScanPoints = 400;  // points; choice: more tell the same
-inline constexpr int kMatchSteps = 4;           // iterations; measured: FIELD.md (a), for each gate
-inline constexpr double kStill_m = 1e-3;        // m; limit: of a step, a hundredth of a return
-inline constexpr double kStill = 1e-4;          // rad; limit: the same at 10 m
-inline constexpr double kDivergedGates = 10.0;  // gates; limit: of a step
+inline constexpr int kMatchSteps = 4;     // iterations; measured: FIELD.md (a), for each gate
+inline constexpr double kStill_m = 1e-3;  // m; limit: of a step, a hundredth of a return
+inline constexpr double kStill = 1e-4;    // rad; limit: the same at 10 m
 
 // Odometry by scans.
 inline constexpr double kWindow_m = 100.0;   // m; choice: of way, the rest is out of sight
@@ -63,12 +61,16 @@ inline constexpr double kMostOfBefore = 3.0;  // 1; choice: of a motion, speed d
 inline constexpr double kWorthAWord_m = 0.5;  // m; choice: that a guess may be off
 inline constexpr double kClearlySharper = 0.015;  // 1; measured: FIELD.md's part 2, 3, is chance
 
+// Points that were followed, a look at one (half and double tell the same way).
+inline constexpr double kLookBearing = 0.0015;           // rad; choice: a pixel, measured 0.0005
+inline constexpr double kLookInverseRange_per_m = 4e-4;  // 1/m; measured: README of simulation
+inline constexpr std::array kLookKernels{1000.0, 30.0, 3.0};  // χ²; choice: odometry may slip
+
 // How wheels err, and guesses.
 inline constexpr std::size_t kDeviations = 80;       // motions; measured: FIELD.md (a)
 inline constexpr std::size_t kLeastDeviations = 10;  // motions; choice: σ to a quarter
 inline constexpr std::size_t kRatios = 300;          // motions; measured: FIELD.md (a)
 inline constexpr std::size_t kLeastRatios = 40;      // motions; choice: a length to half a per cent
-inline constexpr double kRatioMotion_m = 0.3;        // m; choice: shorter ones tell no length
 inline constexpr double kPulled = 1.6;  // 1; measured: FIELD.md (a), a match is pulled by its prior
 inline constexpr double kLeastScale = 0.7;      // 1; measured: FIELD.md (a), of σ
 inline constexpr double kMostMoveScale = 4.0;   // 1; measured: FIELD.md (a), of σ
@@ -90,7 +92,6 @@ inline constexpr double kLoopKernel = 30.0;  // χ²; measured: FIELD.md (b), fa
 
 // Loops.
 inline constexpr std::size_t kSourceReach = 6;  // keyframes; measured: FIELD.md (b), either side
-inline constexpr std::size_t kTargetReach = 2 * kSourceReach;  // keyframes; derived: covers it
 inline constexpr double kApart_m = 80.0;   // m; measured: FIELD.md (b), of way, nearer is no loop
 inline constexpr double kPassing_m = 6.0;  // m; measured: FIELD.md (b), two lanes
 inline constexpr double kShift_m = 2.5;    // m; measured: FIELD.md (b), is searched, is elsewhere
@@ -105,6 +106,7 @@ inline constexpr std::size_t kMostSubmapPoints = 250;  // points; choice: more t
 inline constexpr double kFaceReach = 0.5;  // cosine; choice: a piece at 45° to two ways is both
 inline constexpr std::array kLoopGates_m{1.0, 0.7, 0.5, 0.4};  // m; choice: the search was coarse
 inline constexpr double kLeastShare = 0.45;       // 1; measured: FIELD.md (b), of straight returns
+inline constexpr double kLeastFollowed = 0.2;     // 1; measured: README, of followed points
 inline constexpr int kLeastNear = 60;             // returns; measured: FIELD.md (b)
 inline constexpr double kLeastEigenRatio = 0.04;  // 1; measured: FIELD.md (b), not a corridor
 inline constexpr double kTogether = 0.02;     // 1; measured: FIELD.md (b), of independent returns

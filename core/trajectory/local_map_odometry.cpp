@@ -42,7 +42,7 @@ Eigen::Vector3d followedSigma(const Pose2& motion) {
 }
 
 double explained(const std::optional<ScanMatch>& match) {
-  return match ? match->straight_near / std::max(1.0, static_cast<double>(match->straight)) : 0.0;
+  return match ? match->near / std::max(1.0, static_cast<double>(match->known)) : 0.0;
 }
 
 }  // namespace
@@ -69,6 +69,7 @@ std::optional<ScanMatch> LocalMapOdometry::bestMatch(const std::vector<ScanPoint
 }
 
 bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& scan,
+                           const std::vector<TrackedPoint>& tracked,
                            const std::optional<Pose2>& moved) {
   const bool first = scans_++ == 0;
   const Pose2 before = first ? recorded : pose_;
@@ -81,13 +82,25 @@ bool LocalMapOdometry::add(const Pose2& recorded, const std::vector<ScanPoint>& 
     variance_ = followedSigma(*moved).cwiseAbs2().asDiagonal();
     matched = before * *moved;
   } else if (!first) {
-    matched = matchedPose(scan, motion, prior);
+    matched = has_tracks_ ? followedPose(tracked, motion, prior) : matchedPose(scan, motion, prior);
   }
+  followed_ = matched && (moved || has_tracks_);
+  has_tracks_ = has_tracks_ || !tracked.empty();
   pose_ = matched.value_or(before * prior.motion.motion);
   travelled_m_ += (pose_.position() - before.position()).norm();
   recorded_ = recorded;
-  keep(scan);
+  tracks_.add(tracked, pose_, travelled_m_);
+  if (!has_tracks_) keep(scan);
   return matched.has_value();
+}
+
+std::optional<Pose2> LocalMapOdometry::followedPose(const std::vector<TrackedPoint>& tracked,
+                                                    const Pose2& motion, const MotionPrior& prior) {
+  const auto match = tracks_.match(tracked, prior);
+  if (!match) return std::nullopt;
+  noise_.learn(motion, between(prior.from, match->pose));
+  variance_ = strayOf(*match, prior.motion);
+  return match->pose;
 }
 
 std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>& scan,

@@ -90,16 +90,17 @@ std::vector<Loop> LoopSearch::search(const std::vector<Pose2>& poses, const std:
 std::optional<Loop> LoopSearch::close(std::size_t from, std::size_t to,
                                       const std::vector<ScanPoint>& seen, const Pose2& expected,
                                       const SearchWindow& window) const {
-  const std::vector<ScanPoint> target = submap(from, kTargetReach);
+  const std::vector<ScanPoint> target = submap(from, 2 * kSourceReach);  // covers it
   const auto coarse = WallGrid(target).find(seen, expected, window);
   if (!coarse) return std::nullopt;
   PointMap map;
   map.add(target, 0);
   const auto match = matchScan(seen, map, *coarse, kLoopGates_m);
-  if (!match || match->straight_near < kLeastNear || !(weakerShare(*match) > kLeastEigenRatio)) {
+  if (!match || !(weakerShare(*match) > kLeastEigenRatio)) return std::nullopt;
+  const bool followed = std::ranges::any_of(seen, &ScanPoint::followed);
+  if (match->near < (followed ? kLeastMatched : kLeastNear) ||
+      match->near < (followed ? kLeastFollowed : kLeastShare) * match->known)
     return std::nullopt;
-  }
-  if (match->straight_near < kLeastShare * match->straight) return std::nullopt;
   const auto root = rootInformation(*match, {perception::kWall_m, perception::kWall_m, kFloorTurn});
   if (!root) return std::nullopt;
   return Loop{from, to, {match->pose, *root}};

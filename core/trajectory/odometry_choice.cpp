@@ -45,10 +45,10 @@ Look lookedAt(const Recording& recording, ReplayOptions options) {
   Look look(recording.range_limit_m);
   JoinedFrames joined;
   while (const auto observation = nextReadable(*source)) {
-    const std::vector<RangePoint> points = allPoints(*observation);
-    joined.without(points, observation->odometry);
-    if (joined.areJoined()) look.seen.neverUse();
-    look.seen.add(observation->time_s, observation->odometry, points);
+    SeenPoints seen = allPoints(*observation);
+    joined.removeRepeats(seen, observation->odometry);
+    if (joined.areJoined()) look.seen.setJoined();
+    look.seen.add(observation->time_s, observation->odometry, seen.points, {}, seen.ids);
     look.times_s.push_back(observation->time_s);
     look.by_scans.push_back(look.seen.odometry());
   }

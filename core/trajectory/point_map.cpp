@@ -25,6 +25,7 @@ double outside(double v, int index) {
 }
 
 bool sameKind(const ScanPoint& a, const ScanPoint& b) {
+  if (a.followed() || b.followed()) return std::abs(a.height - b.height) < kNear_m;
   if (a.straight() != b.straight()) return false;
   return !a.straight() || a.normal.dot(b.normal) > 0.5 * std::numbers::sqrt2;
 }

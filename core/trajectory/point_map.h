@@ -18,8 +18,8 @@ class PointMap {
   /// Forgets the scans before this one.
   void dropBefore(int scan) { oldest_ = scan; }
 
-  /// The nearest of the same kind: both on no straight piece, or on ones whose normals differ by
-  /// less than 45°. nullptr: none within the distance.
+  /// The nearest of the same kind: both followed and as high, on no straight piece, or on ones
+  /// whose normals differ by less than 45°. nullptr: none within the distance.
   const ScanPoint* nearest(const ScanPoint& point, double within_m) const;
 
  private:

@@ -16,7 +16,7 @@ Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_
   std::copy_if(
       points.begin(), points.end(), std::back_inserter(returns.all), [&](const RangePoint& p) {
         const double range = std::hypot(p.x, p.y);
-        return range >= kLeastRange_m && range <= range_limit_m && std::isfinite(p.z) && p.w > 0.0F;
+        return range >= kOwnBody_m && range <= range_limit_m && std::isfinite(p.z) && p.w > 0.0F;
       });
   returns.planar = isPlanar(returns.all);
   for (const RangePoint& p : returns.all) {
@@ -24,6 +24,18 @@ Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_
       returns.upright.emplace_back(p.x, p.y);
   }
   return returns;
+}
+
+std::vector<TrackedPoint> trackedPoints(const std::vector<RangePoint>& points,
+                                        const std::vector<std::uint32_t>& ids) {
+  std::vector<TrackedPoint> tracked;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const RangePoint& p = points[i];
+    const Vec2 at(p.x, p.y);
+    const bool usable = std::isfinite(p.z) && at.allFinite() && at.norm() >= kOwnBody_m;
+    if (ids[i] != 0 && usable) tracked.push_back({ids[i], at, p.z});
+  }
+  return tracked;
 }
 
 std::vector<ScanPoint> features(const Returns& returns) {

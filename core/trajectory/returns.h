@@ -5,6 +5,7 @@
 
 #include "core/trajectory/scan_features.h"
 #include "core/trajectory/sharpness.h"
+#include "core/trajectory/track_map.h"
 
 namespace handmap {
 
@@ -18,6 +19,10 @@ struct Returns {
 };
 
 Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_m);
+
+/// Looks at followed points; `ids` as View has them.
+std::vector<TrackedPoint> trackedPoints(const std::vector<RangePoint>& points,
+                                        const std::vector<std::uint32_t>& ids);
 
 std::vector<ScanPoint> features(const Returns& returns);
 

@@ -140,7 +140,8 @@ std::vector<ScanPoint> moved(const std::vector<ScanPoint>& points, const Pose2& 
   result.reserve(points.size());
   const ToOuter outer(pose);
   for (const ScanPoint& p : points) {
-    result.push_back({outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal, p.chance});
+    result.push_back(
+        {outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal, p.chance, p.height});
   }
   return result;
 }
@@ -154,7 +155,10 @@ std::vector<ScanPoint> thinned(const std::vector<ScanPoint>& points, double cell
   std::unordered_map<std::uint64_t, bool> taken;
   std::vector<ScanPoint> kept;
   for (const ScanPoint& p : order) {
-    if (taken.emplace(cellOf(p.at, cell_m), true).second) kept.push_back(p);
+    // Followed points one above the other are as many.
+    const long level = p.followed() ? std::lround(p.height / kNear_m) & 0xff : 0;
+    const std::uint64_t key = cellOf(p.at, cell_m) ^ (static_cast<std::uint64_t>(level) << 24U);
+    if (taken.emplace(key, true).second) kept.push_back(p);
   }
   return kept;
 }

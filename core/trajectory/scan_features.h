@@ -1,6 +1,8 @@
 // The returns of one observation, told apart by whether they lie on a straight piece.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/recording/observation.h"
@@ -14,8 +16,12 @@ struct ScanPoint {
   /// Of what it tells of a place, the share that may be chance: noise turns the normal of a piece,
   /// and a single return may be of a wall along the way, which is hit elsewhere from everywhere.
   double chance = 0.0;
+  /// Above the robot's ground, of a point that was followed; of others no number.
+  float height = std::numeric_limits<float>::quiet_NaN();
 
   bool straight() const { return !normal.isZero(); }
+  bool followed() const { return !std::isnan(height); }
+  bool known() const { return straight() || followed(); }
 };
 
 /// Of a planar scan: in order of bearing, neighbours along the scan.

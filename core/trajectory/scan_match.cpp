@@ -37,7 +37,8 @@ MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& ma
   const std::size_t stride = scan.size() / kMostScanPoints + 1;
   for (std::size_t i = 0; i < scan.size(); i += stride) {
     const ScanPoint& p = scan[i];
-    const ScanPoint outer{moved(p.at), p.straight() ? moved.turned(p.normal) : p.normal};
+    const ScanPoint outer{moved(p.at), p.straight() ? moved.turned(p.normal) : p.normal, 0.0,
+                          p.height};
     const ScanPoint* near = map.nearest(outer, gate_m);
     if (!near) continue;
     ++sums.matched;
@@ -65,10 +66,10 @@ MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& ma
 
 void countNear(ScanMatch& match, const std::vector<ScanPoint>& scan, const PointMap& map) {
   for (const ScanPoint& p : moved(scan, match.pose)) {
-    if (!p.straight()) continue;
-    ++match.straight;
+    if (!p.known()) continue;
+    ++match.known;
     const ScanPoint* near = map.nearest(p, 2.0 * kNear_m);
-    match.straight_near += near && std::abs(near->normal.dot(p.at - near->at)) < kNear_m;
+    match.near += near && std::abs(near->normal.dot(p.at - near->at)) < kNear_m;
   }
 }
 
@@ -79,6 +80,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
                                    const std::optional<MotionPrior>& prior) {
   ScanMatch match;
   match.pose = start;
+  if (!std::ranges::any_of(scan, &ScanPoint::followed)) match.own = kTogether;
   for (const double gate_m : gates_m) {
     for (int i = 0; i < kMatchSteps; ++i) {
       MatchEquations sums = linearized(scan, map, match.pose, gate_m);
@@ -93,7 +95,7 @@ std::optional<ScanMatch> matchScan(const std::vector<ScanPoint>& scan, const Poi
       const Eigen::LDLT<Eigen::Matrix3d> solver(sums.information);
       if (solver.info() != Eigen::Success || !solver.isPositive()) return std::nullopt;
       const Eigen::Vector3d step = -solver.solve(sums.gradient);
-      if (!step.allFinite() || step.head<2>().norm() > kDivergedGates * gate_m) return std::nullopt;
+      if (!step.allFinite() || step.head<2>().norm() > kMostShift_m) return std::nullopt;
       match.pose = stepped(match.pose, step);
       if (step.head<2>().norm() < kStill_m && std::abs(step.z()) < kStill) break;
     }
@@ -110,7 +112,7 @@ double weakerShare(const ScanMatch& match) {
 
 std::optional<Eigen::Matrix3d> rootInformation(const ScanMatch& match,
                                                const Eigen::Vector3d& floor_sigma) {
-  const Eigen::LLT<Eigen::Matrix3d> known(kTogether * match.information);
+  const Eigen::LLT<Eigen::Matrix3d> known(match.own * match.information);
   if (known.info() != Eigen::Success) return std::nullopt;
   Eigen::Matrix3d covariance = known.solve(Eigen::Matrix3d::Identity());
   covariance.diagonal() += floor_sigma.cwiseAbs2();

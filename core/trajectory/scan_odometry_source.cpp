@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/stopwatch.h"
 #include "core/odometry/odometry_noise.h"
+#include "core/perception/joined_frames.h"
 #include "core/trajectory/constants.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
@@ -31,12 +32,15 @@ class ScanOdometrySource : public ObservationSource {
     std::optional<Observation> observation = source_->next();
     if (!observation) return observation;
     const Stopwatch watch;
-    const auto points = allPoints(*observation);
+    SeenPoints seen = allPoints(*observation);
     const Pose2 before = odometry_.pose();
     const double elapsed_s = observation->time_s - time_s_;
     if (alone_) guessed_ = guessed_ * motionIn(elapsed_s);
-    const bool matched = odometry_.add(alone_ ? guessed_ : observation->odometry,
-                                       features(usableReturns(points, info_.range_limit_m)));
+    const Pose2& recorded = alone_ ? guessed_ : observation->odometry;
+    if (!seen.ids.empty()) joined_.removeRepeats(seen, recorded);
+    const bool matched =
+        odometry_.add(recorded, features(usableReturns(seen.points, info_.range_limit_m)),
+                      trackedPoints(seen.points, seen.ids));
     // Where it was silent the robot may be anywhere near, until the next scan is recognised.
     is_blind_ = !seesAnything(*observation) || (is_blind_ && (!matched || odometry_.unheld()));
     if (!is_blind_ || !any_) seen_s_ = observation->time_s;
@@ -73,6 +77,7 @@ class ScanOdometrySource : public ObservationSource {
   std::unique_ptr<ObservationSource> source_;
   SourceInfo info_;
   LocalMapOdometry odometry_;
+  JoinedFrames joined_;
   bool alone_;
   bool any_ = false;
   Guess guess_;
@@ -86,16 +91,16 @@ class ScanOdometrySource : public ObservationSource {
 
 }  // namespace
 
-std::vector<RangePoint> allPoints(const Observation& observation) {
-  std::vector<RangePoint> points;
+SeenPoints allPoints(const Observation& observation) {
+  SeenPoints seen;
   for (const View& view : observation.views) {
     if (!view.points) {
       throwBadInput(phrase("frame {}", observation.frame), "", phrase("images"),
                     phrase("range points for odometry from scans"));
     }
-    points.insert(points.end(), view.points->begin(), view.points->end());
+    seen.add(view);
   }
-  return points;
+  return seen;
 }
 
 std::unique_ptr<ObservationSource> withScanOdometry(std::unique_ptr<ObservationSource> source) {

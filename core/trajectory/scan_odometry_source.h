@@ -17,6 +17,6 @@ std::unique_ptr<ObservationSource> withScanOdometry(std::unique_ptr<ObservationS
 std::unique_ptr<ObservationSource> withScansAlone(std::unique_ptr<ObservationSource> source);
 
 /// The returns of all views of an observation, robot frame.
-std::vector<RangePoint> allPoints(const Observation& observation);
+SeenPoints allPoints(const Observation& observation);
 
 }  // namespace handmap

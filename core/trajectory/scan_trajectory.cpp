@@ -61,7 +61,7 @@ struct ScanTrajectory::State {
   std::optional<Vec2> looked_at;        ///< where the newest frame of `seen` was, recorded
   std::size_t judge_at = kFirstJudged;  ///< observations
   bool sharper = false;
-  bool never = false;             ///< to be used
+  bool joined = false;            ///< what was seen, by an odometry
   std::size_t covariance_of = 0;  ///< keyframes
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   std::size_t turn_at = 1;  ///< keyframes, to be stated anew
@@ -131,7 +131,7 @@ ScanTrajectory& ScanTrajectory::operator=(ScanTrajectory&&) noexcept = default;
 
 void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
                          const std::vector<RangePoint>& points, const std::stop_token& stop,
-                         const std::optional<Pose2>& moved) {
+                         const std::vector<std::uint32_t>& ids, const std::optional<Pose2>& moved) {
   State& state = *state_;
   const Returns returns = usableReturns(points, state.options.range_limit_m);
   const std::vector<ScanPoint> scan = features(returns);
@@ -139,11 +139,13 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
   state.returns += static_cast<long>(scan.size());
   state.straight +=
       std::count_if(scan.begin(), scan.end(), [](const ScanPoint& p) { return p.straight(); });
-  state.odometry.add(odometry.pose, scan, moved);
-  if (moved) ++state.followed;
+  const std::vector<TrackedPoint> tracked = trackedPoints(points, ids);
+  state.odometry.add(odometry.pose, scan, tracked, moved);
+  if (state.odometry.isFollowed()) ++state.followed;
   const Pose2 pose = state.odometry.pose();
-  const bool closed =
-      state.graph.add({pose, odometry.guessed}, scan, state.odometry.variance(), stop);
+  const bool closed = state.graph.add(
+      {pose, odometry.guessed}, state.odometry.hasTracks() ? state.odometry.refined(tracked) : scan,
+      state.odometry.variance(), stop);
   state.recorded.push_back(odometry.pose);
   state.smooth.push_back(pose);
   state.look(returns);
@@ -158,22 +160,24 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
 
 void ScanTrajectory::add(double time_s, const Odometry& odometry, const Percept& percept,
                          const std::stop_token& stop) {
-  if (percept.joined) neverUse();
+  if (percept.joined) setJoined();
   std::vector<RangePoint> walls;
   if (percept.points.empty()) walls = likelyWalls(percept.scan);
-  add(time_s, odometry, walls.empty() ? percept.points : walls, stop, percept.moved);
+  add(time_s, odometry, walls.empty() ? percept.points : walls, stop, percept.ids, percept.moved);
 }
 
 Pose2 ScanTrajectory::odometry() const { return state_->odometry.pose(); }
 const std::vector<Pose2>& ScanTrajectory::scanPoses() const { return state_->poses; }
 const std::vector<Pose2>& ScanTrajectory::recorded() const { return state_->recorded; }
 
-void ScanTrajectory::neverUse() { state_->never = true; }
+void ScanTrajectory::setJoined() { state_->joined = true; }
 
 bool ScanTrajectory::usable() const {
+  if (state_->joined && !state_->odometry.hasTracks()) return false;
+  if (!state_->sharper) return false;
   const auto share = kLeastStraight * static_cast<double>(state_->returns);
-  return !state_->never && state_->straight > 0 && state_->sharper &&
-         static_cast<double>(state_->straight) >= share;
+  const bool matched = state_->straight > 0 && static_cast<double>(state_->straight) >= share;
+  return matched || state_->isFollowed();
 }
 
 bool ScanTrajectory::isFollowed() const { return usable() && state_->isFollowed(); }

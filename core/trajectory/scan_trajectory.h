@@ -27,11 +27,12 @@ class ScanTrajectory {
   ScanTrajectory& operator=(ScanTrajectory&&) noexcept;
 
   /// One observation: the recorded odometry, and the returns in the robot frame as recorded (empty
-  /// where there are none: the odometry alone goes on). `moved`: since the last one, where
-  /// something tells that better than the odometry. Always adds one pose. A stop leaves out the
-  /// search for loops and makes the call return soon.
+  /// where there are none: the odometry alone goes on). `ids`: as View has them, of the returns.
+  /// `moved`: since the last one, where something tells that better than the odometry. Always adds
+  /// one pose. A stop leaves out the search for loops and makes the call return soon.
   void add(double time_s, const Odometry& odometry, const std::vector<RangePoint>& points,
-           const std::stop_token& stop = {}, const std::optional<Pose2>& moved = {});
+           const std::stop_token& stop = {}, const std::vector<std::uint32_t>& ids = {},
+           const std::optional<Pose2>& moved = {});
   /// With what was seen, whatever by: of images the likely walls, and the motion that they tell.
   void add(double time_s, const Odometry& odometry, const Percept& percept,
            const std::stop_token& stop);
@@ -42,16 +43,17 @@ class ScanTrajectory {
   /// Of all observations, the newest too, loops closed; the first is the first recorded odometry.
   /// Where the sensor does not allow it they are those of the recorded odometry.
   const std::vector<Pose2>& poses() const { return usable() ? scanPoses() : recorded(); }
-  /// Whether there are straight pieces to match, and the way by scans makes what was seen at least
-  /// as sharp as the recorded odometry does. Looked at anew whenever there is a quarter more to
-  /// see.
+  /// Whether there are straight pieces to match, or points were followed, and the way by scans
+  /// makes what was seen at least as sharp as the recorded odometry does. Looked at anew whenever
+  /// there is a quarter more to see.
   bool usable() const;
 
-  /// Whether it is usable and most motions were told by something better than matching.
+  /// Whether it is usable and most motions were told by what was followed.
   bool isFollowed() const;
 
   /// What comes was put together by an odometry: matched with itself it tells that odometry again.
-  void neverUse();
+  /// Only points that were followed tell a way then.
+  void setJoined();
 
   const std::vector<Pose2>& scanPoses() const;  ///< as poses(), usable or not
   const std::vector<Pose2>& recorded() const;   ///< the recorded odometry of all observations

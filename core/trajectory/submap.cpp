@@ -20,19 +20,27 @@ int nearestFace(const Vec2& normal) {
   return normal.y() > 0.0 ? 1 : 3;
 }
 
-std::uint8_t faces(const Vec2& normal) {
+/// The bits beyond those of the ways, by how high a followed point is: the lowest is what is 0.5 m
+/// below the ground and lower.
+unsigned bitOf(float height) {
+  return 6U + static_cast<unsigned>(std::clamp(std::floor(height / kCell_m), -1.0, 24.0));
+}
+
+std::uint32_t kindsOf(const ScanPoint& point) {
+  if (point.followed()) return 0b111U << (bitOf(point.height) - 1);
+  const Vec2& normal = point.normal;
   unsigned bits = 0;
   if (normal.x() > kFaceReach) bits |= 1U;
   if (normal.y() > kFaceReach) bits |= 2U;
   if (-normal.x() > kFaceReach) bits |= 4U;
   if (-normal.y() > kFaceReach) bits |= 8U;
-  return static_cast<std::uint8_t>(bits);
+  return bits;
 }
 
 struct CellOf {
   int x;
   int y;
-  std::uint8_t face;
+  std::uint32_t kind;
 };
 
 struct Placement {
@@ -48,8 +56,10 @@ std::vector<CellOf> placed(const std::vector<ScanPoint>& points, const Pose2& po
   const ToOuter outer(pose);
   for (std::size_t i = 0; i < points.size(); i += stride) {
     const Vec2 at = outer(points[i].at);
-    const auto face = static_cast<std::uint8_t>(1U << nearestFace(outer.turned(points[i].normal)));
-    cells.push_back({cellOf(at.x()), cellOf(at.y()), face});
+    const std::uint32_t kind = points[i].followed()
+                                   ? 1U << bitOf(points[i].height)
+                                   : 1U << nearestFace(outer.turned(points[i].normal));
+    cells.push_back({cellOf(at.x()), cellOf(at.y()), kind});
   }
   return cells;
 }
@@ -70,27 +80,27 @@ std::optional<Pose2> clearBest(const std::vector<Placement>& placements) {
 }  // namespace
 
 WallGrid::WallGrid(const std::vector<ScanPoint>& points)
-    : faces_(static_cast<std::size_t>(kSide) * static_cast<std::size_t>(kSide)) {
+    : kinds_(static_cast<std::size_t>(kSide) * static_cast<std::size_t>(kSide)) {
   for (const ScanPoint& p : points) {
-    if (!p.straight()) continue;
+    if (!p.known()) continue;
     for (const double dx : {-kNear_m, kNear_m}) {
-      for (const double dy : {-kNear_m, kNear_m}) mark(p.at + Vec2(dx, dy), faces(p.normal));
+      for (const double dy : {-kNear_m, kNear_m}) mark(p.at + Vec2(dx, dy), kindsOf(p));
     }
   }
 }
 
-void WallGrid::mark(const Vec2& at, std::uint8_t faces) {
+void WallGrid::mark(const Vec2& at, std::uint32_t kinds) {
   const int x = cellOf(at.x());
   const int y = cellOf(at.y());
   if (x < 0 || y < 0 || x >= kSide || y >= kSide) return;
-  faces_[static_cast<std::size_t>(y * kSide + x)] |= faces;
+  kinds_[static_cast<std::size_t>(y * kSide + x)] |= kinds;
 }
 
 std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const Pose2& expected,
                                     const SearchWindow& window) const {
   std::vector<ScanPoint> straight;
   std::copy_if(points.begin(), points.end(), std::back_inserter(straight),
-               [](const ScanPoint& p) { return p.straight(); });
+               [](const ScanPoint& p) { return p.known(); });
   const int shifts = static_cast<int>(std::ceil(window.shift_m / kCell_m));
   const int turns = static_cast<int>(std::ceil(window.turn / kTurnStep));
   std::vector<Placement> placements;
@@ -105,7 +115,7 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
           const int x = cell.x + dx;
           const int y = cell.y + dy;
           if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
-          hits += (faces_[static_cast<std::size_t>(y * kSide + x)] & cell.face) != 0;
+          hits += (kinds_[static_cast<std::size_t>(y * kSide + x)] & cell.kind) != 0;
         }
         const bool edge =
             std::abs(dx) == shifts || std::abs(dy) == shifts || std::abs(turn) == turns;

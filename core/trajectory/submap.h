@@ -16,20 +16,21 @@ struct SearchWindow {
   double turn;  ///< radians
 };
 
-/// Where straight pieces are, in cells of 0.5 m and by which of four ways they face.
+/// Where straight pieces and followed points are, in cells of 0.5 m and by which of four ways they
+/// face, or how high they are.
 class WallGrid {
  public:
   explicit WallGrid(const std::vector<ScanPoint>& points);
 
-  /// The pose, in the grid's frame, at which most straight pieces of `points` lie on ones of the
-  /// grid; nullopt where another place does nearly as well, or the window's edge does best.
+  /// The pose, in the grid's frame, at which most of those of `points` lie on ones of the grid;
+  /// nullopt where another place does nearly as well, or the window's edge does best.
   std::optional<Pose2> find(const std::vector<ScanPoint>& points, const Pose2& expected,
                             const SearchWindow& window) const;
 
  private:
-  void mark(const Vec2& at, std::uint8_t faces);
+  void mark(const Vec2& at, std::uint32_t kinds);
 
-  std::vector<std::uint8_t> faces_;  ///< a bit for each way
+  std::vector<std::uint32_t> kinds_;  ///< a bit for each way and each height
 };
 
 }  // namespace handmap

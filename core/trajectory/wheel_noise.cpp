@@ -58,7 +58,7 @@ void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
   remember(turn_deviations_,
            std::abs(normalizedAngle(matched.heading - recorded.heading)) / sigma.z(), kDeviations);
   const double length = recorded.position().norm();
-  if (length > kRatioMotion_m) remember(ratios_, matched.position().norm() / length, kRatios);
+  if (length > perception::kMoved_m) remember(ratios_, matched.position().norm() / length, kRatios);
   if (move_deviations_.size() >= kLeastDeviations) {
     move_ = learntScale(move_deviations_, kMostMoveScale);
     aside_ = move_;

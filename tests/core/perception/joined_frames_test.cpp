@@ -29,6 +29,12 @@ std::vector<Eigen::Vector3d> looks(int count, RandomStream& random) {
 
 Pose2 driven(int frame) { return {1.1 * frame, 0.02 * frame * frame, 0.03 * frame}; }
 
+std::size_t left(JoinedFrames& joined, std::vector<RangePoint> points, const Pose2& robot) {
+  SeenPoints seen{std::move(points), {}};
+  joined.removeRepeats(seen, robot);
+  return seen.points.size();
+}
+
 TEST(JoinedFrames, EachLookIsGivenOnce) {
   JoinedFrames joined;
   RandomStream random(1);
@@ -41,7 +47,7 @@ TEST(JoinedFrames, EachLookIsGivenOnce) {
     std::vector<Eigen::Vector3d> frame_points(map.begin() + static_cast<std::ptrdiff_t>(from),
                                               map.end());
     if (frame % 3 == 2) frame_points.erase(frame_points.begin(), frame_points.begin() + 10);
-    given += joined.without(seenFrom(driven(frame), frame_points), driven(frame)).size();
+    given += left(joined, seenFrom(driven(frame), frame_points), driven(frame));
   }
   EXPECT_LE(given, map.size() + 100) << "the first few are one return a direction";
 }
@@ -54,16 +60,32 @@ TEST(JoinedFrames, WhatASensorMeasuresAnewIsKept) {
     std::vector<Eigen::Vector3d> measured = map;
     for (Eigen::Vector3d& p : measured) p.x() += random.normal(0.0, 0.02);
     const auto points = seenFrom(driven(frame), measured);
-    EXPECT_EQ(joined.without(points, driven(frame)).size(), points.size());
+    EXPECT_EQ(left(joined, points, driven(frame)), points.size());
   }
+}
+
+TEST(JoinedFrames, AFollowedPointTwiceInOneTellsThatTheyAre) {
+  JoinedFrames joined;
+  RandomStream random(4);
+  const std::vector<Eigen::Vector3d> before = looks(5, random);  // as few as one a direction
+  std::vector<Eigen::Vector3d> both = before;
+  for (Eigen::Vector3d p : before) both.emplace_back(p + Eigen::Vector3d(0.1, 0.0, 0.0));
+  SeenPoints first{seenFrom(driven(0), before), {1, 2, 3, 4, 5}};
+  joined.removeRepeats(first, driven(0));
+  EXPECT_FALSE(joined.areJoined());
+  SeenPoints second{seenFrom(driven(1), both), {1, 2, 3, 4, 5, 1, 2, 3, 0, 0}};
+  joined.removeRepeats(second, driven(1));
+  EXPECT_TRUE(joined.areJoined());
+  EXPECT_EQ(second.points.size(), 5U);
+  EXPECT_EQ(second.ids, (std::vector<std::uint32_t>{1, 2, 3, 0, 0}));
 }
 
 TEST(JoinedFrames, ARobotThatStandsMaySeeTheSameAgain) {
   JoinedFrames joined;
   RandomStream random(3);
   const auto points = seenFrom({}, looks(100, random));
-  for (int frame = 0; frame < 5; ++frame) EXPECT_EQ(joined.without(points, {}).size(), 100U);
-  EXPECT_TRUE(joined.without({}, driven(3)).empty());
+  for (int frame = 0; frame < 5; ++frame) EXPECT_EQ(left(joined, points, {}), 100U);
+  EXPECT_EQ(left(joined, {}, driven(3)), 0U);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ DrivenTrajectory trajectoryOf(const std::string& name, double factor, ReplayOpti
     times_s.push_back(observation->time_s);
     recorded.push_back(observation->odometry);
     true_poses.push_back(truth.at(observation->time_s).value());
-    scans.push_back(allPoints(*observation));
+    scans.push_back(allPoints(*observation).points);
   }
   const std::vector<Pose2> odometry = worse(recorded, true_poses, factor);
   ScanTrajectory trajectory({recording.range_limit_m});

@@ -69,7 +69,7 @@ TEST_F(AroundTheBlock, WhatTellsTheMotionBetterIsFollowed) {
     const auto moved =
         i % 10 != 0 ? std::optional(between(truth_[i - 1], truth_[i])) : std::nullopt;
     trajectory.add(0.1 * static_cast<double>(i), odometry_[i],
-                   test::scanFrom(walls, truth_[i], 0.1, random), {}, moved);
+                   test::scanFrom(walls, truth_[i], 0.1, random), {}, {}, moved);
   }
   EXPECT_TRUE(trajectory.isFollowed());
   EXPECT_LT(test::rms(trajectory.poses(), truth_), 1.0);
