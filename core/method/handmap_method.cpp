@@ -55,9 +55,10 @@ class HandmapMethod : public EstimationMethod {
     if (stop.stop_requested()) return false;
     if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
     if (observations_ == 0) matchToWalls(odometry.pose);
+    numbered_ = numbered_ || !percept.ids.empty();
     drive(time_s, odometry, percept, stop);
     findBuildings(time_s, odometry.guessed, percept, stop, progress);
-    if (keep(odometry.pose, percept)) look(percept.scan, odometry.guessed);
+    if (keep(odometry.pose, percept)) look(percept, odometry.guessed);
     if (matched_) {
       matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels, odometry.guessed);
     }
@@ -179,20 +180,21 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// What tells the way that is shown: until something is concluded the buildings, unless it was
-  /// followed in images.
+  /// followed in images or points.
   TrajectoryHypothesis::By shownBy() const {
     if (concluded_) return concluded_->trajectory.by;
     return followed_ ? TrajectoryHypothesis::By::Scans : TrajectoryHypothesis::By::Buildings;
   }
   bool showsEstimator() const { return !concluded_ && !followed_; }
 
-  /// Which walls rays end on.
-  void look(const Scan& scan, const Eigen::Matrix3d& guessed) {
+  /// Which walls rays end on. What points lie on that were followed nobody knows: that few of them
+  /// are on walls says nothing of where the robot is.
+  void look(const Percept& percept, const Eigen::Matrix3d& guessed) {
     std::vector<PlacedOutline> placed;
     for (NearbyBuilding& building : estimator_.nearby())
       placed.push_back({building.building, std::move(building.outline), building.found});
-    recognition_.look(wall_rays_.add(placed, estimator_.pose(), scan), driven_m_ - looked_at_m_,
-                      guessed);
+    const WallRays::Share share = wall_rays_.add(placed, estimator_.pose(), percept.scan);
+    if (!numbered_) recognition_.look(share, driven_m_ - looked_at_m_, guessed);
     shown_rays_ = std::make_shared<const WallRays>(wall_rays_);
     looked_at_m_ = driven_m_;
   }
@@ -225,7 +227,7 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
-  /// where a loop was closed. A way that was followed in images is shown until there is a
+  /// where a loop was closed. A way that was followed is shown until there is a
   /// conclusion.
   void followTrajectory() {
     const bool loop_closed = trajectory_.loops() != loops_;
@@ -324,7 +326,7 @@ class HandmapMethod : public EstimationMethod {
 
   /// Of the stated pose. A way without the buildings was told by one thing alone: where the
   /// buildings would have had the robot farther away than either says, it is as much less sure,
-  /// unless it was followed in images: no drawing tells that better.
+  /// unless it was followed: no drawing tells that better.
   Eigen::Matrix3d poseCovariance() const {
     const Eigen::Matrix3d& buildings = estimator_.poseCovariance();
     Eigen::Matrix3d covariance = buildings;
@@ -351,7 +353,8 @@ class HandmapMethod : public EstimationMethod {
       const Eigen::Vector3d sigma(position_m, position_m, heading);
       covariance += swungBy(from_start, sigma.cwiseAbs2().asDiagonal());
     };
-    if (by_scans_ && !laid) add_start(0.0, trajectory_.turn());
+    const bool by_matches = by_scans_ && (!followed_ || numbered_);  // that err together
+    if (by_matches && !laid) add_start(0.0, trajectory_.turn());
     if (concluded_ && concluded_->start_variance) {
       covariance += swungBy(from_start, *concluded_->start_variance);
     } else if (const auto& start = drawing_.start_uncertainty) {
@@ -371,7 +374,8 @@ class HandmapMethod : public EstimationMethod {
   ScanTrajectory trajectory_;
   WheelUncertainty wheels_;
   bool by_scans_ = false;
-  bool followed_ = false;  ///< it was, in images
+  bool followed_ = false;  ///< it was, in images or points
+  bool numbered_ = false;  ///< the points are ones that were followed
   int loops_ = 0;
   HandmapEstimator estimator_;
   Recognition recognition_{Recognition::Drawing::FromMemory};

@@ -137,7 +137,7 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
     const Finding finding = nothingRecognised(outcome);
     return {{"nothing_recognised",
              phrase("No building was recognised in {} observations: the drawing is as it was, "
-                    "and the way is the odometry's. {}",
+                    "and the way is that of the motion alone. {}",
                     counts.observations, finding.seen),
              finding.hint}};
   }
@@ -150,8 +150,8 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
   const int blind = counts.observations - counts.with_building;
   if (blind > kMostlyBlind * counts.observations) {
     return {{"way_from_odometry",
-             phrase("No building was in sight in {} of {} observations: there the way is the "
-                    "odometry's.",
+             phrase("No building was in sight in {} of {} observations: there the way is that of "
+                    "the motion alone.",
                     blind, counts.observations),
              phrase("Draw more of what stands along the way.")}};
   }
@@ -159,7 +159,8 @@ std::vector<RunWarning> warningsOfRecognition(const RunOutcome& outcome) {
     return {
         {"way_from_odometry",
          phrase("Along {:.0f} % of the way, none of the drawn buildings that were recognised is "
-                "within the {:.0f} m that the sensor sees: there the way is the odometry's.",
+                "within the {:.0f} m that the sensor sees: there the way is that of the motion "
+                "alone.",
                 100.0 * alone, outcome.range_limit_m),
          phrase("{} If so, draw more of what stands along the way.", checkStart())}};
   }

@@ -2854,12 +2854,12 @@
         <translation>図面の縮尺と向きを自由にしてください。</translation>
     </message>
     <message>
-        <source>No building was recognised in {} observations: the drawing is as it was, and the way is the odometry&apos;s. {}</source>
-        <translation>観測 {} 件で建物が一つも認識されませんでした。図面は元のままで、軌跡はオドメトリによるものです。{}</translation>
+        <source>No building was recognised in {} observations: the drawing is as it was, and the way is that of the motion alone. {}</source>
+        <translation>観測 {} 件で建物が一つも認識されませんでした。図面は元のままで、軌跡は動きだけによるものです。{}</translation>
     </message>
     <message>
-        <source>No building was in sight in {} of {} observations: there the way is the odometry&apos;s.</source>
-        <translation>観測 {1} 件のうち {0} 件で建物が見えませんでした。その間の軌跡はオドメトリによるものです。</translation>
+        <source>No building was in sight in {} of {} observations: there the way is that of the motion alone.</source>
+        <translation>観測 {1} 件のうち {0} 件で建物が見えませんでした。その間の軌跡は動きだけによるものです。</translation>
     </message>
     <message>
         <source>Draw more of what stands along the way.</source>
@@ -3702,8 +3702,8 @@
         <translation>{}。例: {}</translation>
     </message>
     <message>
-        <source>Along {:.0f} % of the way, none of the drawn buildings that were recognised is within the {:.0f} m that the sensor sees: there the way is the odometry&apos;s.</source>
-        <translation>経路の {:.0f} % では、見分けられた建物がセンサーの届く {:.0f} m 以内に描かれていません。そこでの経路はオドメトリのままです。</translation>
+        <source>Along {:.0f} % of the way, none of the drawn buildings that were recognised is within the {:.0f} m that the sensor sees: there the way is that of the motion alone.</source>
+        <translation>経路の {:.0f} % では、見分けられた建物がセンサーの届く {:.0f} m 以内に描かれていません。そこでの経路は動きだけによるものです。</translation>
     </message>
     <message>
         <source>{} If so, draw more of what stands along the way.</source>
