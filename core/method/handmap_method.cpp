@@ -58,7 +58,7 @@ class HandmapMethod : public EstimationMethod {
     numbered_ = numbered_ || !percept.ids.empty();
     drive(time_s, odometry, percept, stop);
     findBuildings(time_s, odometry.guessed, percept, stop, progress);
-    if (keep(odometry.pose, percept)) look(percept, odometry.guessed);
+    if (keep(odometry.pose, percept)) look(percept.scan, odometry.guessed);
     if (matched_) {
       matched_->add(trajectory_.poses(), by_scans_ ? kMatchedScans : kWheels, odometry.guessed);
     }
@@ -189,11 +189,11 @@ class HandmapMethod : public EstimationMethod {
 
   /// Which walls rays end on. What points lie on that were followed nobody knows: that few of them
   /// are on walls says nothing of where the robot is.
-  void look(const Percept& percept, const Eigen::Matrix3d& guessed) {
+  void look(const Scan& scan, const Eigen::Matrix3d& guessed) {
     std::vector<PlacedOutline> placed;
     for (NearbyBuilding& building : estimator_.nearby())
       placed.push_back({building.building, std::move(building.outline), building.found});
-    const WallRays::Share share = wall_rays_.add(placed, estimator_.pose(), percept.scan);
+    const WallRays::Share share = wall_rays_.add(placed, estimator_.pose(), scan);
     if (!numbered_) recognition_.look(share, driven_m_ - looked_at_m_, guessed);
     shown_rays_ = std::make_shared<const WallRays>(wall_rays_);
     looked_at_m_ = driven_m_;
