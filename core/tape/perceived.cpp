@@ -85,6 +85,7 @@ std::size_t bytesOf(const Perceived& perceived) {
   const Percept& percept = perceived.percept;
   return sizeof(Perceived) + percept.walls.capacity() * sizeof(WallPoint) +
          percept.points.capacity() * sizeof(RangePoint) +
+         percept.ids.capacity() * sizeof(std::uint32_t) +
          percept.scan.rays.capacity() * sizeof(Ray) +
          percept.scan.first_looked_at.capacity() * sizeof(float);
 }

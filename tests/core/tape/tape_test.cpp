@@ -112,6 +112,16 @@ TEST(Tape, AnHourIsKeptInBoundedMemoryFromItsBeginning) {
   }
 }
 
+TEST(Tape, NumbersOfFollowedPointsAreKeptWithThem) {
+  Perceived perceived;
+  perceived.percept.points = {{8.0F, 1.0F, 2.0F, 1.0F}, {9.0F, 1.0F, 2.0F, 1.0F}};
+  perceived.percept.ids = {7, 0};
+  const auto again = unpacked(packed(perceived));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->percept.ids, perceived.percept.ids);
+  EXPECT_EQ(again->percept.points.size(), 2U);
+}
+
 TEST(Tape, OnAFullDiskTheOldestGoes) {
   int asked = 0;
   Tape tape(std::make_unique<Fronts>(asked), {}, {0, 60'000});
