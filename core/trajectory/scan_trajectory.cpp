@@ -156,6 +156,7 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
     state.poses.push_back(state.graph.corrected(pose, state.keyframe.back()));
   }
   state.judge();
+  if (usable()) state.stateTurn();
 }
 
 void ScanTrajectory::add(double time_s, const Odometry& odometry, const Percept& percept,
@@ -210,10 +211,7 @@ const Eigen::Matrix3d& ScanTrajectory::covariance() const {
   return state.covariance;
 }
 
-double ScanTrajectory::turn() const {
-  state_->stateTurn();
-  return state_->turn;
-}
+double ScanTrajectory::turn() const { return state_->turn; }
 
 double ScanTrajectory::lengthScale() const { return state_->odometry.noise().lengthScale(); }
 int ScanTrajectory::loops() const { return state_->graph.loops(); }

@@ -70,7 +70,8 @@ class ScanTrajectory {
   /// Of the newest of poses() where they are by scans: (x, y, heading), in the odometry frame,
   /// given the first.
   const Eigen::Matrix3d& covariance() const;
-  /// One σ of what scanPoses() as a whole may be turned about the first, radians.
+  /// One σ of what scanPoses() as a whole may be turned about the first, radians; while they are
+  /// usable.
   double turn() const;
   double lengthScale() const;  ///< length of the way by scans over that by recorded odometry
   int loops() const;           ///< closed so far
