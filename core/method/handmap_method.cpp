@@ -55,7 +55,6 @@ class HandmapMethod : public EstimationMethod {
     if (stop.stop_requested()) return false;
     if (auto conclusion = conclusions_.take()) show(std::move(*conclusion));
     if (observations_ == 0) matchToWalls(odometry.pose);
-    numbered_ = numbered_ || !percept.ids.empty();
     drive(time_s, odometry, percept, stop);
     findBuildings(time_s, odometry.guessed, percept, stop, progress);
     if (keep(odometry.pose, percept)) look(percept.scan, odometry.guessed);
@@ -194,7 +193,7 @@ class HandmapMethod : public EstimationMethod {
     for (NearbyBuilding& building : estimator_.nearby())
       placed.push_back({building.building, std::move(building.outline), building.found});
     const WallRays::Share share = wall_rays_.add(placed, estimator_.pose(), scan);
-    if (!numbered_) recognition_.look(share, driven_m_ - looked_at_m_, guessed);
+    if (!trajectory_.hasTracks()) recognition_.look(share, driven_m_ - looked_at_m_, guessed);
     shown_rays_ = std::make_shared<const WallRays>(wall_rays_);
     looked_at_m_ = driven_m_;
   }
@@ -227,8 +226,7 @@ class HandmapMethod : public EstimationMethod {
   }
 
   /// Where matched scans tell the way the buildings are found along that, and laid anew with it
-  /// where a loop was closed. A way that was followed is shown until there is a
-  /// conclusion.
+  /// where a loop was closed. A way that was followed is shown until there is a conclusion.
   void followTrajectory() {
     const bool loop_closed = trajectory_.loops() != loops_;
     const bool followed = trajectory_.isFollowed() && !matched_;
@@ -353,7 +351,8 @@ class HandmapMethod : public EstimationMethod {
       const Eigen::Vector3d sigma(position_m, position_m, heading);
       covariance += swungBy(from_start, sigma.cwiseAbs2().asDiagonal());
     };
-    const bool by_matches = by_scans_ && (!followed_ || numbered_);  // that err together
+    const bool by_matches =
+        by_scans_ && (!followed_ || trajectory_.hasTracks());  // that err together
     if (by_matches && !laid) add_start(0.0, trajectory_.turn());
     if (concluded_ && concluded_->start_variance) {
       covariance += swungBy(from_start, *concluded_->start_variance);
@@ -375,7 +374,6 @@ class HandmapMethod : public EstimationMethod {
   WheelUncertainty wheels_;
   bool by_scans_ = false;
   bool followed_ = false;  ///< it was, in images or points
-  bool numbered_ = false;  ///< the points are ones that were followed
   int loops_ = 0;
   HandmapEstimator estimator_;
   Recognition recognition_{Recognition::Drawing::FromMemory};

@@ -143,9 +143,9 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
   state.odometry.add(odometry.pose, scan, tracked, moved);
   if (state.odometry.isFollowed()) ++state.followed;
   const Pose2 pose = state.odometry.pose();
-  const bool closed = state.graph.add(
-      {pose, odometry.guessed}, state.odometry.hasTracks() ? state.odometry.refined(tracked) : scan,
-      state.odometry.variance(), stop);
+  const bool closed = state.graph.add({pose, odometry.guessed},
+                                      hasTracks() ? state.odometry.refined(tracked) : scan,
+                                      state.odometry.variance(), stop);
   state.recorded.push_back(odometry.pose);
   state.smooth.push_back(pose);
   state.look(returns);
@@ -174,12 +174,14 @@ const std::vector<Pose2>& ScanTrajectory::recorded() const { return state_->reco
 void ScanTrajectory::setJoined() { state_->joined = true; }
 
 bool ScanTrajectory::usable() const {
-  if (state_->joined && !state_->odometry.hasTracks()) return false;
+  if (state_->joined && !hasTracks()) return false;
   if (!state_->sharper) return false;
   const auto share = kLeastStraight * static_cast<double>(state_->returns);
   const bool matched = state_->straight > 0 && static_cast<double>(state_->straight) >= share;
   return matched || state_->isFollowed();
 }
+
+bool ScanTrajectory::hasTracks() const { return state_->odometry.hasTracks(); }
 
 bool ScanTrajectory::isFollowed() const { return usable() && state_->isFollowed(); }
 

@@ -51,6 +51,9 @@ class ScanTrajectory {
   /// Whether it is usable and most motions were told by what was followed.
   bool isFollowed() const;
 
+  /// Whether there were points that were followed, by their numbers.
+  bool hasTracks() const;
+
   /// What comes was put together by an odometry: matched with itself it tells that odometry again.
   /// Only points that were followed tell a way then.
   void setJoined();

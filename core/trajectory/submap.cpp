@@ -98,8 +98,8 @@ void WallGrid::mark(const Vec2& at, std::uint32_t kinds) {
 
 std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const Pose2& expected,
                                     const SearchWindow& window) const {
-  std::vector<ScanPoint> straight;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(straight),
+  std::vector<ScanPoint> known;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(known),
                [](const ScanPoint& p) { return p.known(); });
   const int shifts = static_cast<int>(std::ceil(window.shift_m / kCell_m));
   const int turns = static_cast<int>(std::ceil(window.turn / kTurnStep));
@@ -107,7 +107,7 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
   for (int turn = -turns; turn <= turns; ++turn) {
     Pose2 pose = expected;
     pose.heading = normalizedAngle(expected.heading + turn * kTurnStep);
-    const std::vector<CellOf> cells = placed(straight, pose);
+    const std::vector<CellOf> cells = placed(known, pose);
     for (int dy = -shifts; dy <= shifts; ++dy) {
       for (int dx = -shifts; dx <= shifts; ++dx) {
         int hits = 0;
