@@ -1,8 +1,9 @@
 #include "core/trajectory/submap.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
+#include <tuple>
 
 #include "core/geometry/to_outer.h"
 #include "core/trajectory/constants.h"
@@ -43,10 +44,12 @@ struct CellOf {
   std::uint32_t kind;
 };
 
+/// Some cells, seen from `expected` turned so many steps. The cells there lie `dx`, `dy` farther.
 struct Placement {
-  Pose2 pose;
-  int hits = 0;
-  bool at_edge = false;
+  int turn;
+  int dx;
+  int dy;
+  int hits;
 };
 
 /// Every point a cell and a way, seen from `pose`.
@@ -64,18 +67,35 @@ std::vector<CellOf> placed(const std::vector<ScanPoint>& points, const Pose2& po
   return cells;
 }
 
-std::optional<Pose2> clearBest(const std::vector<Placement>& placements) {
-  const auto best =
-      std::max_element(placements.begin(), placements.end(),
-                       [](const Placement& a, const Placement& b) { return a.hits < b.hits; });
-  if (best == placements.end() || best->hits == 0 || best->at_edge) return std::nullopt;
-  const bool doubtful = std::any_of(placements.begin(), placements.end(), [&](const Placement& p) {
-    const Pose2 off = between(best->pose, p.pose);
-    const bool other = off.position().norm() > kShift_m || std::abs(off.heading) > kOtherTurn;
+/// How many of the cells, moved so far, or by up to `block` − 1 cells more, are ones of `kinds`.
+int hitsOf(const std::vector<std::uint32_t>& kinds, const std::vector<CellOf>& cells, int dx,
+           int dy, int block) {
+  int hits = 0;
+  for (const CellOf& cell : cells) {
+    const int x = cell.x + dx;
+    const int y = cell.y + dy;
+    if (x <= -block || y <= -block || x >= kSide || y >= kSide) continue;
+    const auto at = static_cast<std::size_t>(std::max(y, 0) * kSide + std::max(x, 0));
+    hits += (kinds[at] & cell.kind) != 0;
+  }
+  return hits;
+}
+
+/// The one with most hits, the first of several; nullopt where one elsewhere has nearly as many.
+std::optional<Placement> clearBest(const std::vector<Placement>& placements) {
+  const auto best = std::ranges::max_element(
+      placements, {}, [](const Placement& p) { return std::tuple(p.hits, -p.turn, -p.dy, -p.dx); });
+  if (best == placements.end() || best->hits == 0) return std::nullopt;
+  const bool doubtful = std::ranges::any_of(placements, [&](const Placement& p) {
+    const bool other = std::hypot(p.dx - best->dx, p.dy - best->dy) * kCell_m > kShift_m ||
+                       std::abs(p.turn - best->turn) * kTurnStep > kOtherTurn;
     return other && p.hits > kMostOther * best->hits;
   });
-  return doubtful ? std::nullopt : std::optional(best->pose);
+  return doubtful ? std::nullopt : std::optional(*best);
 }
+
+/// Cells of a side of what is looked at together: no other place is as near.
+int blockSide() { return static_cast<int>(kShift_m / kCell_m); }
 
 }  // namespace
 
@@ -87,6 +107,14 @@ WallGrid::WallGrid(const std::vector<ScanPoint>& points)
       for (const double dy : {-kNear_m, kNear_m}) mark(p.at + Vec2(dx, dy), kindsOf(p));
     }
   }
+  blocks_ = kinds_;
+  const auto side = static_cast<std::size_t>(blockSide());
+  for (const std::size_t step : {std::size_t{1}, static_cast<std::size_t>(kSide)}) {
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      for (std::size_t k = 1; k < side && i + k * step < blocks_.size(); ++k)
+        blocks_[i] |= blocks_[i + k * step];
+    }
+  }
 }
 
 void WallGrid::mark(const Vec2& at, std::uint32_t kinds) {
@@ -96,6 +124,7 @@ void WallGrid::mark(const Vec2& at, std::uint32_t kinds) {
   kinds_[static_cast<std::size_t>(y * kSide + x)] |= kinds;
 }
 
+/// Branch and bound (Olson 2009): what a block of places has at most tells which are worth a look.
 std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const Pose2& expected,
                                     const SearchWindow& window) const {
   std::vector<ScanPoint> known;
@@ -103,28 +132,38 @@ std::optional<Pose2> WallGrid::find(const std::vector<ScanPoint>& points, const 
                [](const ScanPoint& p) { return p.known(); });
   const int shifts = static_cast<int>(std::ceil(window.shift_m / kCell_m));
   const int turns = static_cast<int>(std::ceil(window.turn / kTurnStep));
-  std::vector<Placement> placements;
+  const int side = blockSide();
+  const auto pose = [&](int turn, int dx, int dy) {
+    return Pose2{expected.x + dx * kCell_m, expected.y + dy * kCell_m,
+                 normalizedAngle(expected.heading + turn * kTurnStep)};
+  };
+  std::vector<std::vector<CellOf>> cells;  // by turn
+  std::vector<Placement> blocks;
   for (int turn = -turns; turn <= turns; ++turn) {
-    Pose2 pose = expected;
-    pose.heading = normalizedAngle(expected.heading + turn * kTurnStep);
-    const std::vector<CellOf> cells = placed(known, pose);
-    for (int dy = -shifts; dy <= shifts; ++dy) {
-      for (int dx = -shifts; dx <= shifts; ++dx) {
-        int hits = 0;
-        for (const CellOf& cell : cells) {
-          const int x = cell.x + dx;
-          const int y = cell.y + dy;
-          if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
-          hits += (kinds_[static_cast<std::size_t>(y * kSide + x)] & cell.kind) != 0;
-        }
-        const bool edge =
-            std::abs(dx) == shifts || std::abs(dy) == shifts || std::abs(turn) == turns;
-        placements.push_back(
-            {{pose.x + dx * kCell_m, pose.y + dy * kCell_m, pose.heading}, hits, edge});
+    cells.push_back(placed(known, pose(turn, 0, 0)));
+    for (int dy = -shifts; dy <= shifts; dy += side) {
+      for (int dx = -shifts; dx <= shifts; dx += side)
+        blocks.push_back({turn, dx, dy, hitsOf(blocks_, cells.back(), dx, dy, side)});
+    }
+  }
+  std::ranges::sort(blocks, std::greater(), &Placement::hits);
+  std::vector<Placement> placements;
+  int most = 0;
+  for (const Placement& block : blocks) {
+    if (block.hits <= kMostOther * most) break;
+    const std::vector<CellOf>& seen = cells[static_cast<std::size_t>(block.turn + turns)];
+    for (int dy = block.dy; dy < block.dy + side && dy <= shifts; ++dy) {
+      for (int dx = block.dx; dx < block.dx + side && dx <= shifts; ++dx) {
+        placements.push_back({block.turn, dx, dy, hitsOf(kinds_, seen, dx, dy, 1)});
+        most = std::max(most, placements.back().hits);
       }
     }
   }
-  return clearBest(placements);
+  const auto best = clearBest(placements);
+  if (!best || std::abs(best->dx) == shifts || std::abs(best->dy) == shifts ||
+      std::abs(best->turn) == turns)
+    return std::nullopt;
+  return pose(best->turn, best->dx, best->dy);
 }
 
 }  // namespace handmap

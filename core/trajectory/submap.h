@@ -30,7 +30,8 @@ class WallGrid {
  private:
   void mark(const Vec2& at, std::uint32_t kinds);
 
-  std::vector<std::uint32_t> kinds_;  ///< a bit for each way and each height
+  std::vector<std::uint32_t> kinds_;   ///< a bit for each way and each height
+  std::vector<std::uint32_t> blocks_;  ///< the same of a square of cells from each on
 };
 
 }  // namespace handmap

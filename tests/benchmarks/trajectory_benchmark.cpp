@@ -3,7 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include "core/pose_graph/constants.h"
+#include "core/trajectory/returns.h"
+#include "core/trajectory/scan_features.h"
 #include "core/trajectory/scan_trajectory.h"
+#include "core/trajectory/submap.h"
 #include "tests/core/pose_graph/ceres_pose_graph.h"
 #include "tests/core/trajectory/walled_world.h"
 
@@ -58,6 +61,19 @@ void sharpness(benchmark::State& state) {
   state.counters["truth"] = trajectory.sharpness(drive().truth);
 }
 BENCHMARK(sharpness)->Unit(benchmark::kMillisecond);
+
+/// Where a submap lies in another one, as wide as after a long way and as narrow as at first.
+void placeOfASubmap(benchmark::State& state) {
+  const bool wide = state.range(0) != 0;
+  const std::size_t there = drive().scans.size() / 3;
+  const std::vector<ScanPoint> seen = features(usableReturns(drive().scans[there], 40.0));
+  const WallGrid grid(seen);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        grid.find(seen, {1.0, -0.7, 0.02}, {wide ? 12.0 : 2.5, wide ? 0.22 : 0.06}));
+  }
+}
+BENCHMARK(placeOfASubmap)->ArgName("wide")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 PoseGraph rounds(const benchmark::State& state) {
   RandomStream random(1);

@@ -23,6 +23,30 @@ TEST(WallGrid, FindsWhereThePiecesLie) {
   EXPECT_NEAR(found->heading, kThere.heading, 0.03);
 }
 
+TEST(WallGrid, FindsItAsWellFarAway) {
+  RandomStream random(3);
+  std::vector<ScanPoint> seen;
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 at(random.uniform(-30.0, 30.0), random.uniform(-30.0, 30.0));
+    seen.push_back({at, unitVector(random.uniform(-kPi, kPi))});
+  }
+  const WallGrid grid(moved(seen, kThere));
+  for (const Pose2& by :
+       {Pose2{11.0, -10.5, 0.2}, Pose2{-0.5, 1.0, 0.0}, Pose2{-9.0, 11.5, -0.16}}) {
+    const Pose2 off{kThere.x + by.x, kThere.y + by.y, kThere.heading + by.heading};
+    const auto found = grid.find(seen, off, {12.0, 0.22});
+    ASSERT_TRUE(found);
+    EXPECT_LT((found->position() - kThere.position()).norm(), 0.6);
+    EXPECT_NEAR(found->heading, kThere.heading, 0.021);
+  }
+}
+
+TEST(WallGrid, HasNothingBeyondItsWindow) {
+  const WallGrid grid(moved(seenFrom(kThere), kThere));
+  const Pose2 off{kThere.x + 6.0, kThere.y, kThere.heading};
+  EXPECT_FALSE(grid.find(seenFrom(kThere), off, {3.0, 0.1}));
+}
+
 TEST(WallGrid, IsNotSureInABareCorridor) {
   std::vector<ScanPoint> walls;
   for (int i = -300; i <= 300; ++i) {
