@@ -24,7 +24,7 @@ inline constexpr std::size_t kMostCorrected = 100;  // buildings; choice: so muc
 
 // Slack across walls, from wide to catch to narrow to settle.
 inline constexpr std::array kWindowSlacks_m{0.3, 0.1};       // m; choice: of the last poses
-inline constexpr std::array kLoopSlacks_m{0.5, 0.1};         // m; choice: of a closed loop
+inline constexpr std::array kLoopSlacks_m{0.5};              // m; choice: of a closed loop
 inline constexpr std::array kPeriodicSlacks_m{0.1};          // m; choice: now and then
 inline constexpr std::array kFinalSlacks_m{0.2, 0.1, 0.03};  // m; choice: at the end
 inline constexpr int kMostIterations = 10;                   // iterations; limit: with one slack

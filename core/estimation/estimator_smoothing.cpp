@@ -102,8 +102,9 @@ bool HandmapEstimator::State::closeLoop(const std::stop_token& stop) {
   }
   const auto pairs = handmap::closeLoop(found, candidates, *drift);
   if (!pairs) return false;
-  smoothAll(kLoopSlacks_m, kMostIterations, *pairs, stop);
+  smoothAll(kLoopSlacks_m, 1, *pairs, stop);
   found = merged(found, *pairs);
+  iterations_due = kPeriodicIterations;
   evidence.reinsertAll(stop);
   return true;
 }
