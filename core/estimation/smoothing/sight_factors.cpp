@@ -15,8 +15,9 @@ namespace {
 /// whole, however many returns there are.
 bool addReturns(const Frame& frame, const Box& box, const SensorModel& sensor,
                 const SightErrors& errors, SightEquations& equations) {
+  const BoxSlabs slabs(box, frame.pose);
+  if (slabs.inside() || !slabs.inReach(sensor.rangeLimit())) return false;
   const BoxView view(box, frame.pose);
-  if (view.inside() || !view.inReach(sensor.rangeLimit())) return false;
   const ReturnFactors factor_of(frame.pose, box, sensor, errors);
   std::array<SightEquations, 4> walls;
   std::array<double, 4> information{};
