@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/odometry/constants.h"
 #include "core/outlines/constants.h"
@@ -64,27 +65,34 @@ std::vector<SeenRay> raysOf(const std::vector<RangePoint>& points, double most) 
   return rays;
 }
 
+bool isElsewhere(const Pose2& before, const Pose2& now, double step_m) {
+  const Pose2 motion = between(before, now);
+  return motion.position().norm() >= step_m || std::abs(motion.heading) >= odometry::kKeyframeTurn;
+}
+
 }  // namespace
 
 void SeenFrames::add(std::size_t observation, const Pose2& odometry, const Scan& scan,
                      const std::vector<RangePoint>& points) {
   if (!scan.first_looked_at.empty()) addSilent(scan.first_looked_at);
-  const Pose2 motion = between(last_, odometry);
-  const double driven = std::hypot(motion.x, motion.y);
-  if (!frames_.empty() && driven < step_m_ && std::abs(motion.heading) < odometry::kKeyframeTurn)
-    return;
+  if (!frames_.empty() && !isElsewhere(looked_, odometry, kFrameStep_m)) return;
+  looked_ = odometry;
+  looks_ += 1.0F;
+  if (!frames_.empty() && !isElsewhere(last_, odometry, step_m_)) return;
   std::vector<SeenRay> rays;
   if (points.empty() || scan.ray_by_ray) {
     rays = raysOf(scan, range_limit_m_);
   } else {
-    const double metres =
-        frames_.empty() ? 1.0 : std::clamp(driven, kFrameStep_m, kMostRays / kRaysPerMetre);
+    const double metres = frames_.empty() ? 1.0
+                                          : std::clamp(between(last_, odometry).position().norm(),
+                                                       kFrameStep_m, kMostRays / kRaysPerMetre);
     rays = raysOf(points, kRaysPerMetre * metres * kFrameStep_m / step_m_);
   }
   shareOut(rays);
   last_ = odometry;
   rays_ += rays.size();
-  frames_.push_back({observation, std::make_shared<const std::vector<SeenRay>>(std::move(rays))});
+  frames_.push_back({observation, std::make_shared<const std::vector<SeenRay>>(std::move(rays)),
+                     std::exchange(looks_, 0.0F)});
   if (rays_ > most_rays_) thinOut();
 }
 
@@ -103,6 +111,7 @@ void SeenFrames::thinOut() {
   std::vector<SeenFrame> kept;
   for (std::size_t i = 0; i < frames_.size(); i += 2) {
     rays_ += frames_[i].rays->size();
+    if (i + 1 < frames_.size()) frames_[i].looks += frames_[i + 1].looks;
     kept.push_back(std::move(frames_[i]));
   }
   frames_ = std::move(kept);

@@ -34,13 +34,14 @@ struct SeenRay {
 struct SeenFrame {
   std::size_t observation = 0;                       ///< index of it among those of the run
   std::shared_ptr<const std::vector<SeenRay>> rays;  ///< shared by all copies, in any thread
+  float looks = 1.0F;                                ///< it stands for so many, the rest let go
 };
 
 class SeenFrames {
  public:
-  /// With more than `most_rays` every second frame is let go, and half as many are kept from then:
-  /// after a kilometre or two of a planar scanner. What is concluded takes 100 bytes a ray for a
-  /// moment.
+  /// With more than `most_rays` every second frame is let go, and half as many are kept from then,
+  /// which tell as much together: after a kilometre or two of a planar scanner. What is concluded
+  /// takes 100 bytes a ray for a moment.
   explicit SeenFrames(double range_limit_m, std::size_t most_rays = 1'000'000)
       : range_limit_m_(range_limit_m), most_rays_(most_rays) {}
 
@@ -61,7 +62,9 @@ class SeenFrames {
   std::size_t rays_ = 0;
   double step_m_ = outlines::kFrameStep_m;  ///< between frames that are kept
   std::vector<SeenFrame> frames_;
-  Pose2 last_;  ///< odometry of the last frame
+  Pose2 last_;          ///< odometry of the last frame
+  Pose2 looked_;        ///< and of the last one that would do for a frame
+  float looks_ = 0.0F;  ///< since the last frame
 };
 
 }  // namespace handmap

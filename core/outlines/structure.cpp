@@ -263,7 +263,7 @@ PlacedRays placeRays(std::span<const SeenFrame> seen, const std::vector<Pose2>& 
       in_map.dx = static_cast<float>(std::cos(heading));
       in_map.dy = static_cast<float>(std::sin(heading));
       in_map.range = ray.range;
-      in_map.share = ray.share;
+      in_map.share = frame.looks * ray.share;
       in_map.echo = ray.echo;
       placed.rays.push_back(in_map);
     }

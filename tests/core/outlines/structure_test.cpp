@@ -147,6 +147,24 @@ TEST(SeenFrames, TakesNoMoreMemoryTheLongerTheWay) {
   EXPECT_LT(farthest, 200U);
 }
 
+TEST(SeenFrames, TellAsMuchWhenThinnedOut) {
+  constexpr int kObservations = 500;
+  SeenFrames all(40.0);
+  SeenFrames few(40.0, 20'000);
+  Scan scan;
+  for (int i = 0; i < 200; ++i) {
+    scan.rays.push_back({0.02F * static_cast<float>(i) - 2.0F, 10.0F, 0.1F, 1.0F, true});
+  }
+  std::vector<Pose2> way;
+  for (int i = 0; i < kObservations; ++i) {
+    way.push_back({0.6 * i, 0.0, 0.0});
+    all.add(way.size() - 1, way.back(), scan, {});
+    few.add(way.size() - 1, way.back(), scan, {});
+  }
+  EXPECT_LT(4 * few.frames().size(), all.frames().size());
+  EXPECT_NEAR(told(placeRays(few.frames(), way)) / told(placeRays(all.frames(), way)), 1.0, 0.05);
+}
+
 TEST(SeenFrames, TakesSilenceFromWhatItLeavesOut) {
   SeenFrames seen(40.0);
   seen.add(0, {}, {}, {});
