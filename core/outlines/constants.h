@@ -60,16 +60,16 @@ inline constexpr std::array<Rates, 5> kRates = {
                                               // poses on a residential drive and a campus
 inline constexpr float kParallel = 0.92F;     // 1; choice: cosine, 23°, of what lies along a wall
 inline constexpr float kLeastCosine = 0.1F;   // 1; choice: flatter rays tell as little
-inline constexpr double kLeastRatio = 0.02;   // 1/m; limit: of the table
-inline constexpr double kMostRatio = 2000.0;  // 1/m; limit: of the table
+inline constexpr float kLeastRatio = 0.02F;   // 1/m; limit: of the table
+inline constexpr float kMostRatio = 2000.0F;  // 1/m; limit: of the table
 inline constexpr int kTableSteps = 64;        // 1; choice: of the table, an eighth of σ
-inline constexpr int kTableRatios = 40;       // 1; choice: of the table, a third more each
 inline constexpr double kTemper = 0.1;        // 1; choice: ten looks that share a pose are one
 inline constexpr double kInside = 20.0;       // nats; choice: a frame, of a robot in a building
 inline constexpr double kSilentNear = 0.12;   // 1; measured: silence from a wall, a campus
 inline constexpr double kSilentFar = 0.35;    // 1; measured: its growth to the range limit
 inline constexpr double kSeenReturns = 1.0;   // returns; choice: ten looks, of a side that was seen
 inline constexpr int kNobody = -1;            // index; choice: of a return that is no building's
+inline constexpr int kBlock = 128;            // rays; choice: of them at once, in a fast cache
 
 // Where an outline may be.
 inline constexpr double kMostScale = 0.3;             // 1; measured: logs of drawn sizes, METHOD.md

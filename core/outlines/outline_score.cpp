@@ -5,7 +5,10 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <type_traits>
+#include <utility>
 
+#include "core/base/quarter_octave.h"
 #include "core/estimation/walls/constants.h"
 #include "core/map/certainty.h"
 #include "core/outlines/constants.h"
@@ -14,42 +17,127 @@ namespace handmap {
 
 using namespace outlines;
 
-static_assert(kRates.size() == static_cast<std::size_t>(Likeness::Count));
+namespace {
 
-ReturnTable::ReturnTable() {
-  table_.resize(static_cast<std::size_t>(kTableRatios * kTableSteps));
-  for (int k = 0; k < kTableRatios; ++k) {
-    const double ratio = kLeastRatio * std::pow(kMostRatio / kLeastRatio, k / (kTableRatios - 1.0));
-    for (int i = 0; i < kTableSteps; ++i) {
-      const double z = static_cast<double>(walls::kReach) * (2.0 * (i + 0.5) / kTableSteps - 1.0);
-      const double behind = 0.5 * std::erfc(-z / std::numbers::sqrt2);
-      const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi);
-      table_[static_cast<std::size_t>(k * kTableSteps + i)] =
-          static_cast<float>(std::log(1.0 - kStopped * behind + ratio * density));
+static_assert(kRates.size() == static_cast<std::size_t>(Likeness::Through));
+
+const double kPassed = std::log(1.0 - kStopped);
+
+/// log(1 − h Φ(z) + q N(z)) of a return z σ behind a wall, q = h r / (σ o): h the share of rays
+/// that a wall stops, r how often it then looks as this one does, o how often other things along a
+/// metre do. Tabulated over z and q, and beside it what a ray tells that got through.
+class ReturnTable {
+ public:
+  ReturnTable() {
+    std::ranges::transform(kRates, ratios_.begin(), [](const Rates& rates) {
+      return static_cast<float>(kStopped * rates.of_walls / rates.of_others);
+    });
+    for (int level = kLeastLevel; level <= kMostLevel; ++level) {
+      const double ratio = middleOfQuarterOctave(level);
+      addRow([&](double z) {
+        const double behind = 0.5 * std::erfc(-z / std::numbers::sqrt2);
+        const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi);
+        return std::log(1.0 - kStopped * behind + ratio * density);
+      });
     }
+    addRow([](double z) { return z < 0.5 * walls::kReach ? 0.0 : kPassed; });
   }
+
+  /// The first and the last are for what is out of reach.
+  static auto columnsOf(const auto& z) {
+    return ((z + walls::kReach) * kPerSigma + 1.0F).max(0.0F).min(kTableSteps + 1.0F);
+  }
+  float operator()(Likeness likeness, float per_sigma, int column) const {
+    const float ratio = ratios_[static_cast<std::size_t>(likeness)] * per_sigma;
+    const int level = std::clamp(quarterOctave(ratio), kLeastLevel, kMostLevel) - kLeastLevel;
+    const int row = likeness == Likeness::Through ? kThrough : level;
+    return table_[static_cast<std::size_t>(row * (kTableSteps + 2) + column)];
+  }
+
+ private:
+  static constexpr int kLeastLevel = quarterOctave(kLeastRatio);
+  static constexpr int kMostLevel = quarterOctave(kMostRatio);
+  static constexpr int kThrough = kMostLevel - kLeastLevel + 1;
+  static constexpr float kPerSigma = kTableSteps / (2.0F * walls::kReach);
+
+  template <typename Value>
+  void addRow(Value value) {
+    table_.push_back(0.0F);
+    for (int step = 0; step < kTableSteps; ++step) {
+      const double z = (step + 0.5) / static_cast<double>(kPerSigma) - walls::kReach;
+      table_.push_back(static_cast<float>(value(z)));
+    }
+    table_.push_back(static_cast<float>(kPassed));
+  }
+
+  std::array<float, static_cast<std::size_t>(Likeness::Silent)> ratios_{};  ///< h r / o
+  std::vector<float> table_;
+};
+
+float silentAt(float share) {
+  return std::log(static_cast<float>(kSilentNear) + static_cast<float>(kSilentFar) * share);
 }
 
-float ReturnTable::operator()(Likeness likeness, float z, float sigma_m) const {
-  if (z <= -walls::kReach) return 0.0F;
-  static const auto kPassed = static_cast<float>(std::log(1.0 - kStopped));
-  if (z >= walls::kReach) return kPassed;
-  const Rates& rates = kRates[static_cast<std::size_t>(likeness)];
-  const auto ratio = static_cast<float>(kStopped * rates.of_walls / rates.of_others) / sigma_m;
-  static const auto kPerRatio =
-      static_cast<float>((kTableRatios - 1.0) / std::log2(kMostRatio / kLeastRatio));
-  static const auto kLow = static_cast<float>(std::log2(kLeastRatio)) - 0.5F / kPerRatio;
-  const int k =
-      std::clamp(static_cast<int>((std::log2(ratio) - kLow) * kPerRatio), 0, kTableRatios - 1);
-  const int i = std::clamp(static_cast<int>((z / walls::kReach + 1.0F) * 0.5F * kTableSteps), 0,
-                           kTableSteps - 1);
-  return table_[static_cast<std::size_t>(k * kTableSteps + i)];
+struct Likenesses {
+  Likeness along, askew;
+};
+
+Likenesses likenessesOf(const PlacedRay& ray, bool owned) {
+  if (ray.echo == Echo::Silent) return {Likeness::Silent, Likeness::Silent};
+  if (ray.echo == Echo::Ground || owned) return {Likeness::Through, Likeness::Through};
+  if (ray.echo == Echo::Low) return {Likeness::Low, Likeness::Low};
+  if (ray.structure == Structure::Straight) return {Likeness::Wall, Likeness::Askew};
+  if (ray.structure == Structure::Linear) return {Likeness::Along, Likeness::Ragged};
+  return {Likeness::Ragged, Likeness::Ragged};
 }
+
+struct Wall {
+  Eigen::Vector2f from, to;
+  Eigen::Vector2f normal;  ///< outwards
+};
+
+/// Wall i ends at corner i.
+std::vector<Wall> wallsOf(const Polygon& outline) {
+  std::vector<Wall> walls;
+  Vec2 before = outline.back();
+  for (const Vec2& corner : outline) {
+    const Vec2 normal = -perpendicular(corner - before).normalized();
+    walls.push_back({before.cast<float>(), corner.cast<float>(), normal.cast<float>()});
+    before = corner;
+  }
+  return walls;
+}
+
+struct Circle {
+  Eigen::Vector2f middle;
+  float radius;
+};
+
+Circle circleAround(const Polygon& outline) {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& corner : outline) middle += corner / static_cast<double>(outline.size());
+  double radius = 0.0;
+  for (const Vec2& corner : outline) radius = std::max(radius, (corner - middle).norm());
+  return {middle.cast<float>(), static_cast<float>(radius)};
+}
+
+/// Indices of those of the first `size` values that are at most `most`; returns their number.
+template <typename Values, typename Indices>
+Eigen::Index indicesUpTo(float most, const Values& values, Eigen::Index size, Indices& indices) {
+  Eigen::Index count = 0;
+  for (Eigen::Index k = 0; k < size; ++k) {
+    indices[count] = static_cast<typename Indices::Scalar>(k);
+    count += static_cast<Eigen::Index>(values[k] <= most);
+  }
+  return count;
+}
+
+}  // namespace
 
 OutlineScorer::OutlineScorer(const PlacedRays& placed, double range_limit_m,
                              const RayOwners& owners, int building, const Vec2& centre,
                              double reach_m)
-    : noise_(placed.noise), range_limit_m_(static_cast<float>(range_limit_m)) {
+    : OutlineScorer(placed.noise, static_cast<float>(range_limit_m)) {
   const auto cx = static_cast<float>(centre.x());
   const auto cy = static_cast<float>(centre.y());
   const auto reach = static_cast<float>(reach_m);
@@ -59,130 +147,154 @@ OutlineScorer::OutlineScorer(const PlacedRays& placed, double range_limit_m,
     if (std::hypot(cx - first.x, cy - first.y) > range_limit_m_ + reach) continue;
     for (std::size_t i = placed.frame_begin[f]; i < placed.frame_begin[f + 1]; ++i) {
       const PlacedRay& ray = placed.rays[i];
-      const float along = (cx - ray.x) * ray.dx + (cy - ray.y) * ray.dy;
+      const float forward = (cx - ray.x) * ray.dx + (cy - ray.y) * ray.dy;
       const float aside = std::abs((cx - ray.x) * ray.dy - (cy - ray.y) * ray.dx);
-      if (aside > reach || along < -reach || along - reach > ray.range + 2.0F) continue;
+      if (aside > reach || forward < -reach || forward - reach > ray.range + 2.0F) continue;
       const bool owned = !owners.empty() && owners[i] != kNobody && owners[i] != building;
-      rays_.push_back({ray, i, owned});
-      directions_.push_back({ray.dx, ray.dy});
+      const auto [along, askew] = likenessesOf(ray, owned);
+      rays_.push_back({ray.range,
+                       ray.share,
+                       {ray.nx, ray.ny},
+                       static_cast<std::uint32_t>(i),
+                       along,
+                       askew,
+                       ray.echo == Echo::Tall,
+                       owned});
+      x_.push_back(ray.x);
+      y_.push_back(ray.y);
+      dx_.push_back(ray.dx);
+      dy_.push_back(ray.dy);
     }
-    frames_.push_back(
-        {Vec2(static_cast<double>(first.x), static_cast<double>(first.y)), rays_.size()});
+    robots_.emplace_back(first.x, first.y);
   }
 }
 
-/// All rays of a frame begin at one point, so that what a wall is to them is the same for all: a
-/// ray meets a wall that faces the robot where it passes between its ends.
-template <typename Use>
-void OutlineScorer::forMet(const Polygon& outline, std::size_t stride, Use use) const {
-  struct Wall {
-    float from_x, from_y, to_x, to_y;  // ends, as the robot has them
-    float along_x, along_y;
-    float area;  // twice that of the triangle with the robot; negative
-    std::size_t index;
+OutlineScorer OutlineScorer::thinned(std::size_t most) const {
+  const std::size_t stride = 1 + rays_.size() / most;
+  const auto thin = [stride](const auto& all) {
+    std::decay_t<decltype(all)> some;
+    some.reserve(all.size() / stride + 1);
+    for (std::size_t i = 0; i < all.size(); i += stride) some.push_back(all[i]);
+    return some;
   };
-  std::vector<Wall> walls;
-  walls.reserve(outline.size());
-  Vec2 middle = Vec2::Zero();
-  for (const Vec2& corner : outline) middle += corner / static_cast<double>(outline.size());
-  double radius = 0.0;
-  std::vector<Eigen::Vector2f> corners;
-  corners.reserve(outline.size());
-  for (const Vec2& corner : outline) {
-    radius = std::max(radius, (corner - middle).norm());
-    corners.push_back(corner.cast<float>());
-  }
-  const auto within = static_cast<float>(radius);
-  std::size_t ray = 0;
-  for (const Frame& frame : frames_) {
-    if (ray >= frame.end) continue;
-    const Eigen::Vector2f robot = frame.robot.cast<float>();
-    const Eigen::Vector2f there = middle.cast<float>() - robot;
-    walls.clear();
-    Eigen::Vector2f from = corners.back() - robot;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Eigen::Vector2f to = corners[i] - robot;
-      const float area = from.x() * to.y() - from.y() * to.x();
-      if (area < 0.0F) {
-        walls.push_back(
-            {from.x(), from.y(), to.x(), to.y(), to.x() - from.x(), to.y() - from.y(), area, i});
-      }
-      from = to;
+  OutlineScorer few(noise_, range_limit_m_);
+  few.rays_ = thin(rays_);
+  few.x_ = thin(x_);
+  few.y_ = thin(y_);
+  few.dx_ = thin(dx_);
+  few.dy_ = thin(dy_);
+  few.robots_ = robots_;
+  few.each_ = each_ * static_cast<double>(stride);
+  return few;
+}
+
+/// A ray meets a wall that faces it where it passes between its ends. Block by block and without
+/// branches, so that some rays are reckoned at once.
+template <typename Use>
+void OutlineScorer::forMet(const Polygon& outline, Use use) const {
+  const Circle around = circleAround(outline);
+  const std::vector<Wall> walls = wallsOf(outline);
+  Met::Each<float> aside, x, y, dx, dy, distance;
+  Met::Each<std::int32_t> near, wall, met_at;
+  Met met;
+  for (std::size_t begin = 0; begin < rays_.size(); begin += kBlock) {
+    const auto size =
+        static_cast<Eigen::Index>(std::min<std::size_t>(kBlock, rays_.size() - begin));
+    const auto of_block = [&](const std::vector<float>& all) {
+      return Eigen::Map<const Eigen::ArrayXf>(&all[begin], size);
+    };
+    aside.head(size) = ((around.middle.x() - of_block(x_)) * of_block(dy_) -
+                        (around.middle.y() - of_block(y_)) * of_block(dx_))
+                           .abs();
+    const Eigen::Index passing = indicesUpTo(around.radius, aside, size, near);
+    for (Eigen::Index k = 0; k < passing; ++k) {
+      const std::size_t ray = begin + static_cast<std::size_t>(near[k]);
+      x[k] = x_[ray];
+      y[k] = y_[ray];
+      dx[k] = dx_[ray];
+      dy[k] = dy_[ray];
     }
-    for (; ray < frame.end; ray += stride) {
-      const Direction& d = directions_[ray];
-      if (std::abs(there.x() * d.y - there.y() * d.x) > within) continue;
-      const Wall* met = nullptr;
-      float nearest = std::numeric_limits<float>::max();
-      for (const Wall& wall : walls) {
-        if (d.x * wall.to_y > d.y * wall.to_x || d.x * wall.from_y < d.y * wall.from_x) continue;
-        const float distance = wall.area / (d.x * wall.along_y - d.y * wall.along_x);
-        if (!(distance < nearest)) continue;
-        nearest = distance;
-        met = &wall;
+    distance.head(passing) = std::numeric_limits<float>::max();
+    wall.head(passing) = 0;
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+      const auto& [from, to, normal] = walls[w];
+      for (Eigen::Index k = 0; k < passing; ++k) {
+        const float from_x = from.x() - x[k];
+        const float from_y = from.y() - y[k];
+        const float to_x = to.x() - x[k];
+        const float to_y = to.y() - y[k];
+        const float left = dx[k] * from_y - dy[k] * from_x;
+        const float right = dx[k] * to_y - dy[k] * to_x;
+        const float area = from_x * to_y - from_y * to_x;
+        const float there = area / (right - left);
+        const float before = distance[k];
+        const std::int32_t wall_before = wall[k];
+        const bool is_nearer = (left >= 0.0F) & (right <= 0.0F) & (area < 0.0F) & (there < before);
+        distance[k] = is_nearer ? there : before;
+        wall[k] = is_nearer ? static_cast<std::int32_t>(w) : wall_before;
       }
-      if (met == nullptr) continue;
-      const float length = std::sqrt(met->along_x * met->along_x + met->along_y * met->along_y);
-      const float nx = met->along_y / length;
-      const float ny = -met->along_x / length;
-      use(rays_[ray], Met{nearest, -(d.x * nx + d.y * ny), nx, ny, met->index});
     }
+    met.size = indicesUpTo(range_limit_m_, distance, passing, met_at);
+    for (Eigen::Index n = 0; n < met.size; ++n) {
+      const Eigen::Index k = met_at[n];
+      const Eigen::Vector2f& normal = walls[static_cast<std::size_t>(wall[k])].normal;
+      met.ray[n] = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(near[k]);
+      met.range[n] = rays_[met.ray[n]].range;
+      met.distance[n] = distance[k];
+      met.cosine[n] = -(dx[k] * normal.x() + dy[k] * normal.y());
+      met.nx[n] = normal.x();
+      met.ny[n] = normal.y();
+      met.wall[n] = wall[k];
+    }
+    use(met);
   }
 }
 
-float OutlineScorer::ratioOf(const Asked& asked, const Met& met, float slack_m) const {
-  const PlacedRay& ray = asked.ray;
-  if (met.distance > range_limit_m_) return 0.0F;
-  static const auto kPassed = static_cast<float>(std::log(1.0 - kStopped));
-  if (ray.echo == Echo::Silent) {
-    return static_cast<float>(
-        std::log(kSilentNear + kSilentFar * static_cast<double>(met.distance / range_limit_m_)));
+OutlineScorer::Met::Each<float> OutlineScorer::ratiosOf(const Met& met, double slack_m) const {
+  static const ReturnTable kReturns;
+  const auto distance = met.distance.head(met.size);
+  const auto own = static_cast<float>(noise_.offset_m) +
+                   static_cast<float>(noise_.quadratic_per_m) * distance.square();
+  const auto slack = static_cast<float>(slack_m) / met.cosine.head(met.size).max(kLeastCosine);
+  Met::Each<float> per_sigma, column, ratios;
+  per_sigma.head(met.size) = (own.square() + slack.square()).sqrt().inverse();
+  column.head(met.size) =
+      ReturnTable::columnsOf((met.range.head(met.size) - distance) * per_sigma.head(met.size));
+  for (Eigen::Index k = 0; k < met.size; ++k) {
+    const Asked& ray = rays_[met.ray[k]];
+    const float parallel = std::abs(ray.normal.x() * met.nx[k] + ray.normal.y() * met.ny[k]);
+    const Likeness likeness = parallel > kParallel ? ray.along : ray.askew;
+    ratios[k] = ray.share * (likeness == Likeness::Silent
+                                 ? silentAt(met.distance[k] / range_limit_m_)
+                                 : kReturns(likeness, per_sigma[k], static_cast<int>(column[k])));
   }
-  const float slack = slack_m / std::max(met.cosine, kLeastCosine);
-  const auto own = static_cast<float>(noise_.at(static_cast<double>(met.distance)));
-  const float sigma = std::sqrt(own * own + slack * slack);
-  const float z = (ray.range - met.distance) / sigma;
-  if (ray.echo == Echo::Ground || asked.owned) {
-    return z <= -walls::kReach ? 0.0F : z >= walls::kReach / 2.0F ? kPassed : 0.0F;
-  }
-  Likeness likeness = Likeness::Ragged;
-  const bool parallel = std::abs(ray.nx * met.nx + ray.ny * met.ny) > kParallel;
-  if (ray.echo == Echo::Low) {
-    likeness = Likeness::Low;
-  } else if (ray.structure == Structure::Straight) {
-    likeness = parallel ? Likeness::Wall : Likeness::Askew;
-  } else if (ray.structure == Structure::Linear && parallel) {
-    likeness = Likeness::Along;
-  }
-  return table_(likeness, z, sigma);
+  return ratios;
 }
 
-double OutlineScorer::operator()(const Polygon& outline, double slack_m, std::size_t stride) const {
+double OutlineScorer::operator()(const Polygon& outline, double slack_m) const {
   double score = 0.0;
-  const auto slack = static_cast<float>(slack_m);
-  forMet(outline, stride, [&](const Asked& asked, const Met& met) {
-    score += static_cast<double>(asked.ray.share * ratioOf(asked, met, slack));
+  forMet(outline, [&](const Met& met) {
+    const auto ratios = ratiosOf(met, slack_m);
+    for (Eigen::Index k = 0; k < met.size; ++k) score += static_cast<double>(ratios[k]);
   });
-  score *= kTemper * static_cast<double>(stride);
+  score *= kTemper * each_;
   const Bounds bounds = boundsOf(outline);
-  for (const Frame& frame : frames_) {
-    const Vec2& robot = frame.robot;
-    if ((robot.array() > bounds.low.array()).all() && (robot.array() < bounds.high.array()).all() &&
-        contains(outline, robot)) {
-      score -= kInside;
-    }
+  for (const Vec2& robot : robots_) {
+    if (bounds.overlaps({robot, robot}) && contains(outline, robot)) score -= kInside;
   }
   return score;
 }
 
 std::vector<double> OutlineScorer::returnsOf(const Polygon& outline, double slack_m) const {
   std::vector<double> returns(outline.size(), 0.0);
-  forMet(outline, 1, [&](const Asked& asked, const Met& met) {
-    if (asked.owned || asked.ray.echo != Echo::Tall) return;
-    const double error = static_cast<double>((asked.ray.range - met.distance) * met.cosine);
-    const double noise = noise_.at(static_cast<double>(met.distance));
-    if (std::abs(error) > 2.0 * std::hypot(slack_m, noise)) return;
-    returns[met.wall] += kTemper * static_cast<double>(asked.ray.share);
+  forMet(outline, [&](const Met& met) {
+    for (Eigen::Index k = 0; k < met.size; ++k) {
+      const Asked& ray = rays_[met.ray[k]];
+      if (ray.owned || !ray.tall) continue;
+      const double noise = noise_.at(static_cast<double>(met.distance[k]));
+      if (std::abs(met.behind(k)) > 2.0 * std::hypot(slack_m, noise)) continue;
+      returns[static_cast<std::size_t>(met.wall[k])] += kTemper * static_cast<double>(ray.share);
+    }
   });
   return returns;
 }
@@ -201,11 +313,12 @@ std::array<double, 4> OutlineScorer::returnsOfSides(const Polygon& outline, doub
 std::vector<OutlineScorer::Standing> OutlineScorer::standingFor(const Polygon& outline,
                                                                 double near_m) const {
   std::vector<Standing> standing;
-  forMet(outline, 1, [&](const Asked& asked, const Met& met) {
-    const double error = static_cast<double>((asked.ray.range - met.distance) * met.cosine);
-    if (asked.ray.echo != Echo::Tall || std::abs(error) >= near_m) return;
-    const float ratio = ratioOf(asked, met, static_cast<float>(near_m));
-    standing.push_back({static_cast<std::uint32_t>(asked.index), asked.ray.share * ratio});
+  forMet(outline, [&](const Met& met) {
+    const auto ratios = ratiosOf(met, near_m);
+    for (Eigen::Index k = 0; k < met.size; ++k) {
+      const Asked& ray = rays_[met.ray[k]];
+      if (ray.tall && std::abs(met.behind(k)) < near_m) standing.push_back({ray.index, ratios[k]});
+    }
   });
   standing.shrink_to_fit();
   return standing;
@@ -215,10 +328,12 @@ double OutlineScorer::Standing::nats() const { return kTemper * static_cast<doub
 
 int OutlineScorer::framesStandingFor(const Polygon& outline, double near_m) const {
   std::set<std::pair<float, float>> robots;
-  forMet(outline, 1, [&](const Asked& asked, const Met& met) {
-    const double error = static_cast<double>((asked.ray.range - met.distance) * met.cosine);
-    if (asked.ray.echo != Echo::Tall || std::abs(error) >= near_m) return;
-    robots.emplace(asked.ray.x, asked.ray.y);
+  forMet(outline, [&](const Met& met) {
+    for (Eigen::Index k = 0; k < met.size; ++k) {
+      const std::uint32_t ray = met.ray[k];
+      if (!rays_[ray].tall || std::abs(met.behind(k)) >= near_m) continue;
+      robots.emplace(x_[ray], y_[ray]);
+    }
   });
   return static_cast<int>(robots.size());
 }

@@ -10,20 +10,9 @@
 
 namespace handmap {
 
-/// What a ray may be taken for, by what it meets and how that lies against the wall.
-enum class Likeness : std::uint8_t { Wall, Askew, Along, Ragged, Low, Count };
-
-/// log(1 − h Φ(z) + h r N(z; σ) / o) of a return z σ behind a wall: h the share of rays that a wall
-/// stops, r how often it then looks as this one does, o how often other things along a metre do.
-/// Tabulated over z and the ratio.
-class ReturnTable {
- public:
-  ReturnTable();
-  float operator()(Likeness likeness, float z, float sigma_m) const;
-
- private:
-  std::vector<float> table_;
-};
+/// What a return may be from, by what it meets and how that lies against the wall.
+/// Through: it got so far, or is from another building.
+enum class Likeness : std::uint8_t { Wall, Askew, Along, Ragged, Low, Through, Silent };
 
 /// By ray: which building its return is from, as far as that is settled.
 using RayOwners = std::vector<int>;
@@ -36,9 +25,12 @@ class OutlineScorer {
   OutlineScorer(const PlacedRays& placed, double range_limit_m, const RayOwners& owners,
                 int building, const Vec2& centre, double reach_m);
 
+  /// It asks about so many of the rays at most, for all of them.
+  OutlineScorer thinned(std::size_t most) const;
+
   /// Tempered: rays share the errors of poses and walls. `slack_m`: how far walls may be off, one
-  /// σ. `stride`: each so-manyth ray is asked.
-  double operator()(const Polygon& outline, double slack_m, std::size_t stride = 1) const;
+  /// σ.
+  double operator()(const Polygon& outline, double slack_m) const;
   /// Tempered number of returns that are from each wall (i: from corner i − 1 to corner i).
   std::vector<double> returnsOf(const Polygon& outline, double slack_m) const;
   /// The same of the sides of a box that is turned by `heading`, as box() has them.
@@ -55,37 +47,47 @@ class OutlineScorer {
   std::vector<Standing> standingFor(const Polygon& outline, double near_m) const;
   /// How many frames have such returns.
   int framesStandingFor(const Polygon& outline, double near_m) const;
-  std::size_t size() const { return rays_.size(); }
 
  private:
+  OutlineScorer(const RayNoise& noise, float range_limit_m)
+      : noise_(noise), range_limit_m_(range_limit_m) {}
+
   struct Asked {
-    PlacedRay ray;
-    std::size_t index;  ///< of PlacedRays
-    bool owned;         ///< by another building
+    float range;
+    float share;
+    Eigen::Vector2f normal;  ///< of what is straight or linear
+    std::uint32_t index;     ///< of PlacedRays
+    Likeness along, askew;   ///< to a wall that lies along that, and to others
+    bool tall;
+    bool owned;  ///< by another building
   };
+  /// Some of the rays that meet the outline, within the range limit.
   struct Met {
-    float distance;
-    float cosine;
-    float nx, ny;
-    std::size_t wall;
+    template <typename T>
+    using Each = Eigen::Array<T, outlines::kBlock, 1>;
+
+    Eigen::Index size;
+    Each<std::uint32_t> ray;
+    Each<float> range, distance, cosine;
+    Each<float> nx, ny;  ///< of the wall, outwards
+    Each<std::int32_t> wall;
+
+    /// How far the return is behind the wall, across it.
+    double behind(Eigen::Index k) const {
+      return static_cast<double>((range[k] - distance[k]) * cosine[k]);
+    }
   };
   template <typename Use>
-  void forMet(const Polygon& outline, std::size_t stride, Use use) const;
-  float ratioOf(const Asked& asked, const Met& met, float slack_m) const;
+  void forMet(const Polygon& outline, Use use) const;
+  /// What each tells for the outline.
+  Met::Each<float> ratiosOf(const Met& met, double slack_m) const;
 
-  struct Direction {
-    float x, y;
-  };
-  struct Frame {
-    Vec2 robot;       ///< where its rays come from
-    std::size_t end;  ///< of its rays
-  };
-  std::vector<Asked> rays_;            ///< frame by frame
-  std::vector<Direction> directions_;  ///< of the rays: most pass an outline by, which these tell
-  std::vector<Frame> frames_;
+  std::vector<Asked> rays_;
+  std::vector<float> x_, y_, dx_, dy_;  ///< where the rays come from and go
+  std::vector<Vec2> robots_;            ///< of the frames
+  double each_ = 1.0;                   ///< how many one that is asked about stands for
   RayNoise noise_;
   float range_limit_m_;
-  ReturnTable table_;
 };
 
 }  // namespace handmap

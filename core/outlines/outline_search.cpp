@@ -103,11 +103,10 @@ struct Candidate {
 };
 
 void improve(Candidate& candidate, const Shape& shape, const OutlineScorer& scorer,
-             const Stage& stage, std::size_t stride, RandomStream& random,
-             const std::stop_token& stop) {
+             const Stage& stage, RandomStream& random, const std::stop_token& stop) {
   const auto value = [&](const Eigen::VectorXd& metres) {
     const Move m = shape.moveOf(metres);
-    return scorer(shape(m), stage.slack_m, stride) + shape.logPrior(m);
+    return scorer(shape(m), stage.slack_m) + shape.logPrior(m);
   };
   const Evolved evolved =
       evolve(value, shape.metresOf(candidate.move),
@@ -156,7 +155,7 @@ Polygon withWallMoved(const Polygon& outline, std::size_t wall, double by) {
 /// Wall by wall, each where the rays want it, as far as they outweigh that drawings are rather
 /// right in their proportions.
 void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineScorer& scorer,
-               std::size_t stride, const std::stop_token& stop) {
+               const std::stop_token& stop) {
   std::vector<double> moved(fitted.outline.size(), 0.0);
   const auto penalty = [&](double by) { return -0.5 * std::pow(by / prior.corner_m, 2); };
   for (double step = 0.8; step >= kLeastWallStep; step *= 0.5) {
@@ -165,7 +164,7 @@ void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineSc
       for (const double by : {step, -step}) {
         Polygon outline = withWallMoved(fitted.outline, wall, by);
         if (!isSimple(outline) || signedArea(outline) <= 0.0) continue;
-        const double score = scorer(outline, kLast.slack_m, stride);
+        const double score = scorer(outline, kLast.slack_m);
         const double changed = penalty(moved[wall] + by) - penalty(moved[wall]);
         if (score + changed <= fitted.score) continue;
         fitted.outline = std::move(outline);
@@ -179,50 +178,47 @@ void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineSc
 }
 
 FittedOutline finished(const Candidate& candidate, const Shape& shape, const OutlinePrior& prior,
-                       const OutlineScorer& scorer, std::size_t stride,
-                       const std::stop_token& stop) {
+                       const OutlineScorer& scorer, const std::stop_token& stop) {
   const Move& move = candidate.move;
   FittedOutline fitted{shape(move), move, 0.0, shape.logPrior(move)};
-  fitted.score = scorer(fitted.outline, kLast.slack_m, stride);
-  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, stride, stop);
+  fitted.score = scorer(fitted.outline, kLast.slack_m);
+  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, stop);
   return fitted;
 }
-
-std::size_t fineStride(const OutlineScorer& scorer) { return 1 + scorer.size() / kAskedLater; }
 
 }  // namespace
 
 std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
                                           RandomStream random, const std::stop_token& stop) {
   const Shape shape(prior);
-  const std::size_t coarse = 1 + scorer.size() / kAsked;
+  const OutlineScorer coarse = scorer.thinned(kAsked);
   std::vector<Candidate> candidates(1);
   for (int i = 0; i < kSamples; ++i) candidates.push_back({shape.sample(random)});
   for (Candidate& candidate : candidates) {
     if (stop.stop_requested()) return {{prior.start}};
     candidate.total =
-        scorer(shape(candidate.move), kSlackAtFirst_m, coarse) + shape.logPrior(candidate.move);
+        coarse(shape(candidate.move), kSlackAtFirst_m) + shape.logPrior(candidate.move);
   }
   const Candidate start = candidates.front();
   for (const Stage& stage : kStages) {
     keepBest(candidates, stage.tries, shape);
     for (Candidate& candidate : candidates) {
-      improve(candidate, shape, scorer, stage, coarse, random, stop);
+      improve(candidate, shape, coarse, stage, random, stop);
       if (stop.stop_requested()) return {{prior.start}};
     }
   }
   // Narrow walls are found near where they are only: the start may be right as it is.
   keepBest(candidates, kLast.tries, shape);
   candidates.push_back(start);
-  const std::size_t fine = fineStride(scorer);
+  const OutlineScorer fine = scorer.thinned(kAskedLater);
   for (Candidate& candidate : candidates) {
-    improve(candidate, shape, scorer, kLast, fine, random, stop);
+    improve(candidate, shape, fine, kLast, random, stop);
     if (stop.stop_requested()) return {{prior.start}};
   }
   keepBest(candidates, candidates.size(), shape);
   std::vector<FittedOutline> fitted;
   for (const Candidate& candidate : candidates) {
-    fitted.push_back(finished(candidate, shape, prior, scorer, fine, stop));
+    fitted.push_back(finished(candidate, shape, prior, fine, stop));
   }
   std::ranges::stable_sort(fitted, std::ranges::greater{}, &FittedOutline::total);
   return fitted;
@@ -232,10 +228,10 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
                          const OutlineScorer& scorer, RandomStream random,
                          const std::stop_token& stop) {
   const Shape shape(prior);
-  const std::size_t fine = fineStride(scorer);
+  const OutlineScorer fine = scorer.thinned(kAskedLater);
   Candidate candidate{start};
-  improve(candidate, shape, scorer, kLast, fine, random, stop);
-  return finished(candidate, shape, prior, scorer, fine, stop);
+  improve(candidate, shape, fine, kLast, random, stop);
+  return finished(candidate, shape, prior, fine, stop);
 }
 
 FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {
@@ -254,12 +250,12 @@ FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {
 }
 
 void scorePlace(FittedOutline& place, const OutlineScorer& scorer) {
-  place.score = scorer(place.outline, kLast.slack_m, fineStride(scorer));
+  place.score = scorer.thinned(kAskedLater)(place.outline, kLast.slack_m);
 }
 
 double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,
                     const OutlineScorer& scorer) {
-  const std::size_t stride = 1 + scorer.size() / kAskedLater;
+  const OutlineScorer fine = scorer.thinned(kAskedLater);
   double low = outline.front().dot(direction);
   double high = low;
   for (const Vec2& corner : outline) {
@@ -271,7 +267,7 @@ double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_
     for (Vec2& corner : moved) {
       corner += (corner.dot(direction) - low) / (high - low) * by * direction;
     }
-    return scorer(moved, kLast.slack_m, stride) - 0.5 * std::pow(by / prior_sigma_m, 2);
+    return fine(moved, kLast.slack_m) - 0.5 * std::pow(by / prior_sigma_m, 2);
   };
   const double best = value(0.0);
   double sigma = kSpreadFirst_m;

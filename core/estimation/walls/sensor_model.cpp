@@ -36,9 +36,7 @@ SensorModel::SensorModel(const SensorOptions& options, double range_limit_m)
   }
   table_.resize(kLevels * kLabels * kSteps);
   for (std::size_t level = 0; level < kLevels; ++level) {
-    // The middle of the level's variances.
-    const double sigma = std::sqrt(std::exp2(-10.0 + std::floor(static_cast<double>(level) / 4.0)) *
-                                   (1.0 + 0.25 * (static_cast<double>(level % 4) + 0.5)));
+    const double sigma = std::sqrt(middleOfQuarterOctave(kLeastLevel + static_cast<int>(level)));
     per_sigma_[level] = static_cast<float>(1.0 / sigma);
     for (int label = 0; label < kLabels; ++label) {
       mean_errors_[level * kLabels + static_cast<std::size_t>(label)] =

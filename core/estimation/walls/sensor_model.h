@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "core/base/quarter_octave.h"
 #include "core/estimation/walls/constants.h"
 
 namespace handmap {
@@ -106,10 +106,8 @@ class SensorModel {
     const auto bin = static_cast<std::size_t>(distance * (1.0F / walls::kDistanceStep_m));
     return returns_[std::min(bin, returns_.size() - 1)];
   }
-  /// Four levels for each doubling of the variance, read off the bits of the number.
   static std::size_t levelOf(float variance) {
-    const int level =
-        static_cast<int>(std::bit_cast<std::uint32_t>(variance) >> 21) - walls::kLeastLevel;
+    const int level = quarterOctave(variance) - walls::kLeastLevel;
     return static_cast<std::size_t>(std::clamp(level, 0, static_cast<int>(walls::kLevels) - 1));
   }
   static double zOf(std::size_t step) {

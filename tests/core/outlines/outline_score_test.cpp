@@ -54,5 +54,32 @@ TEST_F(OutlineScore, TakesNoCreditForReturnsOfOthers) {
   EXPECT_DOUBLE_EQ(its_own(kScoredHouse, 0.15), scorer_(kScoredHouse, 0.15));
 }
 
+TEST_F(OutlineScore, AsksEachRayThatMeetsAWallFirst) {
+  const Polygon wings = {{12.0, 8.0},  {28.0, 8.0},  {28.0, 16.0},
+                         {22.0, 16.0}, {22.0, 11.0}, {12.0, 11.0}};
+  std::vector<std::size_t> meet;
+  for (std::size_t i = 0; i < placed_.rays.size(); ++i) {
+    const PlacedRay& ray = placed_.rays[i];
+    if (ray.echo != Echo::Tall) continue;
+    const double there = distanceAlong({ray.x, ray.y}, {ray.dx, ray.dy}, wings);
+    if (std::abs(there - static_cast<double>(ray.range)) < 4.0) meet.push_back(i);
+  }
+  std::vector<std::size_t> asked;
+  for (const auto& [ray, ratio] : scorer_.standingFor(wings, 4.0)) {
+    const PlacedRay& r = placed_.rays[ray];
+    const double there = distanceAlong({r.x, r.y}, {r.dx, r.dy}, wings);
+    // Across the wall it is nearer than along the ray.
+    if (std::abs(there - static_cast<double>(r.range)) < 4.0) asked.push_back(ray);
+  }
+  ASSERT_GT(meet.size(), 500U);
+  EXPECT_EQ(asked, meet);
+}
+
+TEST_F(OutlineScore, OfFewRaysIsNearlyThatOfAll) {
+  const double all = scorer_(kScoredHouse, 0.3);
+  EXPECT_NEAR(scorer_.thinned(1000)(kScoredHouse, 0.3), all, 0.2 * all);
+  EXPECT_DOUBLE_EQ(scorer_.thinned(1'000'000)(kScoredHouse, 0.3), all);
+}
+
 }  // namespace
 }  // namespace handmap
