@@ -69,7 +69,7 @@ inline constexpr double kSilentNear = 0.12;   // 1; measured: silence from a wal
 inline constexpr double kSilentFar = 0.35;    // 1; measured: its growth to the range limit
 inline constexpr double kSeenReturns = 1.0;   // returns; choice: ten looks, of a side that was seen
 inline constexpr int kNobody = -1;            // index; choice: of a return that is no building's
-inline constexpr int kBlock = 128;            // rays; choice: of them at once, in a fast cache
+inline constexpr std::size_t kBlock = 128;    // rays; choice: of them at once, in a fast cache
 
 // Where an outline may be.
 inline constexpr double kMostScale = 0.3;             // 1; measured: logs of drawn sizes, METHOD.md

@@ -43,21 +43,21 @@ class ReturnTable {
     addRow([](double z) { return z < 0.5 * walls::kReach ? 0.0 : kPassed; });
   }
 
-  /// The first and the last are for what is out of reach.
-  static auto columnsOf(const auto& z) {
-    return ((z + walls::kReach) * kPerSigma + 1.0F).max(0.0F).min(kTableSteps + 1.0F);
-  }
-  float operator()(Likeness likeness, float per_sigma, int column) const {
+  float operator()(Likeness likeness, float z, float per_sigma) const {
+    // The first and the last are for what is out of reach.
+    const float column = std::clamp((z + walls::kReach) * kPerSigma + 1.0F, 0.0F, kLastColumn);
     const float ratio = ratios_[static_cast<std::size_t>(likeness)] * per_sigma;
     const int level = std::clamp(quarterOctave(ratio), kLeastLevel, kMostLevel) - kLeastLevel;
     const int row = likeness == Likeness::Through ? kThrough : level;
-    return table_[static_cast<std::size_t>(row * (kTableSteps + 2) + column)];
+    return table_[static_cast<std::size_t>(row * (kTableSteps + 2)) +
+                  static_cast<std::size_t>(column)];
   }
 
  private:
   static constexpr int kLeastLevel = quarterOctave(kLeastRatio);
   static constexpr int kMostLevel = quarterOctave(kMostRatio);
   static constexpr int kThrough = kMostLevel - kLeastLevel + 1;
+  static constexpr float kLastColumn = kTableSteps + 1;
   static constexpr float kPerSigma = kTableSteps / (2.0F * walls::kReach);
 
   template <typename Value>
@@ -92,8 +92,8 @@ Likenesses likenessesOf(const PlacedRay& ray, bool owned) {
 }
 
 struct Wall {
-  Eigen::Vector2f from, to;
-  Eigen::Vector2f normal;  ///< outwards
+  float from_x, from_y, to_x, to_y;
+  float nx, ny;  ///< normal, outwards
 };
 
 /// Wall i ends at corner i.
@@ -101,8 +101,10 @@ std::vector<Wall> wallsOf(const Polygon& outline) {
   std::vector<Wall> walls;
   Vec2 before = outline.back();
   for (const Vec2& corner : outline) {
-    const Vec2 normal = -perpendicular(corner - before).normalized();
-    walls.push_back({before.cast<float>(), corner.cast<float>(), normal.cast<float>()});
+    const Eigen::Vector2f from = before.cast<float>();
+    const Eigen::Vector2f to = corner.cast<float>();
+    const Eigen::Vector2f normal = -perpendicular(corner - before).normalized().cast<float>();
+    walls.push_back({from.x(), from.y(), to.x(), to.y(), normal.x(), normal.y()});
     before = corner;
   }
   return walls;
@@ -121,13 +123,15 @@ Circle circleAround(const Polygon& outline) {
   return {middle.cast<float>(), static_cast<float>(radius)};
 }
 
-/// Indices of those of the first `size` values that are at most `most`; returns their number.
-template <typename Values, typename Indices>
-Eigen::Index indicesUpTo(float most, const Values& values, Eigen::Index size, Indices& indices) {
-  Eigen::Index count = 0;
-  for (Eigen::Index k = 0; k < size; ++k) {
-    indices[count] = static_cast<typename Indices::Scalar>(k);
-    count += static_cast<Eigen::Index>(values[k] <= most);
+using Indices = std::array<std::uint32_t, kBlock>;
+
+/// Of those of the first `size` values that are at most `most`; returns their number.
+std::size_t indicesUpTo(float most, const std::array<float, kBlock>& values, std::size_t size,
+                        Indices& indices) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    indices[count] = static_cast<std::uint32_t>(k);
+    count += static_cast<std::size_t>(values[k] <= most);
   }
   return count;
 }
@@ -152,14 +156,8 @@ OutlineScorer::OutlineScorer(const PlacedRays& placed, double range_limit_m,
       if (aside > reach || forward < -reach || forward - reach > ray.range + 2.0F) continue;
       const bool owned = !owners.empty() && owners[i] != kNobody && owners[i] != building;
       const auto [along, askew] = likenessesOf(ray, owned);
-      rays_.push_back({ray.range,
-                       ray.share,
-                       {ray.nx, ray.ny},
-                       static_cast<std::uint32_t>(i),
-                       along,
-                       askew,
-                       ray.echo == Echo::Tall,
-                       owned});
+      rays_.push_back({ray.range, ray.share, ray.nx, ray.ny, static_cast<std::uint32_t>(i), along,
+                       askew, ray.echo == Echo::Tall, owned});
       x_.push_back(ray.x);
       y_.push_back(ray.y);
       dx_.push_back(ray.dx);
@@ -195,55 +193,52 @@ void OutlineScorer::forMet(const Polygon& outline, Use use) const {
   const Circle around = circleAround(outline);
   const std::vector<Wall> walls = wallsOf(outline);
   Met::Each<float> aside, x, y, dx, dy, distance;
-  Met::Each<std::int32_t> near, wall, met_at;
+  Indices near, wall, in_range;
   Met met;
   for (std::size_t begin = 0; begin < rays_.size(); begin += kBlock) {
-    const auto size =
-        static_cast<Eigen::Index>(std::min<std::size_t>(kBlock, rays_.size() - begin));
-    const auto of_block = [&](const std::vector<float>& all) {
-      return Eigen::Map<const Eigen::ArrayXf>(&all[begin], size);
-    };
-    aside.head(size) = ((around.middle.x() - of_block(x_)) * of_block(dy_) -
-                        (around.middle.y() - of_block(y_)) * of_block(dx_))
-                           .abs();
-    const Eigen::Index passing = indicesUpTo(around.radius, aside, size, near);
-    for (Eigen::Index k = 0; k < passing; ++k) {
-      const std::size_t ray = begin + static_cast<std::size_t>(near[k]);
+    const std::size_t size = std::min(kBlock, rays_.size() - begin);
+    for (std::size_t k = 0; k < size; ++k) {
+      aside[k] = std::abs((around.middle.x() - x_[begin + k]) * dy_[begin + k] -
+                          (around.middle.y() - y_[begin + k]) * dx_[begin + k]);
+    }
+    const std::size_t passing = indicesUpTo(around.radius, aside, size, near);
+    for (std::size_t k = 0; k < passing; ++k) {
+      const std::size_t ray = begin + near[k];
       x[k] = x_[ray];
       y[k] = y_[ray];
       dx[k] = dx_[ray];
       dy[k] = dy_[ray];
+      distance[k] = std::numeric_limits<float>::max();
+      wall[k] = 0;
     }
-    distance.head(passing) = std::numeric_limits<float>::max();
-    wall.head(passing) = 0;
-    for (std::size_t w = 0; w < walls.size(); ++w) {
-      const auto& [from, to, normal] = walls[w];
-      for (Eigen::Index k = 0; k < passing; ++k) {
-        const float from_x = from.x() - x[k];
-        const float from_y = from.y() - y[k];
-        const float to_x = to.x() - x[k];
-        const float to_y = to.y() - y[k];
+    for (std::uint32_t w = 0; w < walls.size(); ++w) {
+      const Wall& now = walls[w];
+      for (std::size_t k = 0; k < passing; ++k) {
+        const float from_x = now.from_x - x[k];
+        const float from_y = now.from_y - y[k];
+        const float to_x = now.to_x - x[k];
+        const float to_y = now.to_y - y[k];
         const float left = dx[k] * from_y - dy[k] * from_x;
         const float right = dx[k] * to_y - dy[k] * to_x;
         const float area = from_x * to_y - from_y * to_x;
         const float there = area / (right - left);
         const float before = distance[k];
-        const std::int32_t wall_before = wall[k];
+        const std::uint32_t wall_before = wall[k];
         const bool is_nearer = (left >= 0.0F) & (right <= 0.0F) & (area < 0.0F) & (there < before);
         distance[k] = is_nearer ? there : before;
-        wall[k] = is_nearer ? static_cast<std::int32_t>(w) : wall_before;
+        wall[k] = is_nearer ? w : wall_before;
       }
     }
-    met.size = indicesUpTo(range_limit_m_, distance, passing, met_at);
-    for (Eigen::Index n = 0; n < met.size; ++n) {
-      const Eigen::Index k = met_at[n];
-      const Eigen::Vector2f& normal = walls[static_cast<std::size_t>(wall[k])].normal;
-      met.ray[n] = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(near[k]);
+    met.size = indicesUpTo(range_limit_m_, distance, passing, in_range);
+    for (std::size_t n = 0; n < met.size; ++n) {
+      const std::size_t k = in_range[n];
+      const Wall& stopping = walls[wall[k]];
+      met.ray[n] = static_cast<std::uint32_t>(begin) + near[k];
       met.range[n] = rays_[met.ray[n]].range;
       met.distance[n] = distance[k];
-      met.cosine[n] = -(dx[k] * normal.x() + dy[k] * normal.y());
-      met.nx[n] = normal.x();
-      met.ny[n] = normal.y();
+      met.cosine[n] = -(dx[k] * stopping.nx + dy[k] * stopping.ny);
+      met.nx[n] = stopping.nx;
+      met.ny[n] = stopping.ny;
       met.wall[n] = wall[k];
     }
     use(met);
@@ -252,21 +247,26 @@ void OutlineScorer::forMet(const Polygon& outline, Use use) const {
 
 OutlineScorer::Met::Each<float> OutlineScorer::ratiosOf(const Met& met, double slack_m) const {
   static const ReturnTable kReturns;
-  const auto distance = met.distance.head(met.size);
-  const auto own = static_cast<float>(noise_.offset_m) +
-                   static_cast<float>(noise_.quadratic_per_m) * distance.square();
-  const auto slack = static_cast<float>(slack_m) / met.cosine.head(met.size).max(kLeastCosine);
-  Met::Each<float> per_sigma, column, ratios;
-  per_sigma.head(met.size) = (own.square() + slack.square()).sqrt().inverse();
-  column.head(met.size) =
-      ReturnTable::columnsOf((met.range.head(met.size) - distance) * per_sigma.head(met.size));
-  for (Eigen::Index k = 0; k < met.size; ++k) {
+  const auto offset = static_cast<float>(noise_.offset_m);
+  const auto quadratic = static_cast<float>(noise_.quadratic_per_m);
+  const auto slack = static_cast<float>(slack_m);
+  Met::Each<float> variance, per_sigma, ratios;
+  for (std::size_t k = 0; k < met.size; ++k) {
+    const float own = offset + quadratic * met.distance[k] * met.distance[k];
+    const float along = slack / std::max(met.cosine[k], kLeastCosine);
+    variance[k] = own * own + along * along;
+  }
+  using All = Eigen::Map<Eigen::ArrayXf>;
+  const auto size = static_cast<Eigen::Index>(met.size);
+  All(per_sigma.data(), size) = All(variance.data(), size).sqrt().inverse();
+  for (std::size_t k = 0; k < met.size; ++k) {
     const Asked& ray = rays_[met.ray[k]];
-    const float parallel = std::abs(ray.normal.x() * met.nx[k] + ray.normal.y() * met.ny[k]);
+    const float parallel = std::abs(ray.nx * met.nx[k] + ray.ny * met.ny[k]);
     const Likeness likeness = parallel > kParallel ? ray.along : ray.askew;
-    ratios[k] = ray.share * (likeness == Likeness::Silent
-                                 ? silentAt(met.distance[k] / range_limit_m_)
-                                 : kReturns(likeness, per_sigma[k], static_cast<int>(column[k])));
+    const float z = (met.range[k] - met.distance[k]) * per_sigma[k];
+    ratios[k] =
+        ray.share * (likeness == Likeness::Silent ? silentAt(met.distance[k] / range_limit_m_)
+                                                  : kReturns(likeness, z, per_sigma[k]));
   }
   return ratios;
 }
@@ -275,7 +275,7 @@ double OutlineScorer::operator()(const Polygon& outline, double slack_m) const {
   double score = 0.0;
   forMet(outline, [&](const Met& met) {
     const auto ratios = ratiosOf(met, slack_m);
-    for (Eigen::Index k = 0; k < met.size; ++k) score += static_cast<double>(ratios[k]);
+    for (std::size_t k = 0; k < met.size; ++k) score += static_cast<double>(ratios[k]);
   });
   score *= kTemper * each_;
   const Bounds bounds = boundsOf(outline);
@@ -288,12 +288,12 @@ double OutlineScorer::operator()(const Polygon& outline, double slack_m) const {
 std::vector<double> OutlineScorer::returnsOf(const Polygon& outline, double slack_m) const {
   std::vector<double> returns(outline.size(), 0.0);
   forMet(outline, [&](const Met& met) {
-    for (Eigen::Index k = 0; k < met.size; ++k) {
+    for (std::size_t k = 0; k < met.size; ++k) {
       const Asked& ray = rays_[met.ray[k]];
       if (ray.owned || !ray.tall) continue;
       const double noise = noise_.at(static_cast<double>(met.distance[k]));
       if (std::abs(met.behind(k)) > 2.0 * std::hypot(slack_m, noise)) continue;
-      returns[static_cast<std::size_t>(met.wall[k])] += kTemper * static_cast<double>(ray.share);
+      returns[met.wall[k]] += kTemper * static_cast<double>(ray.share);
     }
   });
   return returns;
@@ -315,7 +315,7 @@ std::vector<OutlineScorer::Standing> OutlineScorer::standingFor(const Polygon& o
   std::vector<Standing> standing;
   forMet(outline, [&](const Met& met) {
     const auto ratios = ratiosOf(met, near_m);
-    for (Eigen::Index k = 0; k < met.size; ++k) {
+    for (std::size_t k = 0; k < met.size; ++k) {
       const Asked& ray = rays_[met.ray[k]];
       if (ray.tall && std::abs(met.behind(k)) < near_m) standing.push_back({ray.index, ratios[k]});
     }
@@ -329,7 +329,7 @@ double OutlineScorer::Standing::nats() const { return kTemper * static_cast<doub
 int OutlineScorer::framesStandingFor(const Polygon& outline, double near_m) const {
   std::set<std::pair<float, float>> robots;
   forMet(outline, [&](const Met& met) {
-    for (Eigen::Index k = 0; k < met.size; ++k) {
+    for (std::size_t k = 0; k < met.size; ++k) {
       const std::uint32_t ray = met.ray[k];
       if (!rays_[ray].tall || std::abs(met.behind(k)) >= near_m) continue;
       robots.emplace(x_[ray], y_[ray]);

@@ -55,25 +55,25 @@ class OutlineScorer {
   struct Asked {
     float range;
     float share;
-    Eigen::Vector2f normal;  ///< of what is straight or linear
-    std::uint32_t index;     ///< of PlacedRays
-    Likeness along, askew;   ///< to a wall that lies along that, and to others
+    float nx, ny;           ///< across what is straight or linear
+    std::uint32_t index;    ///< of PlacedRays
+    Likeness along, askew;  ///< to a wall that lies along that, and to others
     bool tall;
     bool owned;  ///< by another building
   };
   /// Some of the rays that meet the outline, within the range limit.
   struct Met {
     template <typename T>
-    using Each = Eigen::Array<T, outlines::kBlock, 1>;
+    using Each = std::array<T, outlines::kBlock>;
 
-    Eigen::Index size;
+    std::size_t size;
     Each<std::uint32_t> ray;
     Each<float> range, distance, cosine;
     Each<float> nx, ny;  ///< of the wall, outwards
-    Each<std::int32_t> wall;
+    Each<std::uint32_t> wall;
 
     /// How far the return is behind the wall, across it.
-    double behind(Eigen::Index k) const {
+    double behind(std::size_t k) const {
       return static_cast<double>((range[k] - distance[k]) * cosine[k]);
     }
   };
