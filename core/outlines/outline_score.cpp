@@ -32,7 +32,7 @@ class ReturnTable {
     std::ranges::transform(kRates, ratios_.begin(), [](const Rates& rates) {
       return static_cast<float>(kStopped * rates.of_walls / rates.of_others);
     });
-    for (int level = kLeastLevel; level <= kMostLevel; ++level) {
+    for (int level = least_; level <= most_; ++level) {
       const double ratio = middleOfQuarterOctave(level);
       addRow([&](double z) {
         const double behind = 0.5 * std::erfc(-z / std::numbers::sqrt2);
@@ -45,33 +45,31 @@ class ReturnTable {
 
   float operator()(Likeness likeness, float z, float per_sigma) const {
     // The first and the last are for what is out of reach.
-    const float column = std::clamp((z + walls::kReach) * kPerSigma + 1.0F, 0.0F, kLastColumn);
+    const float column =
+        std::clamp((z + walls::kReach) * steps_per_sigma_ + 1.0F, 0.0F, kTableSteps + 1.0F);
     const float ratio = ratios_[static_cast<std::size_t>(likeness)] * per_sigma;
-    const int level = std::clamp(quarterOctave(ratio), kLeastLevel, kMostLevel) - kLeastLevel;
-    const int row = likeness == Likeness::Through ? kThrough : level;
-    return table_[static_cast<std::size_t>(row * (kTableSteps + 2)) +
+    const int level =
+        likeness == Likeness::Through ? most_ + 1 : std::clamp(quarterOctave(ratio), least_, most_);
+    return table_[static_cast<std::size_t>((level - least_) * (kTableSteps + 2)) +
                   static_cast<std::size_t>(column)];
   }
 
  private:
-  static constexpr int kLeastLevel = quarterOctave(kLeastRatio);
-  static constexpr int kMostLevel = quarterOctave(kMostRatio);
-  static constexpr int kThrough = kMostLevel - kLeastLevel + 1;
-  static constexpr float kLastColumn = kTableSteps + 1;
-  static constexpr float kPerSigma = kTableSteps / (2.0F * walls::kReach);
-
   template <typename Value>
   void addRow(Value value) {
     table_.push_back(0.0F);
     for (int step = 0; step < kTableSteps; ++step) {
-      const double z = (step + 0.5) / static_cast<double>(kPerSigma) - walls::kReach;
+      const double z = (step + 0.5) / static_cast<double>(steps_per_sigma_) - walls::kReach;
       table_.push_back(static_cast<float>(value(z)));
     }
     table_.push_back(static_cast<float>(kPassed));
   }
 
+  int least_ = quarterOctave(kLeastRatio);  ///< level of the first row
+  int most_ = quarterOctave(kMostRatio);
+  float steps_per_sigma_ = kTableSteps / (2.0F * walls::kReach);
   std::array<float, static_cast<std::size_t>(Likeness::Silent)> ratios_{};  ///< h r / o
-  std::vector<float> table_;
+  std::vector<float> table_;  ///< by level, and a row of what got through; by step, with both ends
 };
 
 float silentAt(float share) {
