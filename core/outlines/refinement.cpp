@@ -24,7 +24,7 @@ Polygon carried(const Polygon& drawn, const DrawingMotion& motion) {
 /// found. The ends of what was seen best are where its returns stop.
 Polygon unseenAsDrawn(const Building& found, const Building& drawn, double size_m,
                       const DrawingMotion& motion, const PlacedRays& placed, double range_limit_m) {
-  const Polygon outline = found.footprint();
+  Polygon outline = found.footprint();
   const Rectangle box = found.box();
   // Not its box(): that of a crooked outline may lie along another wall.
   const Rectangle as_drawn = boundingRectangle(drawn.footprint(), box.heading - motion.turn());

@@ -84,14 +84,14 @@ std::pair<double, double> RowFaces::seenAround(double from, double to) const {
   int all = 0;
   for (int c = at_from; c < at_to; ++c) all += std::max(0, returns_[static_cast<std::size_t>(c)]);
   const double least = kWallShare * all / std::max(1, at_to - at_from);
-  const auto isWall = [&](int cell) { return returns_[static_cast<std::size_t>(cell)] > least; };
+  const auto is_wall = [&](int cell) { return returns_[static_cast<std::size_t>(cell)] > least; };
   int first = at_from;
   int last = at_to;
   for (int c = first - 1; c >= std::max(0, first - gap); --c) {
-    if (isWall(c)) first = c;
+    if (is_wall(c)) first = c;
   }
   for (int c = last + 1; c < std::min(cells_, last + 1 + gap); ++c) {
-    if (isWall(c)) last = c;
+    if (is_wall(c)) last = c;
   }
   return {first < at_from ? band_.from + first * kRowCell_m : from,
           last > at_to ? band_.from + (last + 1) * kRowCell_m : to};

@@ -14,7 +14,7 @@ using namespace trajectory;
 
 namespace {
 
-int cellOf(double v) { return static_cast<int>(std::floor(v / kCell_m) + kSide / 2); }
+int cellOf(double v) { return static_cast<int>(std::floor(v / kCell_m)) + kSide / 2; }
 
 int nearestFace(const Vec2& normal) {
   if (std::abs(normal.x()) >= std::abs(normal.y())) return normal.x() > 0.0 ? 0 : 2;
