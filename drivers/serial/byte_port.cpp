@@ -1,5 +1,6 @@
 #include "drivers/serial/byte_port.h"
 
+#include <QDir>
 #include <QSerialPort>
 #include <QTcpSocket>
 #include <utility>
@@ -25,19 +26,17 @@ bool isFatal(QSerialPort::SerialPortError error) {
   }
 }
 
-/// The path is told as the person wrote it: QSerialPort leaves out "/dev/".
+/// The path is told as the person wrote it: QSerialPort leaves out "/dev/". It locks the name
+/// first, so that of a device that is not there it can say that another program has it.
 QString whyNotOpened(const QSerialPort& serial, const std::string& path) {
-  switch (serial.error()) {
-    case QSerialPort::DeviceNotFoundError:
-      return qPhrase("{} is not there: is it plugged in?", path);
-    case QSerialPort::PermissionError:
-      return qPhrase(
-          "{} may not be opened: another program has it, or you are not in the group dialout",
-          path);
-    default:
-      return QStringLiteral("%1: %2").arg(QString::fromStdString(path),
-                                          qReason(serial.errorString()));
+  if (!QDir(QStringLiteral("/dev")).exists(QString::fromStdString(path))) {
+    return qPhrase("{} is not there: is it plugged in?", path);
   }
+  if (serial.error() == QSerialPort::PermissionError) {
+    return qPhrase(
+        "{} may not be opened: another program has it, or you are not in the group dialout", path);
+  }
+  return QStringLiteral("%1: %2").arg(QString::fromStdString(path), qReason(serial.errorString()));
 }
 
 }  // namespace

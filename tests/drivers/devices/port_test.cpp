@@ -1,3 +1,5 @@
+#include <QLockFile>
+
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -148,14 +150,28 @@ TEST(BytePort, AReasonIsNeverAnUnknownError) {
   EXPECT_EQ(qReason("Connection refused"), "Connection refused");
 }
 
-TEST(BytePort, WhatIsNotThereIsNamed) {
-  BytePort port(SerialAddress{"/dev/no-such-port", 9600}, 1);
+std::string whyNotOpened(const std::string& path) {
+  BytePort port(SerialAddress{path, 9600}, 1);
   std::string why;
   QObject::connect(&port, &BytePort::lost, &port,
                    [&](const QString& reason) { why = reason.toStdString(); });
   port.open();
-  ASSERT_TRUE(waitUntil([&] { return !why.empty(); }));
-  EXPECT_EQ(why, "/dev/no-such-port is not there: is it plugged in?");
+  EXPECT_TRUE(waitUntil([&] { return !why.empty(); }));
+  return why;
+}
+
+TEST(BytePort, WhatIsNotThereIsNamed) {
+  for (const char* path : {"/dev/no-such-port", "no-such-port"}) {
+    EXPECT_EQ(whyNotOpened(path), path + std::string(" is not there: is it plugged in?"));
+  }
+}
+
+// Another program that looks for the same device holds its lock for a moment.
+TEST(BytePort, WhatIsNotThereIsNamedWhoeverLooksForItToo) {
+  QLockFile lock(QStringLiteral("/run/lock/LCK..no-such-port-either"));
+  if (!lock.tryLock()) GTEST_SKIP() << "no lock can be held in /run/lock";
+  EXPECT_EQ(whyNotOpened("/dev/no-such-port-either"),
+            "/dev/no-such-port-either is not there: is it plugged in?");
 }
 
 }  // namespace
