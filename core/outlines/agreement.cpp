@@ -21,14 +21,14 @@ using namespace outlines;
 namespace {
 
 /// How the map lies: shift and turn of the whole about the start, and how far the buildings that
-/// are not drawn right are off together.
-using Lie = Eigen::Matrix<double, 5, 1>;
-using LieMatrix = Eigen::Matrix<double, 5, 5>;
+/// are not drawn right are off together: a shift, and the log of a scale about the start.
+using Lie = Eigen::Matrix<double, 6, 1>;
+using LieMatrix = Eigen::Matrix<double, 6, 6>;
 
 /// How far a side that was seen lies from where it is drawn, outwards.
 struct SideError {
-  using Slope = Eigen::Matrix<double, 1, 5>;
-  Slope slope;         ///< by a Lie; the last two for a building that is drawn wrong
+  using Slope = Eigen::Matrix<double, 1, 6>;
+  Slope slope;         ///< by a Lie; the last three for a building that is drawn wrong
   double error = 0.0;  ///< metres
   double sigma = 0.0;  ///< of the fitted side
 };
@@ -66,8 +66,11 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
     const SideEstimate& side = sides[sideFacing(fitted_heading, normal)];
     if (!side.seen || side.sigma <= 0.0) continue;
     const Vec2 middle = box.centre + 0.5 * (k % 2 == 0 ? box.width : box.depth) * normal;
-    const double turn = normal.dot(perpendicular(middle - origin));
-    building.sides.push_back({{normal.x(), normal.y(), turn, normal.x(), normal.y()},
+    const Vec2 arm = middle - origin;
+    SideError::Slope slope;
+    slope << normal.x(), normal.y(), normal.dot(perpendicular(arm)), normal.x(), normal.y(),
+        normal.dot(arm);
+    building.sides.push_back({slope,
                               farthest(building.fitted, normal) - farthest(building.drawn, normal),
                               std::max(side.sigma, buildings::kFloor_m)});
   }
@@ -277,7 +280,7 @@ class Mixture {
           pull += weight * side.error * slope.transpose();
         };
         SideError::Slope of_right = side.slope;
-        of_right.tail<2>().setZero();
+        of_right.tail<3>().setZero();
         add(of_right, building.right / (side.sigma * side.sigma * (1.0 + off / 9.0)));
         add(side.slope, (1.0 - building.right) * building.of_row / (drawn * drawn));
       }
@@ -309,7 +312,12 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
   }
   shareRows(buildings);
   const double together = std::max(drawing.shiftSigma(), buildings::kFloor_m);
-  Mixture mixture(std::move(buildings), Lie{start_m, start_m, start_turn, together, together});
+  Lie sigma;
+  // Of a start that is said to be off the scale would take a part.
+  const double scale =
+      drawing.start_uncertainty ? 0.0 : drawing.whole.scale.value_or(kUsualScaleSigma);
+  sigma << start_m, start_m, start_turn, together, together, std::max(scale, kLeastShare);
+  Mixture mixture(std::move(buildings), sigma);
   Agreement agreement;
   agreement.refutes_start = mixture.solve(!drawing.start_uncertainty, way_turn);
   const Lie& motion = mixture.lie();

@@ -46,6 +46,25 @@ TEST_F(SimulatedPlaces, ARoughQuarterByLaser) {
   EXPECT_LT(corrected.way_m, 0.3);
 }
 
+/// A quarter farther from the start than all is: it began where it is drawn.
+TEST_F(SimulatedPlaces, ADrawingOfAnotherScale) {
+  ASSERT_EQ(
+      run({"simulate", "--scene", "quarter", "--laser", "--step", "2.5", "--out", "place"}).status,
+      0);
+  Map drawing = readMap("place/sketch.handmap");
+  for (Building& building : drawing.buildings) {
+    Rectangle box = building.box();
+    box.centre = drawing.start->position() + 1.25 * (box.centre - drawing.start->position());
+    box.width *= 1.25;
+    box.depth *= 1.25;
+    building.shape = box;
+  }
+  writeMap(drawing, "drawn.handmap");
+  const Corrected corrected = correct("drawn.handmap");
+  EXPECT_LT(corrected.drawn, 0.3);
+  EXPECT_GT(corrected.refined, 0.7);
+}
+
 TEST_F(SimulatedPlaces, ARoughCampusWhoseDrawnCornersAreWrong) {
   ASSERT_EQ(
       run({"simulate", "--scene", "campus", "--rough", "--seed", "2", "--out", "place"}).status, 0);

@@ -195,6 +195,24 @@ TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
   EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
 }
 
+/// All are off, the more the farther from the start.
+TEST(Agreement, ADrawingOfAnotherScaleDoesNotRefuteTheStart) {
+  for (const double scale : {0.75, 1.3}) {
+    Map drawing = sixHouses();
+    drawing.uncertainty = {2.0, 1.0};
+    Map fitted = drawing;
+    RandomStream random(12);
+    for (Building& house : fitted.buildings) {
+      see(house);
+      std::get<Rectangle>(house.shape).centre *= scale;
+      shift(house, {random.normal(0.0, 1.0), random.normal(0.0, 1.0)});
+    }
+    const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn);
+    EXPECT_FALSE(agreement.refutes_start) << scale;
+    EXPECT_EQ(agreement.motion, Pose2{}) << scale;
+  }
+}
+
 TEST(Agreement, TakesWhatWasNotSeenAsTheRest) {
   const Map drawing = sixHouses();
   Map fitted = drawing;
