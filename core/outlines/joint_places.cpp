@@ -125,7 +125,8 @@ class Places {
       for (const Mode& mode : modes_[i]) {
         const bool may =
             things.empty() || things[i] == kNoMode || areOfOneThing(modeOf(i, things[i]), mode);
-        worth[i].push_back(may ? told(mode.place.score) + mode.place.prior : kNever);
+        worth[i].push_back(may ? told(mode.place.score) + mode.place.prior
+                               : -std::numeric_limits<double>::infinity());
       }
     }
     for (ModeConflict& conflict : conflicts) {

@@ -33,11 +33,14 @@ double priorShift(const OutlineTask& task) {
 class SpreadAlong {
  public:
   SpreadAlong(const Polygon& outline, double prior_m, const OutlineScorer& scorer,
-              const std::optional<RowEnds>& ends)
-      : outline_(outline), prior_m_(prior_m), scorer_(scorer), ends_(ends.value_or(RowEnds{})) {}
+              const std::optional<RowPlace>& in_row)
+      : outline_(outline),
+        prior_m_(prior_m),
+        scorer_(scorer),
+        in_row_(in_row.value_or(RowPlace{})) {}
   double operator()(const Vec2& direction) const {
-    const double along = direction.dot(ends_.along);
-    const double end = along > 0.0 ? ends_.to_sigma : ends_.from_sigma;
+    const double along = direction.dot(in_row_.along);
+    const double end = along > 0.0 ? in_row_.to_sigma : in_row_.from_sigma;
     if (std::abs(along) > std::sqrt(0.5) && end > 0.0) return std::hypot(end, kSlack_m);
     return spreadOfSide(outline_, direction, prior_m_, scorer_);
   }
@@ -46,7 +49,7 @@ class SpreadAlong {
   const Polygon& outline_;
   double prior_m_;
   const OutlineScorer& scorer_;
-  RowEnds ends_;
+  RowPlace in_row_;
 };
 
 /// As the box() of a building of this outline has them.
@@ -86,7 +89,7 @@ class Settling {
         seed_(seed),
         stop_(std::move(stop)),
         owners_(placed.rays.size(), kNobody),
-        row_ends_(tasks.size()),
+        in_row_(tasks.size()),
         settled_(tasks.size()) {
     for (const OutlineTask& task : tasks) priors_.push_back(priorOf(task));
   }
@@ -100,11 +103,11 @@ class Settling {
     places_ = placesTogether(priors_, placed_, range_limit_m_, owners_, seed_, stop_);
     std::ranges::fill(owners_, kNobody);
     std::ranges::fill(settled_, std::nullopt);
-    for (auto& [b, prior, place, ends] :
+    for (auto& [b, prior, place, in_row] :
          dividedTerraces(tasks_, places_, placed_, range_limit_m_, stop_)) {
       priors_[b] = std::move(prior);
       places_[b] = std::move(place);
-      if (places_[b]) row_ends_[b] = ends;
+      if (places_[b]) in_row_[b] = in_row;
     }
     std::vector<std::size_t> order(tasks_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -130,12 +133,13 @@ class Settling {
     if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
+      if (in_row_[i]) result.doubt = in_row_[i]->doubt;
     } else {
       const bool at_start = start >= drawn && startMayBe(priors_[i]);
       result.outline = at_start ? task.start : task.drawn;
     }
     if (result.verdict == Verdict::Moved || std::max(start, drawn) > kLeastEvidence) {
-      const SpreadAlong spread(result.outline, priorShift(task), scorer, row_ends_[i]);
+      const SpreadAlong spread(result.outline, priorShift(task), scorer, in_row_[i]);
       result.estimate = estimateOf(result.outline, task, scorer, spread);
       result.sides = sidesOf(result.outline, task, scorer, spread);
       own(i, result.outline, scorer);
@@ -147,7 +151,7 @@ class Settling {
   FittedOutline fittedBesideOthers(std::size_t i, const OutlineScorer& scorer) const {
     const RandomStream random(seed_, static_cast<std::uint32_t>(i));
     if (places_[i]) {
-      if (row_ends_[i] || !isDisturbed(i, places_[i]->outline)) return *places_[i];
+      if (in_row_[i] || !isDisturbed(i, places_[i]->outline)) return *places_[i];
       return searchNear(places_[i]->move, priors_[i], scorer, random, stop_);
     }
     const auto worth = [&](const FittedOutline& place) {
@@ -193,7 +197,7 @@ class Settling {
   RayOwners owners_;
   std::vector<OutlinePrior> priors_;
   std::vector<std::optional<FittedOutline>> places_;
-  std::vector<std::optional<RowEnds>> row_ends_;  ///< of a house of a terrace
+  std::vector<std::optional<RowPlace>> in_row_;  ///< of a house of a terrace
   std::vector<std::optional<Polygon>> settled_;
 };
 

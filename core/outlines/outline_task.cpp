@@ -46,7 +46,7 @@ OutlinePrior priorOf(const OutlineTask& task) {
 }
 
 OutlineTask asDrawn(OutlineTask task) {
-  task.drawn = task.start = task.as_whole;
+  task.drawn = task.start = task.as_drawn;
   task.shift_m = task.drawn_shift_m;
   task.labelled = false;
   return task;

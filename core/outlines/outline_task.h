@@ -8,8 +8,8 @@ namespace handmap {
 
 /// A building to be fitted.
 struct OutlineTask {
-  Polygon as_whole;            ///< as drawn, carried along with the whole drawing
-  Polygon drawn;               ///< the same, or where what was found beside it says
+  Polygon as_drawn;
+  Polygon drawn;               ///< the same, or where what was found has it
   Polygon start;               ///< where it is looked for first
   double shift_m = 0.0;        ///< how far that may be off, one σ
   double drawn_shift_m = 0.0;  ///< how far the drawn place may be off, one σ

@@ -82,14 +82,11 @@ OutlineTask taskOf(const Map& drawing, std::size_t b, const std::optional<FoundM
       found && (std::max(uncertainty.position, drawing.whole.shift.value_or(0.0)) > kLabelled_m ||
                 !placed.showsStructure());
   OutlineTask task;
-  task.drawn = drawn.footprint();
+  task.as_drawn = task.drawn = drawn.footprint();
   if (to_be_found) {
     const Building& now = found->map.buildings[b];
     task.labelled = isRecognised(now);
-    task.as_whole = carried(task.drawn, found->motion);
-    task.drawn = task.labelled ? task.as_whole : now.footprint();
-  } else {
-    task.as_whole = task.drawn;
+    task.drawn = task.labelled ? carried(task.as_drawn, found->motion) : now.footprint();
   }
   task.start = task.drawn;
   if (!to_be_found) task.whole = drawing.whole;
@@ -135,6 +132,7 @@ Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
       building.estimate = results[b].estimate;
       forgetCertainty(building);
       setSides(building, results[b].sides);
+      if (results[b].doubt > 0.0) setDoubt(building, results[b].doubt);
     } else if (!found || (outline == tasks[b].drawn && isRecognised(building))) {
       // It stays as drawn; what may be said of it is what the drawing says.
       const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);

@@ -23,18 +23,19 @@ struct RowHouse {
 
 /// A part of the row.
 struct RowPart {
-  std::size_t house;  ///< index, or kUndrawn
+  std::size_t house;  ///< index, or kUndrawn: one thing or more
   double from, to;
   double from_sigma, to_sigma;  ///< of an end of the row: 0
+  double probability;           ///< that its middle is of that house
 };
 
 /// What was seen of a stretch from..to says for its being one thing; nats.
 using StretchEvidence = std::function<double(double from, double to)>;
 
-/// The row from `from` to `to` divided among some of the houses, in their order, and undrawn
-/// things; all may be drawn off together by as much as each is. Which is told by the most probable
-/// division, where by the mean of all that have the same parts. Empty where no division is possible
-/// or `stop` was requested.
+/// The row from `from` to `to` divided among some of the houses, in their order, and what is not
+/// drawn; all may be drawn off together. All divisions are counted, each as probable as it is: the
+/// one with most of the row right is told, where its parts end by the mean. Empty where no division
+/// is possible or `stop` was requested.
 std::vector<RowPart> divideRow(const std::vector<RowHouse>& houses, double from, double to,
                                const StretchEvidence& evidence, const std::stop_token& stop = {});
 

@@ -210,7 +210,10 @@ std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& build
     const std::size_t b = among[part.house];
     const Rectangle box = boxOf(part, terrace, faces);
     const OutlinePrior prior = priorOf(asDrawn(buildings.tasks[b]));
-    houses.push_back({b, prior, placedOn(box, prior), {along, part.from_sigma, part.to_sigma}});
+    houses.push_back({b,
+                      prior,
+                      placedOn(box, prior),
+                      {along, part.from_sigma, part.to_sigma, 1.0 - part.probability}});
   }
   for (const std::size_t b : terrace.houses) {
     const bool is_in =

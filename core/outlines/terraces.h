@@ -10,10 +10,11 @@
 
 namespace handmap {
 
-/// How well is told where a house ends along its row, one σ, metres.
-struct RowEnds {
+/// How well is told which part of its row a house is.
+struct RowPlace {
   Vec2 along = Vec2::UnitX();
-  double from_sigma = 0.0, to_sigma = 0.0;
+  double from_sigma = 0.0, to_sigma = 0.0;  ///< of where it ends along that, metres
+  double doubt = 0.0;                       ///< that it is another part, 0 … 1
 };
 
 /// A house of a terrace, looked for as drawn whatever was found for it.
@@ -21,7 +22,7 @@ struct TerraceHouse {
   std::size_t building;
   OutlinePrior prior;
   std::optional<FittedOutline> place;  ///< none: it is none of the terrace, as it seemed
-  RowEnds ends;
+  RowPlace in_row;
 };
 
 /// Places wall to wall are a terrace, with what is seen on from them; one house alone takes as much

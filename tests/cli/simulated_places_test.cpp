@@ -65,6 +65,17 @@ TEST_F(SimulatedPlaces, ADrawingOfAnotherScale) {
   EXPECT_GT(corrected.refined, 0.7);
 }
 
+/// Sheds before the fronts, and no seam to be seen in one of them.
+TEST_F(SimulatedPlaces, HousesWallToWall) {
+  ASSERT_EQ(run({"simulate", "--scene", "terraces", "--laser", "--step", "2", "--sigma", "3",
+                 "--sheds", "--seed", "13", "--out", "place"})
+                .status,
+            0);
+  const Corrected corrected = correct("place/sketch.handmap");
+  EXPECT_LT(corrected.drawn, 0.4);
+  EXPECT_GT(corrected.refined, 0.75);
+}
+
 TEST_F(SimulatedPlaces, ARoughCampusWhoseDrawnCornersAreWrong) {
   ASSERT_EQ(
       run({"simulate", "--scene", "campus", "--rough", "--seed", "2", "--out", "place"}).status, 0);

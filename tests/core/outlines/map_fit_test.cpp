@@ -18,7 +18,7 @@ const Polygon kEll = {{35, 8}, {50, 8}, {50, 20}, {44, 20}, {44, 13}, {35, 13}};
 
 OutlineTask taskFor(const Polygon& drawn, bool rectangle) {
   OutlineTask task;
-  task.as_whole = task.drawn = task.start = drawn;
+  task.as_drawn = task.drawn = task.start = drawn;
   task.shift_m = task.drawn_shift_m = task.size_m = 3.0;
   task.rectangle = rectangle;
   return task;
