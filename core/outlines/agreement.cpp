@@ -38,7 +38,7 @@ struct Compared {
   std::vector<SideError> sides;
   double drawn_sigma = 0.0;  ///< of a side, as the drawing says
   Polygon drawn, fitted;
-  double of_row = 1.0;  ///< share of the houses that it stands wall to wall with, and were seen
+  double of_row = 1.0;  ///< how much it tells of the whole beside those it stands wall to wall with
   bool fixed = false;   ///< right whatever was seen
   double right = 0.5;
 };
@@ -84,7 +84,7 @@ bool touch(const Polygon& a, const Polygon& b) {
   return std::ranges::any_of(a, near(b)) || std::ranges::any_of(b, near(a));
 }
 
-/// Houses of a row are drawn off together, and tell of the whole as one.
+/// Houses of a row are drawn off together in part, and tell less of the whole than as many others.
 void shareRows(std::vector<Compared>& buildings) {
   std::vector<std::size_t> row(buildings.size());
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -98,8 +98,10 @@ void shareRows(std::vector<Compared>& buildings) {
         std::ranges::replace(row, row[a], row[b]);
     }
   }
-  for (std::size_t a = 0; a < buildings.size(); ++a)
-    buildings[a].of_row = 1.0 / static_cast<double>(std::ranges::count(row, row[a]));
+  for (std::size_t a = 0; a < buildings.size(); ++a) {
+    const auto others = static_cast<double>(std::ranges::count(row, row[a]) - 1);
+    buildings[a].of_row = 1.0 / (1.0 + kSharedShift * kSharedShift * others);
+  }
 }
 
 double logNormal(double error, double sigma) {

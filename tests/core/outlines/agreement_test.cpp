@@ -179,20 +179,23 @@ TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
   EXPECT_TRUE(agreement.refutes_start);
   EXPECT_NEAR(agreement.motion.heading, off.heading, toRadians(2.0));
   EXPECT_LT((agreement.motion.position() - off.position()).norm(), 2.0);
-  // Two rows, wall to wall, each drawn off together.
+  // Two rows, wall to wall: what their houses share may be drawn off.
   for (int i = 0; i < 6; ++i) {
     drawing.buildings.push_back(drawing.buildings[static_cast<std::size_t>(i)]);
     fitted.buildings.push_back(fitted.buildings[static_cast<std::size_t>(i)]);
   }
-  for (std::size_t b = 0; b < 12; ++b) {
-    const Vec2 at(10.0 + 12.0 * double(b / 2), b % 2 == 0 ? 15.0 : -15.0);
-    drawing.buildings[b].shape = Rectangle{at, 12.0, 8.0, 0.0};
-    fitted.buildings[b].shape = Rectangle{at + Vec2(5.0, 4.0), 12.0, 8.0, 0.0};
-  }
-  EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
-  // People leave gaps where there are none.
-  for (Building& house : drawing.buildings) std::get<Rectangle>(house.shape).width = 10.0;
-  EXPECT_FALSE(agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start);
+  const auto refutes = [&](const Vec2& rows_off, double drawn_width) {
+    for (std::size_t b = 0; b < 12; ++b) {
+      const Vec2 at(10.0 + 12.0 * double(b / 2), b % 2 == 0 ? 15.0 : -15.0);
+      drawing.buildings[b].shape = Rectangle{at, drawn_width, 8.0, 0.0};
+      fitted.buildings[b].shape = Rectangle{at + rows_off, 12.0, 8.0, 0.0};
+    }
+    return agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start;
+  };
+  EXPECT_FALSE(refutes({2.5, 2.0}, 12.0));
+  EXPECT_FALSE(refutes({2.5, 2.0}, 10.0));  // people leave gaps where there are none
+  EXPECT_TRUE(refutes({5.0, 4.0}, 12.0));
+  EXPECT_TRUE(refutes({5.0, 4.0}, 10.0));
 }
 
 /// All are off, the more the farther from the start.
