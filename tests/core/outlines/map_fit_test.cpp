@@ -200,6 +200,26 @@ TEST(Terraces, HaveNoBuildingsWithWings) {
   EXPECT_EQ(divided(kEll), 0U);
 }
 
+/// Drawn between two parts of the row.
+TEST(Terraces, DoubtAHouseThatMayBeItsNeighbour) {
+  const Polygon first = Rectangle{{9.0, 12.0}, 10.0, 8.0, 0.0}.corners();
+  const Polygon second = Rectangle{{19.0, 12.6}, 10.0, 8.0, 0.0}.corners();
+  const Polygon third = Rectangle{{29.0, 12.0}, 10.0, 8.0, 0.0}.corners();
+  const Polygon last = Rectangle{{39.0, 12.7}, 10.0, 8.0, 0.0}.corners();
+  const Drive drive = drivePast({first, second, third, last});
+  const std::vector<std::optional<FittedOutline>> places = {
+      FittedOutline{first}, FittedOutline{second}, FittedOutline{last}};
+  const auto doubtOfDrawnAt = [&](double x) {
+    const Polygon drawn = moved(second, {x - 19.0, 0.0});
+    const std::vector<OutlineTask> tasks = {taskFor(first, true), taskFor(drawn, true),
+                                            taskFor(last, true)};
+    const auto houses = dividedTerraces(tasks, places, placeRays(drive.seen, drive.way), 40.0, {});
+    return std::ranges::find(houses, 1U, &TerraceHouse::building)->in_row.doubt;
+  };
+  EXPECT_LT(doubtOfDrawnAt(18.5), 0.2);
+  EXPECT_GT(doubtOfDrawnAt(24.5), 0.25);
+}
+
 /// Drawn behind the row, and found where it cannot be.
 TEST(Terraces, HaveNoRoomForOneWhoseOtherPlaceIsWorseStill) {
   const Polygon first = Rectangle{{17.0, 12.6}, 12.0, 8.0, 0.0}.corners();
