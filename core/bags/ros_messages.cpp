@@ -13,7 +13,6 @@ namespace handmap::ros {
 namespace {
 
 constexpr double kFarthest_m = 1e8;
-constexpr double kFarthestPoint_m = 1e4;
 constexpr std::size_t kMostRays = 100'000;
 constexpr std::size_t kMostPoints = 4'000'000;
 constexpr std::uint32_t kMostPointBytes = 4096;

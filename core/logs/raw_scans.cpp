@@ -5,6 +5,7 @@
 
 #include "core/base/phrase.h"
 #include "core/base/text.h"
+#include "core/recording/laser_scan.h"
 #include "core/recording/time_limits.h"
 
 namespace handmap {
@@ -163,13 +164,13 @@ RayAngles anglesOf(const RawLog& raw, const LogOptions& options, std::size_t cou
       phrase("FIRST:STEP in degrees, 0 ahead, positive to the left, as -90:0.5"));
 }
 
-/// Whole points, scaled.
+/// Scaled; what no scanner sees is left out.
 void scale(std::vector<RangePoint>& points, double metres) {
-  std::erase_if(points, [](const RangePoint& p) {
-    return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z);
-  });
   const auto factor = static_cast<float>(metres);
   for (RangePoint& p : points) p = {factor * p.x, factor * p.y, factor * p.z, p.w};
+  const auto is_near = [](float value) { return std::abs(value) <= kFarthestPoint_m; };
+  std::erase_if(
+      points, [&](const RangePoint& p) { return !is_near(p.x) || !is_near(p.y) || !is_near(p.z); });
 }
 
 }  // namespace

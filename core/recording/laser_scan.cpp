@@ -8,8 +8,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kFarthestPoint_m = 1e4;
-
 template <typename Real>
 double realAt(const char* at, bool big) {
   char raw[sizeof(Real)];

@@ -9,6 +9,8 @@
 
 namespace handmap {
 
+inline constexpr double kFarthestPoint_m = 1e4;  ///< no scanner sees as far
+
 /// As sensor_msgs/LaserScan has it: metres, radians, counter-clockwise.
 struct LaserScan {
   double first_rad = 0.0;

@@ -15,7 +15,6 @@ namespace handmap {
 namespace {
 
 constexpr double kFarthest_m = 1e7;
-constexpr double kFarthestPoint_m = 1e4;
 constexpr std::size_t kMostRays = 100'000;
 constexpr std::int64_t kMostPoints = 2'000'000;
 constexpr std::int64_t kMostPointBytes = 1024;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -254,6 +255,19 @@ TEST_F(Logs, OfArrays) {
   EXPECT_EQ(log.scans[0].points.size(), 181U);
   EXPECT_EQ(log.poses[1].pose.x, 1.0);
   EXPECT_EQ(log.poses[1].time_s, 6.0);
+}
+
+TEST_F(Logs, PointsThatNoScannerSeesAreLeftOut) {
+  LogOptions options;
+  options.rate_hz = 10.0;
+  const float far = -1.7e38F;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Log log = read(
+      "a.npy", npy<float>("<f4", "1, 5, 3", {far, far, far, 1, 2, 3, nan, 0, 0, 4, 5, 6, 7, 8, 9}),
+      options);
+  ASSERT_EQ(log.scans.size(), 1U);
+  ASSERT_EQ(log.scans[0].points.size(), 3U);
+  EXPECT_EQ(log.scans[0].points[0].y, 2.0F);
 }
 
 TEST_F(Logs, WhatCannotBeSeenIsAskedFor) {
