@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "core/geometry/pose2.h"
 
