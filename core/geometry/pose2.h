@@ -16,6 +16,7 @@ constexpr double toDegrees(double radians) { return radians * (180.0 / kPi); }
 
 /// The same angle in (-π, π].
 inline double normalizedAngle(double angle_rad) {
+  if (std::abs(angle_rad) < kPi) return angle_rad;  // mostly, and a division costs
   const double wrapped = std::remainder(angle_rad, 2.0 * kPi);
   return wrapped == -kPi ? kPi : wrapped;
 }

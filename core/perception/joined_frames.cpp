@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/geometry/to_outer.h"
 #include "core/perception/constants.h"
 #include "core/perception/range_walls.h"
 
@@ -29,8 +30,9 @@ std::int64_t keyOf(const Cell& cell) {
 std::vector<Eigen::Vector3d> placed(const std::vector<RangePoint>& points, const Pose2& odometry) {
   std::vector<Eigen::Vector3d> places;
   places.reserve(points.size());
+  const ToOuter outer(odometry);
   for (const RangePoint& p : points) {
-    const Vec2 at = odometry.toOuter(Vec2(static_cast<double>(p.x), static_cast<double>(p.y)));
+    const Vec2 at = outer(Vec2(static_cast<double>(p.x), static_cast<double>(p.y)));
     places.emplace_back(at.x(), at.y(), static_cast<double>(p.z));
   }
   return places;

@@ -39,7 +39,9 @@ bool isPlanar(const std::vector<RangePoint>& points) {
 }
 
 bool givesOneReturnADirection(const std::vector<RangePoint>& points) {
+  const auto count = static_cast<double>(points.size());
   if (isPlanar(points)) return true;
+  if (count > kMostADirection * static_cast<double>(kDegrees)) return false;
   std::array<bool, kDegrees> any{};
   for (const RangePoint& p : points) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
@@ -48,7 +50,7 @@ bool givesOneReturnADirection(const std::vector<RangePoint>& points) {
     any[std::min(static_cast<std::size_t>(share * kDegrees), kDegrees - 1)] = true;
   }
   const auto directions = static_cast<double>(std::count(any.begin(), any.end(), true));
-  return static_cast<double>(points.size()) <= kMostADirection * directions;
+  return count <= kMostADirection * directions;
 }
 
 RangeWalls::RangeWalls(double range_limit_m, const WallFilter& filter)
@@ -71,13 +73,14 @@ std::vector<WallPoint> RangeWalls::standing(const std::vector<RangePoint>& point
                                             const Pose2& odometry) {
   columns_.assign(cells_.count(), {kUnknownHeight_m, -kUnknownHeight_m, 0});
   const GroundHeight ground(points, range_limit_m_);
-  for (const RangePoint& p : points) add(p, ground, odometry);
+  const ToOuter outer(odometry);
+  for (const RangePoint& p : points) add(p, ground, outer);
   const PlaneCells spots(range_limit_m_, static_cast<float>(kMapCell_m));
   std::vector<std::uint8_t> taken(spots.count(), 0);
   std::vector<WallPoint> walls;
   for (const RangePoint& p : points) {
     const std::size_t cell = cells_.of(p.x, p.y);
-    if (!isWall(columns_[cell], odometry.toOuter(cells_.centreOf(cell)))) continue;
+    if (!isWall(columns_[cell], outer(cells_.centreOf(cell)))) continue;
     std::uint8_t& votes = taken[spots.of(p.x, p.y)];
     if (votes == kSpotPoints) continue;
     ++votes;
@@ -86,7 +89,7 @@ std::vector<WallPoint> RangeWalls::standing(const std::vector<RangePoint>& point
   return walls;
 }
 
-void RangeWalls::add(const RangePoint& p, const GroundHeight& ground, const Pose2& odometry) {
+void RangeWalls::add(const RangePoint& p, const GroundHeight& ground, const ToOuter& outer) {
   const float height = p.z - ground.at(p.x, p.y);
   if (height <= static_cast<float>(filter_.max_height_m)) {
     Column& column = columns_[cells_.of(p.x, p.y)];
@@ -94,7 +97,7 @@ void RangeWalls::add(const RangePoint& p, const GroundHeight& ground, const Pose
     column.high = std::max(column.high, height);
     ++column.count;
   }
-  low_things_.addStop(odometry.toOuter({p.x, p.y}), height);
+  low_things_.addStop(outer({p.x, p.y}), height);
   const auto sensor = static_cast<float>(filter_.sensor_height_m);
   if (p.z <= sensor) return;
   const float range = std::hypot(p.x, p.y);
@@ -105,7 +108,7 @@ void RangeWalls::add(const RangePoint& p, const GroundHeight& ground, const Pose
   for (float at = std::max(lowest / rise, kPassStep_m); at < last; at += kPassStep_m) {
     const float x = p.x * at / range;
     const float y = p.y * at / range;
-    low_things_.addPass(odometry.toOuter({x, y}), sensor + at * rise - ground.at(x, y));
+    low_things_.addPass(outer({x, y}), sensor + at * rise - ground.at(x, y));
   }
 }
 

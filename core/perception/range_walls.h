@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/geometry/to_outer.h"
 #include "core/perception/ground_height.h"
 #include "core/perception/low_things.h"
 #include "core/perception/wall_points.h"
@@ -36,7 +37,7 @@ class RangeWalls {
   };
 
   std::vector<WallPoint> standing(const std::vector<RangePoint>& points, const Pose2& odometry);
-  void add(const RangePoint& point, const GroundHeight& ground, const Pose2& odometry);
+  void add(const RangePoint& point, const GroundHeight& ground, const ToOuter& outer);
   bool isWall(const Column& column, const Vec2& at) const;
 
   float range_limit_m_;

@@ -2,6 +2,7 @@
 // holds. Poses are (x, y, heading), changed by addition.
 #pragma once
 
+#include "core/geometry/to_outer.h"
 #include "core/trajectory/scan_features.h"
 
 namespace handmap {
@@ -16,7 +17,7 @@ struct LineFactor {
     double residual;
     Eigen::RowVector3d slope;
   };
-  Value at(const Pose2& pose) const;
+  Value at(const ToOuter& robot) const;
 };
 
 /// A return at a point of the map: two residuals.
@@ -29,7 +30,7 @@ struct PointFactor {
     Vec2 residual;
     Eigen::Matrix<double, 2, 3> slope;
   };
-  Value at(const Pose2& pose) const;
+  Value at(const ToOuter& robot) const;
 };
 
 }  // namespace handmap

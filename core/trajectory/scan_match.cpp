@@ -46,7 +46,7 @@ MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& ma
     const double chance = std::max(p.chance, near->chance);
     const double bend = (kKernelGates * gate_m / sigma) * (kKernelGates * gate_m / sigma);
     if (p.straight()) {
-      const LineFactor::Value value = LineFactor{p.at, *near, sigma}.at(pose);
+      const LineFactor::Value value = LineFactor{p.at, *near, sigma}.at(moved);
       const double square = value.residual * value.residual;
       const double weight = cauchyWeight(square, bend);
       sums.squares += weight * square;
@@ -55,7 +55,7 @@ MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& ma
       sums.gradient += kShared * weight * value.slope.transpose() * value.residual;
       sums.chance += kShared * weight * chance / (sigma * sigma);
     } else {
-      const PointFactor::Value value = PointFactor{p.at, near->at, sigma}.at(pose);
+      const PointFactor::Value value = PointFactor{p.at, near->at, sigma}.at(moved);
       const double weight = kShared * cauchyWeight(value.residual.squaredNorm(), bend);
       sums.add(value.slope, value.residual, weight);
       sums.chance += weight * chance / (sigma * sigma);

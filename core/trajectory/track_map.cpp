@@ -45,8 +45,9 @@ std::optional<ScanMatch> TrackMap::match(const std::vector<TrackedPoint>& seen,
       Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
       double squares = 1.0;  // as one residual more that is as the model has it
       double weights = 1.0;
+      const ToOuter robot(match.pose);
       for (const auto& [point, landmark] : known) {
-        const auto value = PointFactor{point->at, landmark->at, 1.0}.at(match.pose);
+        const auto value = PointFactor{point->at, landmark->at, 1.0}.at(robot);
         const Eigen::Matrix2d certainty =
             (covarianceOf(point->at, match.pose) + landmark->covariance).inverse();
         const double square = value.residual.dot(certainty * value.residual);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/to_outer.h"
+
 namespace handmap {
 
 PoseAtBox::PoseAtBox(const Box& box, const Pose2& robot) {
@@ -25,12 +27,13 @@ BoxSlabs::BoxSlabs(const Box& box, const PoseAtBox& robot) : robot_(robot) {
 }
 
 BoxView::BoxView(const Box& box, const Pose2& robot) : BoxSlabs(box, robot) {
-  const Vec2 middle = robot.toOwn(box.rectangle().centre);
+  const ToOuter own(inverse(robot));
+  const Vec2 middle = own(box.rectangle().centre);
   const double direction = std::atan2(middle.y(), middle.x());
   double low = 0.0;
   double high = 0.0;
   for (const Vec2& outer : box.corners()) {
-    const Vec2 corner = robot.toOwn(outer);
+    const Vec2 corner = own(outer);
     const double turn = normalizedAngle(std::atan2(corner.y(), corner.x()) - direction);
     low = std::min(low, turn);
     high = std::max(high, turn);
