@@ -15,9 +15,12 @@ struct Box {
   std::array<double, 4> reach{};
 
   Pose2 frame() const { return {pivot.x(), pivot.y(), heading}; }
-  Vec2 normal(std::size_t wall) const {
-    return unitVector(heading + static_cast<double>(wall) * kPi / 2.0);
+  std::array<Vec2, 4> normals() const {
+    const Vec2 u = unitVector(heading);
+    const Vec2 v = perpendicular(u);
+    return {u, v, -u, -v};
   }
+  Vec2 normal(std::size_t wall) const { return normals()[wall]; }
   Rectangle rectangle() const {
     const Vec2 u = unitVector(heading);
     const Vec2 centre =

@@ -33,12 +33,13 @@ struct Stretch {
 std::optional<Stretch> stretchOn(const Box& box, const FoundWall& wall) {
   const Vec2 middle = (wall.a + wall.b) / 2.0;
   const Vec2 outward = -perpendicular(unitVector(wall.heading()));
+  const std::array<Vec2, 4> normals = box.normals();
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 normal = box.normal(k);
+    const Vec2& normal = normals[k];
     if (normal.dot(outward) < std::cos(kParallel)) continue;
     if (std::abs(normal.dot(middle - box.pivot) - box.reach[k]) > kNear_m) continue;
     Stretch stretch{k, 0.0, 0.0};
-    const Vec2 along = box.normal(stretch.second());
+    const Vec2& along = normals[stretch.second()];
     stretch.begin = along.dot(wall.a - box.pivot);
     stretch.end = along.dot(wall.b - box.pivot);
     if (stretch.begin > box.reach[stretch.second()]) continue;

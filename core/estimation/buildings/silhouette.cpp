@@ -60,14 +60,16 @@ std::optional<SeenEnd> located(const std::vector<Boundary>& boundaries) {
 std::vector<VisibleEnd> visibleEnds(const Box& box, const Frame& frame, const SensorModel& sensor) {
   std::vector<VisibleEnd> ends;
   const Vec2 robot = frame.pose.position();
+  const std::array<Vec2, 4> normals = box.normals();
+  const std::array<Vec2, 4> corners = box.corners();
   std::array<bool, 4> visible{};
   for (std::size_t k = 0; k < visible.size(); ++k) {
-    visible[k] = box.normal(k).dot(robot - box.corner(k)) > 0.0;
+    visible[k] = normals[k].dot(robot - corners[k]) > 0.0;
   }
   for (std::size_t k = 0; k < visible.size(); ++k) {
     const std::size_t next = (k + 1) % visible.size();
     if (visible[k] == visible[next]) continue;
-    const Vec2 offset = box.corner(k) - robot;
+    const Vec2 offset = corners[k] - robot;
     const double distance = offset.norm();
     if (distance > sensor.rangeLimit() || distance < kNearest_m) continue;
     // Counter-clockwise along the walls, wall k ends at corner k and wall k + 1 begins there: seen
@@ -75,7 +77,7 @@ std::vector<VisibleEnd> visibleEnds(const Box& box, const Frame& frame, const Se
     const double sign = visible[k] ? -1.0 : 1.0;
     const double bearing = normalizedAngle(std::atan2(offset.y(), offset.x()) - frame.pose.heading);
     const double width = std::min(kWidest, kSideways_m / distance);
-    const Vec2 normal = box.normal(visible[k] ? k : next);
+    const Vec2& normal = normals[visible[k] ? k : next];
     const Vec2 own_normal = frame.pose.toOwn(robot + normal);
     const double to_wall = normal.dot(offset);
     VisibleEnd end{k, bearing, sign, distance, {}};

@@ -13,10 +13,11 @@ DrawnBox::DrawnBox(const Rectangle& drawn, const Uncertainty& uncertainty,
   const Vec2 from_origin = drawn.centre - motion.origin;
   const Vec2 centre = motion(drawn.centre) - frame.pivot;
   const auto [position, size] = uncertainty;
+  const std::array<Vec2, 4> normals = frame.normals();
   covariance_.setZero();
   for (int k = 0; k < 4; ++k) {
     const auto wall = static_cast<std::size_t>(k);
-    const Vec2 normal = frame.normal(wall);
+    const Vec2& normal = normals[wall];
     const double half = turned.reach[wall];
     mean_[k] = normal.dot(centre) + scale * half;
     slope_.row(k) << normal.dot(from_origin) + half * motion.mean[0] / scale,

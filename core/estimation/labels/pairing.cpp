@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include <Eigen/Cholesky>
 
@@ -31,22 +30,6 @@ double compareHeading(double drawn, const FoundBox& found, double heading_sigma,
   return price;
 }
 
-/// Walls that are beyond the gate already each for itself.
-int farWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox& found,
-             const SeenWalls& seen) {
-  int far = 0;
-  for (int i = 0; i < seen.count; ++i) {
-    const int k = seen.index[static_cast<std::size_t>(i)];
-    const auto wall = static_cast<std::size_t>(k);
-    const double error = found.box.reach[wall] - prior.mean()[k];
-    const auto slope = prior.slope().row(k);
-    const double variance = prior.covariance()(k, k) + buildings::kFloor_m * buildings::kFloor_m +
-                            found.covariance(k, k) + (slope * motion.covariance).dot(slope);
-    far += static_cast<int>(error * error > kGate * variance);
-  }
-  return far;
-}
-
 /// Whether all of it was seen well and it is a thing of the size of a car, which no larger building
 /// is, however wrong sizes may be drawn: where they are off by 3 m, a car is 2.3 σ from a house of
 /// 9 m.
@@ -61,38 +44,53 @@ bool isCar(const Rectangle& drawn, const DrawingMotion& motion, const FoundBox& 
   return is_small(found.box.rectangle(), 1.0) && !is_small(drawn, motion.scale());
 }
 
-/// How well some walls of a found box fit a drawn one, and what they say of the whole drawing.
+/// How well walls of a found box fit a drawn one. What was not seen is a row that says nothing.
 struct Match {
-  double distance;  ///< squared Mahalanobis
-  double log_likelihood;
-  Eigen::Vector4d mean_change;
-  Eigen::Matrix4d covariance_change;
+  Eigen::Matrix4d slope = Eigen::Matrix4d::Zero();  ///< of the errors, by the motion
+  Eigen::Vector4d error = Eigen::Vector4d::Zero();
+  Eigen::Vector4d variance;  ///< of each wall for itself
+  Eigen::Matrix4d weight;    ///< of the errors together: their covariance inverted
+  double distance = 0.0;     ///< squared Mahalanobis
+  double log_likelihood = 0.0;
+
+  /// The same with one wall less: what it is off where the others are known says what it added.
+  Match without(int wall) const {
+    Match rest = *this;
+    const Eigen::Vector4d column = weight.col(wall);
+    const double added = column.dot(error) * column.dot(error) / column[wall];
+    rest.weight -= column * column.transpose() / column[wall];
+    rest.distance -= added;
+    rest.log_likelihood += 0.5 * (added + std::log(2.0 * kPi / column[wall]));
+    return rest;
+  }
 };
 
 Match compareWalls(const DrawnBox& prior, const DrawingMotion& motion, const FoundBox& found,
-                   std::span<const int> walls) {
-  const auto count = static_cast<Eigen::Index>(walls.size());
-  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::DontAlign, 4, 4> slope(count, 4);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1> error(count);
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4> covariance(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const int k = walls[static_cast<std::size_t>(i)];
-    slope.row(i) = prior.slope().row(k);
-    error[i] = found.box.reach[static_cast<std::size_t>(k)] - prior.mean()[k];
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const int other = walls[static_cast<std::size_t>(j)];
-      covariance(i, j) = prior.covariance()(k, other) + found.covariance(k, other);
+                   const SeenWalls& seen) {
+  Match match;
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
+  for (int i = 0; i < seen.count; ++i) {
+    const int k = seen.index[static_cast<std::size_t>(i)];
+    match.slope.row(k) = prior.slope().row(k);
+    match.error[k] = found.box.reach[static_cast<std::size_t>(k)] - prior.mean()[k];
+    for (int j = 0; j < seen.count; ++j) {
+      const int other = seen.index[static_cast<std::size_t>(j)];
+      covariance(k, other) = prior.covariance()(k, other) + found.covariance(k, other);
     }
-    covariance(i, i) += buildings::kFloor_m * buildings::kFloor_m;
+    covariance(k, k) += buildings::kFloor_m * buildings::kFloor_m;
   }
-  covariance += slope * motion.covariance * slope.transpose();
-  const Eigen::LLT<decltype(covariance)> factor(covariance);
-  const double distance = error.dot(factor.solve(error));
-  const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum() +
-                                 static_cast<double>(count) * std::log(2.0 * kPi);
-  const auto seen_by_motion = (slope * motion.covariance).eval();
-  const auto gain = factor.solve(seen_by_motion).transpose().eval();
-  return {distance, -0.5 * (distance + log_determinant), gain * error, gain * seen_by_motion};
+  covariance += match.slope * motion.covariance * match.slope.transpose();
+  const Eigen::LLT<Eigen::Matrix4d> factor(covariance);
+  Eigen::Matrix4d whitened;  // column by column: so Eigen does it without loops
+  for (int k = 0; k < 4; ++k) {
+    whitened.col(k) = factor.matrixL().solve(Eigen::Vector4d::Unit(k));
+  }
+  match.variance = covariance.diagonal();
+  match.weight = whitened.transpose() * whitened;
+  match.distance = (whitened * match.error).squaredNorm();
+  match.log_likelihood = std::log(whitened.diagonal().prod()) - 0.5 * match.distance -
+                         0.5 * static_cast<double>(seen.count) * std::log(2.0 * kPi);
+  return match;
 }
 
 }  // namespace
@@ -108,23 +106,26 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
   result.log_likelihood = -compareHeading(drawn.heading, found, options.heading_sigma, motion);
   if (isCar(drawn, motion, found)) return std::nullopt;
   const DrawnBox prior(drawn, uncertainty, motion, found.box);
-  if (farWalls(prior, motion, found, seen) > 1) return std::nullopt;
-  const auto count = static_cast<std::size_t>(seen.count);
-  Match match = compareWalls(prior, motion, found, {seen.index.data(), count});
+  Match match = compareWalls(prior, motion, found, seen);
+  // Two walls are beyond the gate already each for itself.
+  if ((match.error.array().square() > kGate * match.variance.array()).count() > 1) {
+    return std::nullopt;
+  }
   // A wall may be of something built on to the building.
-  const bool surprising = match.distance > kSurprising;
-  for (std::size_t out = 0; surprising && count > 1 && out < count; ++out) {
-    std::array<int, 4> others{};
-    std::remove_copy(seen.index.begin(), seen.index.begin() + seen.count, others.begin(),
-                     seen.index[out]);
-    Match without = compareWalls(prior, motion, found, {others.data(), count - 1});
-    without.log_likelihood += std::log(options.built_on / buildings::kChance_m);
-    if (without.log_likelihood > match.log_likelihood) match = without;
+  if (match.distance > kSurprising && seen.count > 1) {
+    const Match all = match;
+    for (int i = 0; i < seen.count; ++i) {
+      Match rest = all.without(seen.index[static_cast<std::size_t>(i)]);
+      rest.log_likelihood += std::log(options.built_on / buildings::kChance_m);
+      if (rest.log_likelihood > match.log_likelihood) match = rest;
+    }
   }
   if (!(match.distance <= kGate)) return std::nullopt;
   result.log_likelihood += match.log_likelihood;
-  motion.mean += match.mean_change;
-  motion.covariance -= match.covariance_change;
+  const Eigen::Matrix4d seen_by_motion = match.slope * motion.covariance;
+  const Eigen::Matrix4d gain = seen_by_motion.transpose() * match.weight;
+  motion.mean += gain * match.error;
+  motion.covariance -= gain * seen_by_motion;
   return result;
 }
 

@@ -51,9 +51,8 @@ ReturnFactors::ReturnFactors(const Pose2& pose, const Box& box, const SensorMode
       errors_(errors),
       cos_(std::cos(pose.heading)),
       sin_(std::sin(pose.heading)),
-      along_(unitVector(box.heading)) {
-  for (std::size_t k = 0; k < 4; ++k) normals_[k] = box.normal(k);
-}
+      along_(unitVector(box.heading)),
+      normals_(box.normals()) {}
 
 std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(
     const FrameRay& ray, const Entry& entry) const {
@@ -61,7 +60,8 @@ std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(
   // Near the limit only the returns that noise makes shorter come back.
   if (entry.distance + kNearLimit * noise > sensor_.rangeLimit()) return std::nullopt;
   const double cosine = std::max(entry.cosine, buildings::kLeastCosine);
-  const double sigma = std::hypot(noise, errors_.slack_m / cosine);
+  const double slack = errors_.slack_m / cosine;
+  const double sigma = std::sqrt(noise * noise + slack * slack);
   const double squared = static_cast<double>(entry.distance * entry.distance);
   const double range_error =
       static_cast<double>(ray.sight.range - entry.distance) - errors_.bias_per_m * squared;
