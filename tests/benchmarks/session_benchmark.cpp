@@ -1,4 +1,4 @@
-// What a run costs beside estimating: its snapshots, and how soon it hears that it shall stop.
+// What a run costs: its observations, its snapshots, and how soon it hears that it shall stop.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include <Eigen/Core>
 #include <benchmark/benchmark.h>
 #include <pthread.h>
 #include <time.h>
@@ -84,6 +85,64 @@ void doneAgain(benchmark::State& state) {
   for (auto _ : state) run("sketch-b.handmap");
 }
 BENCHMARK(doneAgain)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// What a product of two matrices of 256 × 256 takes on this machine, just now.
+double productMs() {
+  const Eigen::MatrixXd a = Eigen::MatrixXd::Random(256, 256);
+  std::vector<double> all;
+  for (int i = 0; i < 21; ++i) {
+    const auto begin = Clock::now();
+    benchmark::DoNotOptimize(Eigen::MatrixXd(a * a).data());
+    all.push_back(millisecondsSince(begin));
+  }
+  std::ranges::nth_element(all, all.begin() + 10);
+  return all[10];
+}
+
+struct Place {
+  const char* folder;
+  const char* drawing = "sketch-a";
+  int from = 0;
+  SourceKind kind = SourceKind::Points;
+};
+
+/// Reading, judging and estimating of one observation of real and simulated places, on one thread:
+/// the slowest of twenty, that beside a product of matrices, and the slowest of all.
+void observation(benchmark::State& state, const Place& place) {
+  const std::filesystem::path folder = std::filesystem::path(HANDMAP_SHARED_DATA) / place.folder;
+  if (!std::filesystem::exists(folder)) return state.SkipWithError("needs the place");
+  const Map drawing = readMap(folder / (std::string(place.drawing) + ".handmap"));
+  ReplayOptions options;
+  options.from = place.from;
+  options.kind = place.kind;
+  RunSettings settings;
+  settings.threads = 1;
+  std::vector<double> all;
+  for (auto _ : state) {
+    auto source = replay(openRecording(folder), options);
+    const auto last = static_cast<std::size_t>(source->info().observations);
+    RunSession session(drawing, std::move(source), settings);
+    while (session.frames().size() < last && session.step()) {
+    }
+    for (const FrameReport& frame : session.frames()) all.push_back(frame.ms.total);
+  }
+  std::ranges::sort(all);
+  const double p95 = all[all.size() * 95 / 100];
+  state.counters["p95_ms"] = p95;
+  state.counters["p95_products"] = p95 / productMs();
+  state.counters["longest_ms"] = all.back();
+}
+BENCHMARK_CAPTURE(observation, campus, Place{"campus", "sketch-d"})->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, corner, Place{"corner"})->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, street_by_lidar, Place{"street", "sketch-a", 40})
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, street_by_images,
+                  Place{"street", "sketch-a", 40, SourceKind::Images})
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, boulevard, Place{"boulevard/dense"})->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, rough_quarter, Place{"laser-sim/rough-1"})->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, terrace, Place{"laser-sim/terrace-1"})->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(observation, town, Place{"laser-sim/town"})->Unit(benchmark::kSecond);
 
 /// Of the last of as many frames: all of a step that its report does not count as its own.
 void snapshot(benchmark::State& state) {
