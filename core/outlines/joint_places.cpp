@@ -28,15 +28,6 @@ double sharedNats(const Standing& one, const Standing& other) {
   return shared;
 }
 
-/// What evidence tells of which thing a building is: that one stands there, and ever less how much
-/// of it is seen. A long wall explains more than the right one.
-double ofWhichThing(double nats) {
-  return nats > 0.0 ? kLeastEvidence * std::log1p(nats / kLeastEvidence) : nats;
-}
-/// What it tells of where on one thing a building stands.
-double ofWhere(double nats) { return nats; }
-using Told = double (*)(double);
-
 /// Of the smaller one's area.
 double overlapCost(const Polygon& one, const Polygon& other) {
   const double least = std::min(std::abs(signedArea(one)), std::abs(signedArea(other)));
@@ -98,8 +89,8 @@ class Places {
   /// First which thing each building is, then where on that it stands.
   std::vector<std::optional<FittedOutline>> choose() const {
     const std::vector<ModeConflict> conflicts = conflictsAmong();
-    const std::vector<int> things = chosen(conflicts, ofWhichThing);
-    const std::vector<int> modes = chosen(conflicts, ofWhere, things);
+    const std::vector<int> things = chosen(conflicts, &Mode::ofWhichThing);
+    const std::vector<int> modes = chosen(conflicts, &Mode::ofWhere, things);
     std::vector<std::optional<FittedOutline>> places(priors_.size());
     for (std::size_t i = 0; i < priors_.size(); ++i) {
       if (modes[i] != kNoMode) places[i] = modeOf(i, modes[i]).place;
@@ -111,7 +102,19 @@ class Places {
   struct Mode {
     FittedOutline place;
     Standing standing;
+    double against = 0.0;  ///< of its score, what walls tell that speak against it; at most 0
+
+    /// What the evidence tells of where on one thing the building stands, some nats taken off.
+    double ofWhere(double less) const { return place.score - less; }
+    /// What it tells of which thing the building is: that one stands there, and ever less how much
+    /// of it is seen. A long wall explains more than the right one; walls where rays go through
+    /// count in full.
+    double ofWhichThing(double less) const {
+      const double seen = place.score - against - less;
+      return against + (seen > 0.0 ? kLeastEvidence * std::log1p(seen / kLeastEvidence) : seen);
+    }
   };
+  using Told = double (Mode::*)(double) const;
 
   const Mode& modeOf(std::size_t i, int mode) const {
     return modes_[i][static_cast<std::size_t>(mode)];
@@ -125,13 +128,13 @@ class Places {
       for (const Mode& mode : modes_[i]) {
         const bool may =
             things.empty() || things[i] == kNoMode || areOfOneThing(modeOf(i, things[i]), mode);
-        worth[i].push_back(may ? told(mode.place.score) + mode.place.prior
+        worth[i].push_back(may ? (mode.*told)(0.0) + mode.place.prior
                                : -std::numeric_limits<double>::infinity());
       }
     }
     for (ModeConflict& conflict : conflicts) {
       const auto lost = [&](const Mode& mode) {
-        return told(mode.place.score) - told(mode.place.score - conflict.cost);
+        return (mode.*told)(0.0) - (mode.*told)(conflict.cost);
       };
       conflict.cost = std::min(lost(modes_[conflict.building][conflict.mode]),
                                lost(modes_[conflict.other][conflict.other_mode]));
@@ -154,7 +157,11 @@ class Places {
   }
   void add(std::size_t i, FittedOutline place, const OutlineScorer& scorer) {
     Standing standing = scorer.standingFor(place.outline, kOwnedWithin_m);
-    modes_[i].push_back({std::move(place), std::move(standing)});
+    double against = 0.0;
+    for (const double nats : scorer.ofWalls(place.outline, kSlack_m)) {
+      against += std::min(0.0, nats);
+    }
+    modes_[i].push_back({std::move(place), std::move(standing), against});
   }
 
   /// Where the best place of the rival has the returns of its own.

@@ -283,6 +283,17 @@ double OutlineScorer::operator()(const Polygon& outline, double slack_m) const {
   return score;
 }
 
+std::vector<double> OutlineScorer::ofWalls(const Polygon& outline, double slack_m) const {
+  std::vector<double> scores(outline.size(), 0.0);
+  forMet(outline, [&](const Met& met) {
+    const auto ratios = ratiosOf(met, slack_m);
+    for (std::size_t k = 0; k < met.size; ++k) {
+      scores[met.wall[k]] += kTemper * each_ * static_cast<double>(ratios[k]);
+    }
+  });
+  return scores;
+}
+
 std::vector<double> OutlineScorer::returnsOf(const Polygon& outline, double slack_m) const {
   std::vector<double> returns(outline.size(), 0.0);
   forMet(outline, [&](const Met& met) {

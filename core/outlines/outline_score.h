@@ -31,6 +31,8 @@ class OutlineScorer {
   /// Tempered: rays share the errors of poses and walls. `slack_m`: how far walls may be off, one
   /// σ.
   double operator()(const Polygon& outline, double slack_m) const;
+  /// The same by wall that rays meet (i: from corner i − 1 to corner i), but for robots inside.
+  std::vector<double> ofWalls(const Polygon& outline, double slack_m) const;
   /// Tempered number of returns that are from each wall (i: from corner i − 1 to corner i).
   std::vector<double> returnsOf(const Polygon& outline, double slack_m) const;
   /// The same of the sides of a box that is turned by `heading`, as box() has them.

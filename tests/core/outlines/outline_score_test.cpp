@@ -1,5 +1,8 @@
 #include "core/outlines/outline_score.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "core/outlines/constants.h"
@@ -33,6 +36,16 @@ TEST_F(OutlineScore, SpeaksAgainstAHouseThatRaysGoThrough) {
 
 TEST_F(OutlineScore, HasNoRobotInAHouse) {
   EXPECT_LT(scorer_(moved(kScoredHouse, {0.0, -12.0}), 0.15), -100.0);
+}
+
+TEST_F(OutlineScore, IsThatOfItsWalls) {
+  for (const double nearer : {0.0, 3.0}) {
+    const Polygon outline = moved(kScoredHouse, {0.0, -nearer});
+    const std::vector<double> walls = scorer_.ofWalls(outline, 0.15);
+    ASSERT_EQ(walls.size(), 4U);
+    EXPECT_NEAR(std::accumulate(walls.begin(), walls.end(), 0.0), scorer_(outline, 0.15), 1e-6);
+    EXPECT_EQ(std::ranges::min(walls) < -1.0, nearer > 0.0);
+  }
 }
 
 TEST_F(OutlineScore, GivesReturnsToTheWallsTheyAreFrom) {
