@@ -80,7 +80,9 @@ inline constexpr int kSamples = 4000;             // samples; measured: README, 
 inline constexpr std::size_t kAsked = 2500;       // rays; choice: samples are weighed by
 inline constexpr std::size_t kAskedLater = 8000;  // rays; choice: those that are left, by
 inline constexpr double kWidest = 2.5;            // σ; choice: of the prior that samples are from
-inline constexpr double kSlackAtFirst_m = 1.5;    // m; choice: so wide a wall is not missed
+inline constexpr double kMostSizeOff =
+    kWidest * kMostScale;  // 1; derived: logs of sizes, beyond it is another thing
+inline constexpr double kSlackAtFirst_m = 1.5;  // m; choice: so wide a wall is not missed
 /// Of the search: how thick a wall is taken to be, how many places go on, how far it steps.
 struct Stage {
   double slack_m;
@@ -106,7 +108,6 @@ inline constexpr double kLeastEigenvalue = 1e-12;  // 1; limit: rounding makes n
 inline constexpr double kRivals = 3.0;          // nats; choice: less, wanted by two, is no matter
 inline constexpr double kOwnedWithin_m = 0.5;   // m; choice: a building stands for returns so near
 inline constexpr double kOverlap = 400.0;       // nats; choice: for all of a building on another
-inline constexpr int kMostPasses = 20;          // passes; measured: three settle what was tried
 inline constexpr double kLeastWorth = 1e-9;     // nats; limit: a gain, not rounding
 inline constexpr int kNoMode = -1;              // index; choice: of a building that has no place
 inline constexpr double kLeastEvidence = 10.0;  // nats; measured: FIELD.md's part 2, 4

@@ -22,7 +22,7 @@ double sizeOf(const Polygon& outline) {
 
 /// A size that is out of its range is that of another thing.
 bool startMayBe(const OutlinePrior& prior) {
-  return (prior.least_log_size.array() <= 0.0).all() && (prior.most_log_size.array() >= 0.0).all();
+  return (prior.expected_log_size.array().abs() <= kMostSizeOff).all();
 }
 
 double priorShift(const OutlineTask& task) {

@@ -24,10 +24,9 @@ class Choice {
 
   std::vector<int> solve() {
     begin();
-    for (int round = 0; round < kMostPasses; ++round) {
-      bool changed = false;
+    for (bool changed = true; changed;) {
+      changed = false;
       for (std::size_t i = 0; i < worth_.size(); ++i) changed |= improveAround(i);
-      if (!changed) break;
     }
     return chosen_;
   }

@@ -49,8 +49,7 @@ class Shape {
     double beyond = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
       const double size = m[static_cast<std::size_t>(3 + axis)];
-      beyond +=
-          std::max({0.0, size - prior_.most_log_size[axis], prior_.least_log_size[axis] - size});
+      beyond += std::max(0.0, std::abs(size - prior_.expected_log_size[axis]) - kMostSizeOff);
     }
     return -kAnotherThing * beyond + part(m[0], prior_.shift_m) + part(m[1], prior_.shift_m) +
            part(m[2], prior_.turn) + part(m[3] - prior_.expected_log_size.x(), prior_.log_scale) +

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <stop_token>
 #include <vector>
 
@@ -20,11 +19,9 @@ struct OutlinePrior {
   double log_scale = 0.3;  ///< of each axis
   double shear = 0.03;
   double corner_m = 1.0;  ///< of each wall, when the whole is in place; 0: walls stay together
-  /// log of the size along each axis that is most probable, as a share of that of `start`.
+  /// log of the size along each axis that is most probable, as a share of that of `start`. One
+  /// that differs by more than kMostSizeOff is that of another thing.
   Vec2 expected_log_size = Vec2::Zero();
-  /// The least and the greatest along each axis.
-  Vec2 least_log_size = Vec2::Constant(-std::numeric_limits<double>::infinity());
-  Vec2 most_log_size = Vec2::Constant(std::numeric_limits<double>::infinity());
 };
 
 /// Shift (m), turn, logs of both scales, shear.

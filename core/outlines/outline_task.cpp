@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimation/drawing/size_range.h"
 #include "core/outlines/constants.h"
 
 namespace handmap {
@@ -31,10 +30,6 @@ OutlinePrior priorOf(const OutlineTask& task) {
   const double turn = std::remainder(headingOf(task.drawn) - prior.heading, kPi / 2.0);
   const Rectangle drawn = boundingRectangle(task.drawn, prior.heading + turn);
   prior.expected_log_size = {std::log(drawn.width / now.width), std::log(drawn.depth / now.depth)};
-  const SizeRange width = sizeRange(drawn.width, task.size_m);
-  const SizeRange depth = sizeRange(drawn.depth, task.size_m);
-  prior.least_log_size = {std::log(width.low / now.width), std::log(depth.low / now.depth)};
-  prior.most_log_size = {std::log(width.high / now.width), std::log(depth.high / now.depth)};
   prior.shift_m = task.shift_m;
   const double share = task.size_m / std::sqrt(drawn.width * drawn.depth);
   prior.log_scale =

@@ -162,8 +162,8 @@ RowHouse rowHouseOf(std::size_t b, const Terrace& terrace, const Buildings& buil
   house.centre_sigma = prior.shift_m;
   house.width = width * std::exp(prior.expected_log_size[axis]);
   house.log_width_sigma = prior.log_scale;
-  house.least_width = width * std::exp(prior.least_log_size[axis]);
-  house.most_width = width * std::exp(prior.most_log_size[axis]);
+  house.least_width = house.width / std::exp(kMostSizeOff);
+  house.most_width = house.width * std::exp(kMostSizeOff);
   house.nats = -0.5 * std::pow((drawn.middle - terrace.middle()) / prior.shift_m, 2);
   if (!terrace.has(b) && buildings.places[b]) {
     // Never less than nothing: what is there may be another thing.

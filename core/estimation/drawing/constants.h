@@ -3,11 +3,6 @@
 
 namespace handmap::drawing {
 
-// What a drawn building may be.
-inline constexpr double kSizeFactor = 2.0;  // 1; measured: sketches of real places, METHOD.md
-inline constexpr double kSizeSigmas = 3.0;  // σ; choice: unless they say that they are off by more
-inline constexpr double kLeastSize_m = 3.0;  // m; choice: a car is 1.8 m wide, hardly a house this
-
 // What a found one tells of it.
 inline constexpr double kSeen_m = 2.0;     // m; choice: σ of a wall that was seen, at most
 inline constexpr double kUnlikely = 3.5;   // σ; choice: such a wall is of something built on

@@ -100,6 +100,16 @@ TEST(MapFit, ANearerHouseIsTheOneThoughAnotherExplainsMore) {
   EXPECT_GT(intersectionOverUnion(results[0].outline, house), 0.7);
 }
 
+TEST(MapFit, AHouseBecomesNoVanHoweverUnsureItsSizeIs) {
+  const Polygon van = Rectangle{{24.0, 9.0}, 5.0, 3.2, 0.0}.corners();
+  const Drive drive = drivePast({van});
+  const PlacedRays placed = placeRays(drive.seen, drive.way);
+  OutlineTask house = taskFor(Rectangle{{22.0, 12.0}, 13.0, 17.0, 0.0}.corners(), true);
+  house.shift_m = house.drawn_shift_m = house.size_m = 10.0;
+  const Rectangle box = boundingRectangle(fitOutlines({house}, placed, 40.0, 1).at(0).outline, 0.0);
+  EXPECT_GT(std::min(box.width / 13.0, box.depth / 17.0), 0.4);
+}
+
 TEST(MapFit, IsTheSameEachTime) {
   const Drive drive = drivePast({kFittedHouse});
   const PlacedRays placed = placeRays(drive.seen, drive.way);
