@@ -34,6 +34,5 @@ inline constexpr double kReach_m = 100.0;   // m; choice: twice the sight
 inline constexpr double kSure = 0.9;        // 1; choice: a loop closure has its own test
 inline constexpr double kAssumed = 2.0;     // buildings; choice: the assumed scatter counts for
 inline constexpr int kLeastSeen = 3;        // frames; choice: key frames that saw it
-inline constexpr double kOutlier = 4.0;     // σ; choice: of a heading
 
 }  // namespace handmap::labels

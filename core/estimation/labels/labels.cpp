@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/gaussian.h"
 #include "core/estimation/labels/constants.h"
 
 namespace handmap {
@@ -185,18 +186,21 @@ std::vector<std::optional<std::size_t>> Labels::recognise(std::span<const FoundB
 }
 
 double Labels::headingScatter(std::span<const FoundBox> found) const {
-  double count = kAssumed;
-  double squares = count * options_.heading_sigma * options_.heading_sigma;
+  std::vector<double> errors;
   for (const std::size_t b : nearby_) {
     const FoundBox* box = foundFor(b, hypotheses_.front(), found);
     if (!box || box->observations < kLeastSeen) continue;
-    const double error = std::remainder(
-        box->box.heading - drawing_.buildings[b].box().heading - motion().turn(), kPi / 2.0);
-    if (std::abs(error) > kOutlier * options_.heading_sigma) continue;
-    squares += error * error;
-    count += 1.0;
+    errors.push_back(std::abs(std::remainder(
+        box->box.heading - drawing_.buildings[b].box().heading - motion().turn(), kPi / 2.0)));
   }
-  return std::sqrt(squares / count);
+  if (errors.empty()) return options_.heading_sigma;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  const double sigma = kMedianToSigma * *middle;
+  const auto count = static_cast<double>(errors.size());
+  return std::sqrt(
+      (kAssumed * options_.heading_sigma * options_.heading_sigma + count * sigma * sigma) /
+      (kAssumed + count));
 }
 
 double Labels::doubtOf(std::size_t place) const {

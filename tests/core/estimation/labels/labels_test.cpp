@@ -115,6 +115,17 @@ TEST_F(LabelsTest, FarBuildingsStillTellHowTheDrawingLies) {
   EXPECT_NEAR(labels.motion().scale(), 1.0 / 1.04, 0.01);
 }
 
+TEST_F(LabelsTest, HousesThatAreTurnedByMuchTellThatTheDrawingKnowsNoHeadings) {
+  for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) {
+    Rectangle box = drawing_.buildings[b].box();
+    box.heading = toRadians(b % 2 == 0 ? 20.0 : -20.0);
+    drawing_.buildings[b].shape = box;
+  }
+  Labels labels(drawing_, {});
+  driveTo(labels, 100.0);
+  EXPECT_GT(labels.headingScatter(found_), toRadians(8.0));
+}
+
 TEST_F(LabelsTest, AMissedBuildingStaysDoubtful) {
   Building phantom;
   phantom.id = "phantom";
