@@ -132,8 +132,11 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
         trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
     } else {
       unfounded = true;
-      trajectory = known.alone;
-      placed = placeRays(known.seen, trajectory.poses, stop);
+      // Walls may hold a way though they are not those that were drawn.
+      if (!(known.sharpness(trajectory.poses) >= alone + trajectory::kClearlySharper)) {
+        trajectory = known.alone;
+        placed = placeRays(known.seen, trajectory.poses, stop);
+      }
     }
   }
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress,

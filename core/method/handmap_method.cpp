@@ -90,7 +90,7 @@ class HandmapMethod : public EstimationMethod {
       warnings.push_back(
           {"buildings_dropped",
            phrase("Some drawn buildings were found on the way, but few walls stand where they "
-                  "would be: they were dropped, and the way is that without them."),
+                  "would be: they were dropped."),
            phrase("Drive closer to the buildings, or with a sensor that sees more of their "
                   "walls.")});
     }

@@ -4814,8 +4814,8 @@
         <translation>{}: 使われない列: {}{}</translation>
     </message>
     <message>
-        <source>Some drawn buildings were found on the way, but few walls stand where they would be: they were dropped, and the way is that without them.</source>
-        <translation>途中で描かれた建物をいくつか見つけましたが、そこにあるはずの壁がほとんど見えませんでした。見つけた結果は捨て、建物を使わない経路にしました。</translation>
+        <source>Some drawn buildings were found on the way, but few walls stand where they would be: they were dropped.</source>
+        <translation>途中で描かれた建物をいくつか見つけましたが、そこにあるはずの壁がほとんど見えませんでした。見つけた結果は捨てました。</translation>
     </message>
     <message>
         <source>Drive closer to the buildings, or with a sensor that sees more of their walls.</source>

@@ -80,6 +80,19 @@ TEST(Conclusion, DropsBuildingsThatRaysPassThrough) {
   EXPECT_GT(intersectionOverUnion(conclusion->map.buildings[0].footprint(), kTrueHouse), 0.7);
 }
 
+TEST(Conclusion, KeepsAWayThatIsClearlySharperThoughItsBuildingsAreDropped) {
+  TwoHouses place({moved(kTrueHouse, {0.0, -3.0}), moved(kTrueHouse, {25.0, -3.0})});
+  for (Pose2& pose : place.known.alone.poses) pose.heading += 0.01;
+  place.known.sharpness = [&](const std::vector<Pose2>& poses) {
+    return poses.back().heading == place.known.alone.poses.back().heading ? 1.0 : 1.1;
+  };
+  const auto conclusion = conclude(place.drawing, place.known, 1);
+  ASSERT_TRUE(conclusion);
+  EXPECT_TRUE(conclusion->unfounded);
+  EXPECT_EQ(conclusion->trajectory.by, TrajectoryHypothesis::By::Buildings);
+  EXPECT_GT(intersectionOverUnion(conclusion->map.buildings[0].footprint(), kTrueHouse), 0.7);
+}
+
 TEST(Conclusion, BelievesTheWayThatImagesTold) {
   TwoHouses place({kTrueHouse, moved(kTrueHouse, {25.0, 0.0})});
   place.known.alone.by = TrajectoryHypothesis::By::Scans;
