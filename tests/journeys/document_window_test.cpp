@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
@@ -197,6 +198,18 @@ TEST_F(DocumentWindow, ARunOfTheSimulatorBecomesARecording) {
       << "not over one that is there: " << texts().join('\n').toStdString();
   EXPECT_EQ(openRecording(path("drive").toStdString()).rows.size(), before.size());
   document_.undoStack().setClean();
+}
+
+TEST_F(DocumentWindow, ARecordingIsLookedForBesideTheDrawing) {
+  drawAHouse();
+  dialogs_->paths = {path("place.handmap")};
+  trigger("file.save");
+  trigger("run.open_recording");
+  EXPECT_EQ(dialogs_->folder, QFileInfo(path("place.handmap")).path());
+  dialogs_->paths = {path("nowhere")};
+  trigger("run.open_recording");
+  trigger("run.open_recording");
+  EXPECT_EQ(dialogs_->folder, path("nowhere")) << "then where the last one was";
 }
 
 TEST_F(DocumentWindow, ARunIsExportedAsAPageAsMcapAndAsAFilm) {

@@ -16,10 +16,14 @@ class ScriptedDialogs : public Dialogs {
   QList<int> choices;
   QList<double> figures;
   QStringList asked;  ///< titles of dialogs
+  QString folder;     ///< that the last one for a folder began in
 
   QString fileToOpen(const File& file) override { return nextPath(file.title); }
   QString fileToSave(const File& file) override { return nextPath(file.title); }
-  QString folderToOpen(const QString& title, const QString&) override { return nextPath(title); }
+  QString folderToOpen(const QString& title, const QString& begin) override {
+    folder = begin;
+    return nextPath(title);
+  }
   int choose(const Question& question) override {
     asked << question.title;
     return choices.isEmpty() ? -1 : choices.takeFirst();

@@ -146,9 +146,14 @@ void SourceActions::updateActions() {
 
 // --- Recordings
 
+/// Where the last one was; at first beside the drawing.
+QString SourceActions::recordingFolder() const {
+  return shell_.settings.value(kRecordingFolderKey, QFileInfo(document_.filePath()).path())
+      .toString();
+}
+
 void SourceActions::askForRecording() {
-  const QString folder = shell_.dialogs.folderToOpen(
-      tr("Open a recording"), shell_.settings.value(kRecordingFolderKey).toString());
+  const QString folder = shell_.dialogs.folderToOpen(tr("Open a recording"), recordingFolder());
   if (folder.isEmpty()) return;
   shell_.settings.setValue(kRecordingFolderKey, folder);
   openRecording(folder);
@@ -167,11 +172,7 @@ QString SourceActions::logFilter() {
 }
 
 QString SourceActions::chosenLog() {
-  return shell_.dialogs.fileToOpen({tr("Import a log"),
-                                    shell_.settings.value(kRecordingFolderKey).toString(),
-                                    logFilter(),
-                                    {},
-                                    {}});
+  return shell_.dialogs.fileToOpen({tr("Import a log"), recordingFolder(), logFilter(), {}, {}});
 }
 
 void SourceActions::importBag(const QString& file) {
@@ -324,12 +325,11 @@ void SourceActions::simulateDrawing() {
 // --- Poses that are given
 
 void SourceActions::askForPoses() {
-  const QString file =
-      shell_.dialogs.fileToOpen({tr("Open poses of the robot"),
-                                 shell_.settings.value(kRecordingFolderKey).toString(),
-                                 tr("Poses in TUM form (*.tum *.txt)"),
-                                 {},
-                                 {}});
+  const QString file = shell_.dialogs.fileToOpen({tr("Open poses of the robot"),
+                                                  recordingFolder(),
+                                                  tr("Poses in TUM form (*.tum *.txt)"),
+                                                  {},
+                                                  {}});
   if (!file.isEmpty()) opener_.openPoses(file);
 }
 

@@ -86,6 +86,7 @@ class SourceActions : public QObject {
                   const Doubts& doubts);
   bool openSimulation(const Demonstration& simulation);
   void simulateDrawing();
+  QString recordingFolder() const;
   QString chosenLog();
   void importBag(const QString& file);
   void importDrive(const QString& folder);
