@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/base/phrase.h"
 #include "core/geometry/pose2.h"
 
@@ -143,10 +144,8 @@ cv::Mat calibrateBoth(const Points& points, cv::Size size, const std::string& so
 bool refuseOutliers(const cv::Mat& errors, BoardImages& images) {
   std::vector<double> of_view;
   for (int i = 0; i < errors.rows; ++i) of_view.push_back(rms(errors.row(i)));
-  std::vector<double> sorted = of_view;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double limit = std::max(kOutlier * *middle, kOutlier_px);
+  const double usual = medianOf(of_view);
+  const double limit = std::max(kOutlier * usual, kOutlier_px);
   std::vector<BoardView> kept;
   for (std::size_t i = 0; i < of_view.size(); ++i) {
     if (of_view[i] <= limit) {
@@ -154,7 +153,7 @@ bool refuseOutliers(const cv::Mat& errors, BoardImages& images) {
     } else {
       images.refused.push_back({images.views[i].name, phrase("off by {:.2f} px, the others by "
                                                              "{:.2f} px",
-                                                             of_view[i], *middle)});
+                                                             of_view[i], usual)});
     }
   }
   images.views = std::move(kept);

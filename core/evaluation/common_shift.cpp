@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "core/base/gaussian.h"
+#include "core/base/median.h"
 
 namespace handmap {
 
@@ -69,21 +70,15 @@ struct Moved {
   Vec2 sigma;
 };
 
-double middleOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Without those that were taken for something else: they moved as no other did.
 std::vector<Moved> withoutMistaken(std::vector<Moved> pairs) {
   constexpr double kMost = 4.0;  // σ of the spread
   for (const int axis : {0, 1}) {
     std::vector<double> moved;
     for (const Moved& pair : pairs) moved.push_back(pair.moved[axis]);
-    const double middle = middleOf(moved);
+    const double middle = medianOf(moved);
     for (double& value : moved) value = std::abs(value - middle);
-    const double spread = kMedianToSigma * middleOf(moved);
+    const double spread = kMedianToSigma * medianOf(moved);
     std::erase_if(pairs, [&](const Moved& pair) {
       return std::abs(pair.moved[axis] - middle) > kMost * std::hypot(spread, pair.sigma[axis]);
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/base/phrase.h"
 #include "core/base/text.h"
 #include "core/recording/laser_scan.h"
@@ -24,13 +25,6 @@ constexpr double kSlowest_mps = 0.02;  // of robots that move
 constexpr double kFastest_mps = 45.0;
 constexpr double kImpossible_mps = 100.0;
 
-double medianIn(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double distanceOf(const RangePoint& p) { return std::hypot(p.x, p.y); }
 
 double usualLength(const RawLog& raw) {
@@ -42,7 +36,7 @@ double usualLength(const RawLog& raw) {
     }
     for (const RangePoint& p : raw.scans[i].points) lengths.push_back(distanceOf(p));
   }
-  return medianIn(std::move(lengths));
+  return medianOf(std::move(lengths));
 }
 
 double metresOf(const RawLog& raw, const LogOptions& options, Log& log) {
@@ -66,7 +60,7 @@ double secondsOf(const RawLog& raw, const LogOptions& options, Log& log) {
     if (i > 0) intervals.push_back(std::abs(time - newest));
     newest = time;
   }
-  const double interval = medianIn(std::move(intervals));
+  const double interval = medianOf(std::move(intervals));
   std::string unit = likelyUnitOfTime(newest);
   double factor = unit.empty()              ? 1.0
                   : std::abs(newest) > 1e16 ? 1e-9
@@ -97,7 +91,7 @@ double metresOfPoses(const RawLog& raw, const LogOptions& options, double metres
     if (way > 0.0 && time_s > 0.0) speeds.push_back(way / time_s);
   }
   if (speeds.empty()) return metres;
-  const double speed = medianIn(std::move(speeds));
+  const double speed = medianOf(std::move(speeds));
   if (speed * metres > kImpossible_mps) {
     log.notes.push_back(phrase("{}: poses taken as millimetres", raw.file));
     return 0.001;

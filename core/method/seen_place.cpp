@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/median.h"
 #include "core/method/constants.h"
 #include "core/trajectory/constants.h"
 #include "core/trajectory/returns.h"
@@ -46,8 +47,7 @@ bool SeenPlace::isRefutedBy(const std::vector<RangePoint>& points, double range_
     if (const auto share = shareSeen(look, &look)) usual.push_back(*share);
   }
   if (!again || usual.empty()) return false;
-  std::ranges::nth_element(usual, usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2));
-  return *again < kSeenAgain * usual[usual.size() / 2];
+  return *again < kSeenAgain * medianOf(usual);
 }
 
 std::optional<double> SeenPlace::shareSeen(const std::vector<ScanPoint>& now,

@@ -105,13 +105,12 @@ inline constexpr int kParents = kOffspring / 2;    // 1; derived: Hansen's half
 inline constexpr double kLeastEigenvalue = 1e-12;  // 1; limit: rounding makes none negative
 
 // Which places go together.
-inline constexpr double kRivals = 3.0;          // nats; choice: less, wanted by two, is no matter
+inline constexpr double kTells = 3.0;           // nats; choice: less decides nothing, 20 to 1
 inline constexpr double kOwnedWithin_m = 0.5;   // m; choice: a building stands for returns so near
 inline constexpr double kOverlap = 400.0;       // nats; choice: for all of a building on another
 inline constexpr double kLeastWorth = 1e-9;     // nats; limit: a gain, not rounding
 inline constexpr int kNoMode = -1;              // index; choice: of a building that has no place
 inline constexpr double kLeastEvidence = 10.0;  // nats; measured: FIELD.md's part 2, 4
-inline constexpr double kLeastGain = 3.0;       // nats; measured: FIELD.md's part 2, 4
 
 // Terraces.
 inline constexpr double kHouseFills = 0.8;           // 1; choice: of its bounding rectangle
@@ -119,7 +118,6 @@ inline constexpr double kFaceOff_m = 1.5;            // m; choice: of a face fro
 inline constexpr double kWallToWall_m = 1.0;         // m; choice: between places, along it
 inline constexpr double kRowTurn = toRadians(10.0);  // rad; choice: more is no row
 inline constexpr double kRowCell_m = 0.25;           // m; choice: where houses may end, a wall
-inline constexpr double kIsThere = 3.0;              // nats; choice: of twenty, one is not there
 inline constexpr std::size_t kUndrawn = static_cast<std::size_t>(-1);  // index; choice: none
 inline constexpr double kThingLogWidth = 0.5;  // 1; choice: σ about the mean of the drawn
 /// Of how far a house is drawn off, what all of a row share.
@@ -143,7 +141,6 @@ inline constexpr double kStatedSides = 4.0;   // sides; choice: what the drawing
 inline constexpr double kDrawnSlack_m = 0.3;  // m; choice: of walls that were not fitted
 inline constexpr double kFoundRear_m = 2.7;   // m; measured: rear walls found, FIELD.md's part 2, 1
 inline constexpr double kLabelled_m = 1.0;    // m; measured: σ of what was found, METHOD.md
-inline constexpr double kTells = 3.0;         // nats; choice: for or against a building
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start
 inline constexpr double kStart_m = 0.3;               // m; choice: the same
 inline constexpr double kLeastToRefute = 5.0;         // rows; choice: fewer may all be misplaced

@@ -74,7 +74,7 @@ class Places {
     };
     std::vector<Beside> beside;
     for (const auto& [i, m, k, n, cost] : conflictsAmong(1)) {
-      if (cost < kRivals) continue;
+      if (cost < kTells) continue;
       beside.push_back({i, k, {}});
       beside.push_back({k, i, {}});
     }

@@ -130,7 +130,7 @@ class Settling {
     const double drawn = scorer(task.drawn, kSlack_m) - kOverlap * overlap(i, task.drawn);
     const double start = scorer(task.start, kSlack_m) - kOverlap * overlap(i, task.start);
     result.gain = result.evidence + fitted.prior - drawn;
-    if (result.evidence > kLeastEvidence && result.gain > kLeastGain) {
+    if (result.evidence > kLeastEvidence && result.gain > kTells) {
       result.verdict = Verdict::Moved;
       result.outline = fitted.outline;
       if (in_row_[i]) result.doubt = in_row_[i]->doubt;

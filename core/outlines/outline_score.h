@@ -51,7 +51,7 @@ class OutlineScorer {
   int framesStandingFor(const Polygon& outline, double near_m) const;
 
  private:
-  OutlineScorer(const RayNoise& noise, float range_limit_m)
+  OutlineScorer(const RangeNoise& noise, float range_limit_m)
       : noise_(noise), range_limit_m_(range_limit_m) {}
 
   struct Asked {
@@ -88,7 +88,7 @@ class OutlineScorer {
   std::vector<float> x_, y_, dx_, dy_;  ///< where the rays come from and go
   std::vector<Vec2> robots_;            ///< of the frames
   double each_ = 1.0;                   ///< how many one that is asked about stands for
-  RayNoise noise_;
+  RangeNoise noise_;
   float range_limit_m_;
 };
 

@@ -39,7 +39,7 @@ class Row {
       of_thing[n] = normal(std::log(widthOf(n) / mean_width), kThingLogWidth);
       const double scale = widthOf(n) * kThingLogWidth * std::sqrt(2.0 * kPi);
       const double density = of_thing[n] * cell_m_ / scale;
-      undrawn_.matrix().diagonal(n) *= std::exp(-kIsThere) * density;
+      undrawn_.matrix().diagonal(n) *= std::exp(-kTells) * density;
     }
     for (const RowHouse& house : houses) of_width_.push_back(of_thing * widthsOf(house));
   }
@@ -209,7 +209,7 @@ class Row {
     for (Index n = 1; n <= cells_; ++n) {
       const double width = widthOf(n);
       if (width < house.least_width || width > house.most_width) continue;
-      weights[n] = std::exp(kIsThere + house.nats) *
+      weights[n] = std::exp(kTells + house.nats) *
                    normal(std::log(width / house.width), house.log_width_sigma);
     }
     return weights;

@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "core/base/gaussian.h"
+#include "core/base/median.h"
 #include "core/outlines/constants.h"
 #include "core/perception/constants.h"
 
@@ -60,7 +61,7 @@ int cellOf(double metres) { return static_cast<int>(std::floor(metres / kCell_m)
 
 class Cells {
  public:
-  Cells(const std::vector<PlacedRay>& rays, const RayNoise& noise, const std::stop_token& stop) {
+  Cells(const std::vector<PlacedRay>& rays, const RangeNoise& noise, const std::stop_token& stop) {
     std::unordered_map<std::int64_t, std::size_t> places;
     for (const PlacedRay& ray : rays) {
       if (stop.stop_requested()) return;
@@ -147,7 +148,7 @@ class Cells {
 
 /// How far returns are off what is straight, by their distance: offset and quadratic term by least
 /// squares over the medians of distance bins.
-RayNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RayNoise noise) {
+RangeNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RangeNoise noise) {
   std::array<std::vector<double>, kNoiseBins> errors;
   for (const PlacedRay& ray : rays) {
     if (ray.echo != Echo::Tall) continue;
@@ -162,11 +163,9 @@ RayNoise measured(const std::vector<PlacedRay>& rays, const Cells& cells, RayNoi
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (std::size_t bin = 0; bin < kNoiseBins; ++bin) {
-    std::vector<double>& of_bin = errors[bin];
+    const std::vector<double>& of_bin = errors[bin];
     if (of_bin.size() < kLeastInBin) continue;
-    const auto middle = of_bin.begin() + static_cast<std::ptrdiff_t>(of_bin.size() / 2);
-    std::nth_element(of_bin.begin(), middle, of_bin.end());
-    const double sigma = kMedianToSigma * *middle;
+    const double sigma = kMedianToSigma * medianOf(of_bin);
     const double distance = (static_cast<double>(bin) + 0.5) * kNoiseBin_m;
     const Eigen::Vector2d row(1.0, distance * distance);
     const double weight = 1.0 / (sigma * sigma);

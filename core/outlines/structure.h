@@ -9,19 +9,11 @@
 #include "core/geometry/pose2.h"
 #include "core/outlines/constants.h"
 #include "core/outlines/seen_frames.h"
+#include "core/perception/range_noise.h"
 
 namespace handmap {
 
 enum class Structure : std::uint8_t { Straight, Linear, Ragged };
-
-/// σ of a return across its ray at a distance: offset + quadratic · d².
-struct RayNoise {
-  double offset_m = 0.05;
-  double quadratic_per_m = 0.0008;
-  double at(double distance_m) const {
-    return offset_m + quadratic_per_m * distance_m * distance_m;
-  }
-};
 
 /// A ray in the map.
 struct PlacedRay {
@@ -42,7 +34,7 @@ struct PlacedRay {
 struct PlacedRays {
   std::vector<PlacedRay> rays;
   std::vector<std::size_t> frame_begin;  ///< index of the first ray of each frame, and the end
-  RayNoise noise;                        ///< as it shows
+  RangeNoise noise{0.05, 0.0008, 0.0};   ///< as it shows
   double straight = 0.0;  ///< share of the tall returns that are from straight things
 
   /// Whether walls can be told from the rest: not from few or very noisy returns.

@@ -168,7 +168,7 @@ RowHouse rowHouseOf(std::size_t b, const Terrace& terrace, const Buildings& buil
   if (!terrace.has(b) && buildings.places[b]) {
     // Never less than nothing: what is there may be another thing.
     house.worth_elsewhere =
-        std::max(0.0, 2.0 * kIsThere + priorAsItIs(b, terrace.heading, buildings));
+        std::max(0.0, 2.0 * kTells + priorAsItIs(b, terrace.heading, buildings));
   }
   return house;
 }

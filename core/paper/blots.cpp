@@ -5,6 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/median.h"
 #include "core/paper/candidates.h"
 #include "core/paper/disc.h"
 
@@ -37,11 +38,8 @@ cv::Mat coverOf(const cv::Mat& page) {
   cv::split(lab, channels);
   std::array<double, 3> paper{};
   for (std::size_t i = 0; i < 3; ++i) {
-    std::vector<std::uint8_t> values(channels[i].begin<std::uint8_t>(),
-                                     channels[i].end<std::uint8_t>());
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    paper[i] = *middle;
+    paper[i] = medianOf(std::vector<std::uint8_t>(channels[i].begin<std::uint8_t>(),
+                                                  channels[i].end<std::uint8_t>()));
   }
   cv::Mat a, b;
   cv::absdiff(channels[1], cv::Scalar(paper[1]), a);

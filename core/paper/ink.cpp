@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/median.h"
 #include "core/paper/squares.h"
 
 namespace handmap {
@@ -96,8 +97,7 @@ double strokeWidth(const cv::Mat& mask) {
     }
   }
   if (widths.empty()) return 3.0;
-  std::ranges::nth_element(widths, widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2));
-  return std::max(1.5, static_cast<double>(widths[widths.size() / 2]) - 1.0);
+  return std::max(1.5, static_cast<double>(medianOf(widths)) - 1.0);
 }
 
 void withoutSpecks(cv::Mat& mask, double stroke_px) {

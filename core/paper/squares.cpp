@@ -7,6 +7,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/median.h"
 #include "core/paper/disc.h"
 #include "core/paper/paper_pieces.h"
 
@@ -34,12 +35,11 @@ std::vector<int> equalSquares(const PaperPieces& pieces) {
     areas.push_back(pieces.area[at]);
   }
   if (areas.size() < kLeastSquares) return {};
-  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-  std::ranges::nth_element(areas, middle);
+  const double middle = medianOf(areas);
   std::erase_if(squares, [&](int i) {
-    return std::abs(pieces.area[static_cast<std::size_t>(i)] / *middle - 1.0) > kSameArea;
+    return std::abs(pieces.area[static_cast<std::size_t>(i)] / middle - 1.0) > kSameArea;
   });
-  const double covered = static_cast<double>(squares.size()) * *middle;
+  const double covered = static_cast<double>(squares.size()) * middle;
   const bool fill = covered > kLeastCovered * static_cast<double>(pieces.labels.total());
   return squares.size() >= kLeastSquares && fill ? squares : std::vector<int>();
 }

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "core/geometry/pose2.h"
@@ -13,8 +12,8 @@ namespace handmap::perception {
 // What is a wall: above the ground, by its extent upwards.
 inline constexpr double kLeastHeight_m = 1.9;  // m; measured: METHOD.md, cars, low hedges end below
 inline constexpr double kMostHeight_m = 12.0;  // m; choice: of four floors
-inline constexpr double kLeastExtent_m = 1.0;  // m; measured: METHOD.md, in one column
-inline constexpr double kSureExtent_m = 2.0 * kLeastExtent_m;  // m; derived: weighs all it can
+inline constexpr double kLeastExtent_m =
+    1.0;  // m; measured: METHOD.md, in one column, twice as much is sure
 inline constexpr double kNearestWall_m = 1.0;   // m; choice: nearer is what the robot carries
 inline constexpr double kSensorHeight_m = 1.5;  // m; choice: a metre more or less is no difference
 inline constexpr float kTall_m = 1.8F;     // m; measured: FIELD.md's part 2, 2, above most cars
@@ -25,8 +24,10 @@ inline constexpr double kFar_m =
     35.0;  // m; measured: FIELD.md (b), farther returns are sparse, and stereo is off by 2 m
 inline constexpr double kWall_m =
     0.1;  // m; measured: FIELD.md (b), σ of a wall in two visits, plaster, frames, poses
-inline constexpr double kLaserSigma_m = 0.03;  // m; choice: data sheets, until it is measured
-inline constexpr float kScanSigma_m = 0.05F;   // m; choice: that, and a wall within a direction
+inline constexpr double kLaserSigma_m = 0.03;     // m; choice: data sheets, until it is measured
+inline constexpr double kNoiseOffset_m = 0.1;     // m; choice: until it is measured, METHOD.md 0.05
+inline constexpr double kNoiseQuadratic = 0.002;  // 1/m; choice: the same, METHOD.md 0.0021
+inline constexpr float kScanSigma_m = 0.05F;      // m; choice: that, and a wall within a direction
 inline constexpr float kLevel_m = 0.3F;  // m; choice: what is not quite level is off, the ground is
 inline constexpr std::size_t kDirections = 720;  // 1; choice: half a degree, as most scanners
 inline constexpr double kDirection = 2.0 * kPi / kDirections;  // rad; derived: of all kinds
@@ -49,22 +50,18 @@ inline constexpr int kPasses = 4;  // rays; choice: fewer are strays; and as man
                                    // windows let rays pass, but the frame around them does not
 
 // Frames that were joined.
-inline constexpr double kSame_m = 0.005;  // m; measured: joined points 0.001 (83 to 87 %), lasers
-                                          // 0.6 % of theirs
-inline constexpr double kSameCell_m = 2.0 * kSame_m;  // m; derived: eight hold what is the same
+inline constexpr double kSame_m = 0.005;    // m; measured: joined points 0.001 (83 to 87 %), lasers
+                                            // 0.6 % of theirs
 inline constexpr double kMoved_m = 0.3;     // m; choice: a robot that stands may well see the same
 inline constexpr std::size_t kSample = 16;  // points; choice: most of them were there
 inline constexpr double kJoinedWay_m = 200.0;        // m; choice: along which they may be joined
 inline constexpr std::size_t kMostPlaces = 200'000;  // places; limit: 10 MB
 
 // The local map.
-inline constexpr double kMapCell_m = 0.1;    // m; paper: of its local map
-inline constexpr double kSmoothing_m = 0.2;  // m; choice: σ, as the noise of near points
-inline constexpr double kSaturation = 3.0;   // votes; choice: so many are as sure as can be
-inline constexpr std::uint8_t kSpotPoints =
-    static_cast<std::uint8_t>(kSaturation);         // points; derived: of a cell
+inline constexpr double kMapCell_m = 0.1;           // m; paper: of its local map
+inline constexpr double kSmoothing_m = 0.2;         // m; choice: σ, as the noise of near points
+inline constexpr double kSaturation = 3.0;          // votes; choice: so many are as sure as can be
 inline constexpr double kPath_m = 30.0;             // m; choice: of way, odometry is right along it
-inline constexpr double kMinStep_m = kMapCell_m;    // m; derived: nearer scans tell the same
 inline constexpr double kMinTurn = toRadians(1.0);  // rad; choice: the same
 inline constexpr std::size_t kMostScans = 400;      // scans; limit: of one that turns for ever
 inline constexpr int kMaxSide = 8192;               // cells; limit: 256 MB
@@ -83,7 +80,6 @@ inline constexpr float kMinTexture = 0.3F;   // grey; choice: mean step, less is
 inline constexpr float kUnknownDisparity = -1.0F;  // px; limit: none
 inline constexpr double kNearest_m = 4.0;          // m; choice: so near a wall should be seen
 inline constexpr double kLeastFocal_px_m = 180.0;  // px·m; measured: matchers pull to whole pixels
-inline constexpr int kMinSide_px = 32;             // px; derived: two windows of the classifier
 inline constexpr double kDisparitySigma_px = 0.25;  // px; choice: σ, at the reduced size
 inline constexpr double kMostSigma_m = 1.0;         // m; choice: noisier points tell nothing
 inline constexpr std::size_t kSupport = 8;          // px; choice: of a column, that a surface needs

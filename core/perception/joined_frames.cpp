@@ -21,7 +21,7 @@ bool areSame(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
 Cell cellOf(const Eigen::Vector3d& p) {
-  return (p / kSameCell_m).array().floor().cast<std::int64_t>();
+  return (p / (2.0 * kSame_m)).array().floor().cast<std::int64_t>();
 }
 std::int64_t keyOf(const Cell& cell) {
   return (cell.x() * 73'856'093) ^ (cell.y() * 19'349'663) ^ (cell.z() * 83'492'791);
@@ -61,7 +61,7 @@ bool JoinedFrames::repeat(const std::vector<Eigen::Vector3d>& placed) const {
 bool JoinedFrames::wasThere(const Eigen::Vector3d& p) const {
   if (!p.allFinite()) return false;
   // What is the same lies in the cell or in one of those at its nearest corner.
-  const Cell first = cellOf(p.array() - 0.5 * kSameCell_m);
+  const Cell first = cellOf(p.array() - kSame_m);
   for (int i = 0; i < 8; ++i) {
     if (seen_.contains(keyOf(first + Cell(i & 1, (i >> 1) & 1, i >> 2)))) return true;
   }

@@ -33,7 +33,7 @@ double stepLength(const Pose2& from, const Pose2& to) {
 }
 
 bool nearlySame(const Pose2& a, const Pose2& b) {
-  return stepLength(a, b) < kMinStep_m &&
+  return stepLength(a, b) < kMapCell_m &&
          std::abs(normalizedAngle(a.heading - b.heading)) < kMinTurn;
 }
 

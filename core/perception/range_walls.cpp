@@ -82,7 +82,7 @@ std::vector<WallPoint> RangeWalls::standing(const std::vector<RangePoint>& point
     const std::size_t cell = cells_.of(p.x, p.y);
     if (!isWall(columns_[cell], outer(cells_.centreOf(cell)))) continue;
     std::uint8_t& votes = taken[spots.of(p.x, p.y)];
-    if (votes == kSpotPoints) continue;
+    if (votes >= kSaturation) continue;
     ++votes;
     walls.push_back(wallPoint(p));
   }

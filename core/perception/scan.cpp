@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/perception/constants.h"
 #include "core/perception/range_walls.h"
 
@@ -45,9 +46,7 @@ bool Sweeps::areRegular(const std::vector<RangePoint>& points) {
   std::vector<float> steps;
   for (std::size_t i = 1; i < bearings.size(); ++i) steps.push_back(bearings[i] - bearings[i - 1]);
   if (steps.empty()) return true;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  const double most = kOneStep * static_cast<double>(*middle);
+  const double most = kOneStep * static_cast<double>(medianOf(steps));
   steps_ += static_cast<double>(steps.size());
   regular_ += static_cast<double>(
       std::ranges::count_if(steps, [&](float step) { return static_cast<double>(step) <= most; }));

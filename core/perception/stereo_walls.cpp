@@ -11,6 +11,7 @@
 #include "core/base/phrase.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
+#include "core/classification/windows.h"
 #include "core/perception/constants.h"
 #include "core/perception/stereo_scan.h"
 #include "core/perception/wall_columns.h"
@@ -97,12 +98,15 @@ int disparitiesFor(const StereoCamera& reduced) {
   return 16 * static_cast<int>(std::clamp(std::ceil(nearest / 16.0), 1.0, 16.0));
 }
 
+/// Of an image: less is no place for two windows.
+int leastSide() { return 2 * kWindow_px; }
+
 /// Farther down the ground is nearer than what `disparities` reach to: nothing can be matched
 /// there.
 int rowsToMatch(const StereoCamera& reduced, const CameraRays& rays, int disparities) {
   const double nearest_m = reduced.fx * reduced.baseline / disparities;
   int rows = static_cast<int>(rays.up.size());
-  while (rows > kMinSide_px &&
+  while (rows > leastSide() &&
          nearest_m * -rays.up[static_cast<std::size_t>(rows - 1)] > reduced.mount.z) {
     --rows;
   }
@@ -180,9 +184,10 @@ std::vector<WallPoint> StereoWalls::Matcher::inRobotFrame(const std::vector<Wall
         robot_range < options.filter.min_range_m) {
       continue;
     }
-    walls.push_back(
-        {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(sigma),
-         static_cast<float>(column.building * std::min(1.0, column.extent_m / kSureExtent_m))});
+    walls.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
+                     static_cast<float>(sigma),
+                     static_cast<float>(column.building *
+                                        std::min(1.0, column.extent_m / (2.0 * kLeastExtent_m)))});
   }
   return walls;
 }
@@ -224,9 +229,9 @@ StereoResult StereoWalls::operator()(const cv::Mat& left, const cv::Mat& right, 
   const StereoOptions& options = matcher_->options;
   const cv::Size size(static_cast<int>(std::lround(left.cols * options.scale)),
                       static_cast<int>(std::lround(left.rows * options.scale)));
-  if (std::min(size.width, size.height) < kMinSide_px) {
+  if (std::min(size.width, size.height) < leastSide()) {
     refuse(phrase("left image"), describe(left),
-           phrase("at least {} pixels a side at the reduced size", kMinSide_px));
+           phrase("at least {} pixels a side at the reduced size", leastSide()));
   }
   const StereoCamera reduced =
       reducedCamera(matcher_->camera, static_cast<double>(left.cols) / size.width,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/median.h"
 #include "core/plausibility/doubt.h"
 #include "core/plausibility/places.h"
 #include "core/plausibility/samples.h"
@@ -28,12 +29,5 @@ std::optional<double> scaleByScans(const Recording& recording, const std::stop_t
 
 /// What the odometry is likely counted in, `scale` metres a unit: 0.01 or 0.001. With the remedy.
 void sayUnitOfOdometry(double scale, Doubt& doubt);
-
-inline double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace handmap

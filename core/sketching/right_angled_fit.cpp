@@ -6,6 +6,8 @@
 #include <complex>
 #include <limits>
 
+#include "core/base/median.h"
+
 namespace handmap {
 
 namespace {
@@ -61,10 +63,7 @@ Walls settled(Walls walls, const Polygon& samples) {
       nearest[wall].push_back(wall % 2 == 0 ? sample.y() : sample.x());
     }
     for (std::size_t i = 0; i < walls.size(); ++i) {
-      if (nearest[i].empty()) continue;
-      const auto middle = nearest[i].begin() + static_cast<std::ptrdiff_t>(nearest[i].size() / 2);
-      std::ranges::nth_element(nearest[i], middle);
-      walls[i] = *middle;
+      if (!nearest[i].empty()) walls[i] = medianOf(nearest[i]);
     }
   }
   return walls;

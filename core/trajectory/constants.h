@@ -30,7 +30,6 @@ inline constexpr double kLeastOff_m = 1e-3;  // m; choice: where the histogram b
 inline constexpr std::size_t kStepsPerDecade = 15;          // 1; choice: of 17 % each
 inline constexpr std::size_t kSteps = 4 * kStepsPerDecade;  // 1; derived: to 10 m
 inline constexpr double kLeastNoise_m = 0.01;               // m; choice: data sheets of lasers
-inline constexpr double kMedianToSigma = 1.48;  // 1; derived: σ of a Gaussian by its median
 
 // A scan laid on a map.
 inline constexpr double kCell_m = 0.5;             // m; measured: FIELD.md (a) and (b)
@@ -71,7 +70,8 @@ inline constexpr std::size_t kDeviations = 80;       // motions; measured: FIELD
 inline constexpr std::size_t kLeastDeviations = 10;  // motions; choice: σ to a quarter
 inline constexpr std::size_t kRatios = 300;          // motions; measured: FIELD.md (a)
 inline constexpr std::size_t kLeastRatios = 40;      // motions; choice: a length to half a per cent
-inline constexpr double kPulled = 1.6;  // 1; measured: FIELD.md (a), a match is pulled by its prior
+inline constexpr double kPulled =
+    1.6 * 1.48;  // 1; measured: FIELD.md (a), σ by a median, and a match is pulled by its prior
 inline constexpr double kLeastScale = 0.7;      // 1; measured: FIELD.md (a), of σ
 inline constexpr double kMostMoveScale = 4.0;   // 1; measured: FIELD.md (a), of σ
 inline constexpr double kMostTurnScale = 6.0;   // 1; measured: FIELD.md (a), of σ

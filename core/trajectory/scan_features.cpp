@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/median.h"
 #include "core/geometry/to_outer.h"
 #include "core/trajectory/constants.h"
 
@@ -63,10 +64,7 @@ double spacing(const std::vector<Polar>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     steps.push_back(points[i].bearing - points[i - 1].bearing);
   }
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return medianOf(std::move(steps));
 }
 
 std::uint64_t cellOf(const Vec2& at, double cell_m) {

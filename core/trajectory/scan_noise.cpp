@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/gaussian.h"
 #include "core/trajectory/constants.h"
 
 namespace handmap {

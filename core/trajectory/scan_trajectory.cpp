@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/median.h"
 #include "core/trajectory/constants.h"
 #include "core/trajectory/local_map_odometry.h"
 #include "core/trajectory/returns.h"
@@ -25,10 +26,7 @@ double usualTurnOff(const std::vector<Pose2>& trajectory, const std::vector<Pose
     const double turn = trajectory[i].heading - trajectory[i - 1].heading;
     off.push_back(std::abs(normalizedAngle(turn - (other[i].heading - other[i - 1].heading))));
   }
-  if (off.empty()) return 0.0;
-  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), middle, off.end());
-  return *middle;
+  return medianOf(std::move(off));
 }
 
 }  // namespace

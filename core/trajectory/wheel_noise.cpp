@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/odometry/constants.h"
 #include "core/trajectory/constants.h"
 #include "core/trajectory/scan_noise.h"
@@ -15,10 +16,7 @@ using namespace trajectory;
 namespace {
 
 double median(const std::deque<double>& values) {
-  std::vector<double> sorted(values.begin(), values.end());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+  return medianOf(std::vector<double>(values.begin(), values.end()));
 }
 
 void remember(std::deque<double>& values, double value, std::size_t most) {
@@ -27,7 +25,7 @@ void remember(std::deque<double>& values, double value, std::size_t most) {
 }
 
 double learntScale(const std::deque<double>& deviations, double most) {
-  return std::clamp(kPulled * kMedianToSigma * median(deviations), kLeastScale, most);
+  return std::clamp(kPulled * median(deviations), kLeastScale, most);
 }
 
 }  // namespace

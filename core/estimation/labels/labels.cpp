@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/gaussian.h"
+#include "core/base/median.h"
 #include "core/estimation/labels/constants.h"
 
 namespace handmap {
@@ -194,9 +195,7 @@ double Labels::headingScatter(std::span<const FoundBox> found) const {
         box->box.heading - drawing_.buildings[b].box().heading - motion().turn(), kPi / 2.0)));
   }
   if (errors.empty()) return options_.heading_sigma;
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  const double sigma = kMedianToSigma * *middle;
+  const double sigma = kMedianToSigma * medianOf(errors);
   const auto count = static_cast<double>(errors.size());
   return std::sqrt(
       (kAssumed * options_.heading_sigma * options_.heading_sigma + count * sigma * sigma) /

@@ -9,8 +9,6 @@
 namespace handmap::walls {
 
 // The sensor model.
-inline constexpr double kNoiseOffset_m = 0.1;     // m; choice: until it is measured, METHOD.md 0.05
-inline constexpr double kNoiseQuadratic = 0.002;  // 1/m; choice: the same, METHOD.md 0.0021
 inline constexpr double kHit = 0.9;      // 1; measured: FIELD.md (c), else it is looked through
 inline constexpr double kSilence = 0.1;  // 1; choice: FIELD.md, table C, 0.02 to 20 m, 0.2 at 45
 inline constexpr double kRecognised = 0.85;  // 1; measured: METHOD.md, look like walls

@@ -8,20 +8,9 @@
 
 #include "core/base/quarter_octave.h"
 #include "core/estimation/walls/constants.h"
+#include "core/perception/range_noise.h"
 
 namespace handmap {
-
-/// Noise of a range return at the distance of the wall: σ(d) = offset + quadratic · d², around
-/// d + bias · d². Stereo has such a bias where its disparities are off by a part of a pixel.
-struct RangeNoise {
-  double offset_m = walls::kNoiseOffset_m;
-  double quadratic_per_m = walls::kNoiseQuadratic;
-  double bias_per_m = 0.0;
-  double bias(double distance_m) const { return bias_per_m * distance_m * distance_m; }
-  double at(double distance_m) const {
-    return offset_m + quadratic_per_m * distance_m * distance_m;
-  }
-};
 
 /// Returns from things in front of walls.
 struct Clutter {

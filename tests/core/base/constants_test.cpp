@@ -18,19 +18,19 @@ struct Room {
   std::size_t most;
 };
 constexpr Room kRooms[] = {{"core/map_match", 33},
-                           {"core/outlines", 103},
+                           {"core/outlines", 100},
                            {"core/explain", 15},
                            {"core/estimation/drawing", 5},
                            {"core/estimation/loops", 5},
                            {"core/estimation/labels", 21},
-                           {"core/trajectory", 95},
+                           {"core/trajectory", 94},
                            {"core/pose_graph", 6},
-                           {"core/perception", 71},
+                           {"core/perception", 68},
                            {"core/odometry", 48},
                            {"core/estimation", 30},
                            {"core/estimation/buildings", 51},
                            {"core/estimation/smoothing", 36},
-                           {"core/estimation/walls", 43},
+                           {"core/estimation/walls", 41},
                            {"core/method", 41},
                            {"core/tape", 2}};
 

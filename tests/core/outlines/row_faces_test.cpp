@@ -37,7 +37,7 @@ TEST(RowFaces, DivideNoHouseForAShedBeforeIt) {
   EXPECT_NEAR(faces.across(RowFaces::kLow, 17.5, 22.5).value_or(0.0), 6.5, 0.15);
   const double divided =
       faces.evidence(10.0, 17.5) + faces.evidence(17.5, 22.5) + faces.evidence(22.5, 30.0);
-  EXPECT_LT(divided - faces.evidence(10.0, 30.0), 2.0 * outlines::kIsThere);
+  EXPECT_LT(divided - faces.evidence(10.0, 30.0), 2.0 * outlines::kTells);
 }
 
 TEST(RowFaces, SayHowTheyAreTurned) {
