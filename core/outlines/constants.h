@@ -74,7 +74,6 @@ inline constexpr std::size_t kBlock = 128;    // rays; choice: of them at once, 
 inline constexpr double kMostScale = 0.3;             // 1; measured: logs of drawn sizes, METHOD.md
 inline constexpr double kMostTurn = toRadians(15.0);  // rad; measured: core/sketch_study
 inline constexpr double kMostShear = 0.03;        // 1; choice: walls stand upright on each other
-inline constexpr double kMostCorner_m = 1.0;      // m; choice: of a single wall
 inline constexpr double kLeastShare = 0.01;       // 1; choice: of sizes said to be exact
 inline constexpr int kSamples = 4000;             // samples; measured: README, what hangs on them
 inline constexpr std::size_t kAsked = 2500;       // rays; choice: samples are weighed by
@@ -93,10 +92,8 @@ struct Stage {
 inline constexpr std::array kStages{Stage{0.8, 24, 1.0, 0.3},
                                     Stage{0.3, 12, 0.5, 0.15}};  // m; choice: from coarse to fine
 inline constexpr Stage kLast = {kSlack_m, 6, 0.25, 0.03};        // m; choice: the finest
-inline constexpr double kLeastWallStep = 0.06;  // m; choice: of a single wall's search
 inline constexpr double kAnotherThing = 1e4;    // nats; limit: a size out of its range, by its log
 inline constexpr double kAnother_m = 1.0;       // m; choice: nearer places are one
-inline constexpr double kSteep = 0.5;  // 1; choice: sine, 30°, at which walls end each other
 inline constexpr double kSpreadFirst_m = 0.05;  // m; choice: no wall is surer
 inline constexpr double kSpreadDrop = 0.5;      // nats; derived: one σ of a Gaussian
 inline constexpr double kSystematic_m = 0.2;    // m; choice: of poses and crooked walls, all rays

@@ -134,54 +134,11 @@ void keepBest(std::vector<Candidate>& candidates, std::size_t most, const Shape&
   candidates = std::move(kept);
 }
 
-/// The outline with one wall moved along its normal; the walls beside it end where it is now.
-Polygon withWallMoved(const Polygon& outline, std::size_t wall, double by) {
-  const std::size_t n = outline.size();
-  const std::size_t a = (wall + n - 1) % n;
-  const Vec2 along = (outline[wall] - outline[a]).normalized();
-  const Vec2 shift = -perpendicular(along) * by;
-  Polygon moved = outline;
-  const auto slide = [&](std::size_t corner, std::size_t beyond) {
-    const Vec2 side = (outline[corner] - outline[beyond]).normalized();
-    const double sine = cross(side, along);
-    moved[corner] += std::abs(sine) > kSteep ? Vec2(side * (cross(shift, along) / sine)) : shift;
-  };
-  slide(a, (a + n - 1) % n);
-  slide(wall, (wall + 1) % n);
-  return moved;
-}
-
-/// Wall by wall, each where the rays want it, as far as they outweigh that drawings are rather
-/// right in their proportions.
-void moveWalls(FittedOutline& fitted, const OutlinePrior& prior, const OutlineScorer& scorer,
-               const std::stop_token& stop) {
-  std::vector<double> moved(fitted.outline.size(), 0.0);
-  const auto penalty = [&](double by) { return -0.5 * std::pow(by / prior.corner_m, 2); };
-  for (double step = 0.8; step >= kLeastWallStep; step *= 0.5) {
-    for (std::size_t wall = 0; wall < moved.size(); ++wall) {
-      if (stop.stop_requested()) return;
-      for (const double by : {step, -step}) {
-        Polygon outline = withWallMoved(fitted.outline, wall, by);
-        if (!isSimple(outline) || signedArea(outline) <= 0.0) continue;
-        const double score = scorer(outline, kLast.slack_m);
-        const double changed = penalty(moved[wall] + by) - penalty(moved[wall]);
-        if (score + changed <= fitted.score) continue;
-        fitted.outline = std::move(outline);
-        fitted.score = score;
-        fitted.prior += changed;
-        moved[wall] += by;
-        break;
-      }
-    }
-  }
-}
-
-FittedOutline finished(const Candidate& candidate, const Shape& shape, const OutlinePrior& prior,
-                       const OutlineScorer& scorer, const std::stop_token& stop) {
+FittedOutline finished(const Candidate& candidate, const Shape& shape,
+                       const OutlineScorer& scorer) {
   const Move& move = candidate.move;
   FittedOutline fitted{shape(move), move, 0.0, shape.logPrior(move)};
   fitted.score = scorer(fitted.outline, kLast.slack_m);
-  if (prior.corner_m > 0.0) moveWalls(fitted, prior, scorer, stop);
   return fitted;
 }
 
@@ -216,9 +173,7 @@ std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const Outli
   }
   keepBest(candidates, candidates.size(), shape);
   std::vector<FittedOutline> fitted;
-  for (const Candidate& candidate : candidates) {
-    fitted.push_back(finished(candidate, shape, prior, fine, stop));
-  }
+  for (const Candidate& candidate : candidates) fitted.push_back(finished(candidate, shape, fine));
   std::ranges::stable_sort(fitted, std::ranges::greater{}, &FittedOutline::total);
   return fitted;
 }
@@ -230,7 +185,7 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
   const OutlineScorer fine = scorer.thinned(kAskedLater);
   Candidate candidate{start};
   improve(candidate, shape, fine, kLast, random, stop);
-  return finished(candidate, shape, prior, fine, stop);
+  return finished(candidate, shape, fine);
 }
 
 FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {

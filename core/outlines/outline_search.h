@@ -18,7 +18,6 @@ struct OutlinePrior {
   double turn = 0.08;      ///< radians
   double log_scale = 0.3;  ///< of each axis
   double shear = 0.03;
-  double corner_m = 1.0;  ///< of each wall, when the whole is in place; 0: walls stay together
   /// log of the size along each axis that is most probable, as a share of that of `start`. One
   /// that differs by more than kMostSizeOff is that of another thing.
   Vec2 expected_log_size = Vec2::Zero();
@@ -29,15 +28,15 @@ using OutlineMove = std::array<double, 6>;
 
 struct FittedOutline {
   Polygon outline;
-  OutlineMove move{};  ///< of the prior's start, before single walls were moved
+  OutlineMove move{};  ///< of the prior's start
   double score = 0.0;  ///< log ratio against nothing there, without what the prior says
   double prior = 0.0;  ///< log density of the prior, at most 0
   double total() const { return score + prior; }
 };
 
-/// Samples of the prior, the best of them by CMA-ES with ever narrower walls, then wall by wall.
-/// Places that differ and explain the rays nearly as well, the best first: which of them is right
-/// may depend on the neighbours. The same random numbers give the same outlines. Comes back at
+/// Samples of the prior, the best of them by CMA-ES with ever narrower walls. Places that differ
+/// and explain the rays nearly as well, the best first: which of them is right may depend on the
+/// neighbours. The same random numbers give the same outlines. Comes back at
 /// once, with any outline, where `stop` is requested.
 std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
                                           RandomStream random, const std::stop_token& stop = {});

@@ -36,7 +36,6 @@ OutlinePrior priorOf(const OutlineTask& task) {
       std::clamp(std::hypot(share, task.whole.scale.value_or(0.0)), kLeastShare, kMostScale);
   prior.turn = std::clamp(std::hypot(share, task.whole.turn.value_or(0.0)), kLeastShare, kMostTurn);
   prior.shear = task.rectangle ? 0.0 : std::clamp(share, kLeastShare, kMostShear);
-  prior.corner_m = task.rectangle ? 0.0 : std::min(task.size_m, kMostCorner_m);
   return prior;
 }
 

@@ -18,7 +18,7 @@ struct Room {
   std::size_t most;
 };
 constexpr Room kRooms[] = {{"core/map_match", 33},
-                           {"core/outlines", 100},
+                           {"core/outlines", 97},
                            {"core/explain", 15},
                            {"core/estimation/drawing", 5},
                            {"core/estimation/loops", 5},
