@@ -21,7 +21,7 @@ HandmapEstimator::HandmapEstimator(const Map& drawing, const EstimatorOptions& o
   }
   state_ = std::make_unique<State>(drawing, stated, seed);
   state_->pose = *drawing.start;
-  state_->correction.correctAll({}, state_->hasReached());
+  state_->correction.correctAll({}, state_->hasPassed());
 }
 
 HandmapEstimator::~HandmapEstimator() = default;
@@ -117,7 +117,7 @@ void HandmapEstimator::State::workOn(const std::stop_token& stop,
   }
   if (closeLoop(stop) || smoothPeriodically(stop)) labelBuildings(nearM());
   if (stop.stop_requested()) return;
-  correction.correctSome(found, hasReached());
+  correction.correctSome(found, hasPassed());
   reached(EstimatorPhase::Correction);
 }
 
@@ -144,7 +144,7 @@ void HandmapEstimator::finish(const std::stop_token& stop) {
   const bool few = state.labels.settledCount() + state.found.size() <= kMostLabelled &&
                    state.drawing.buildings.size() <= 2 * kMostLabelled;
   state.labelBuildings(few ? std::numeric_limits<double>::infinity() : state.nearM());
-  state.correction.correctAll(state.found, state.hasReached());
+  state.correction.correctAll(state.found, state.hasPassed());
   state.pose = state.frames.back().pose;
 }
 

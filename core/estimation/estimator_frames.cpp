@@ -74,12 +74,15 @@ std::vector<Frame*> HandmapEstimator::State::framesFrom(std::size_t first) {
   return some;
 }
 
-MapCorrection::HasReached HandmapEstimator::State::hasReached() const {
+MapCorrection::HasPassed HandmapEstimator::State::hasPassed() const {
   return [this](const Rectangle& box) {
     const Polygon corners = box.corners();
-    return std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
-      return distanceTo(corners, frame.pose.position()) < options.range_limit_m;
-    });
+    const auto distance = [&](const Frame& frame) {
+      return distanceTo(corners, frame.pose.position());
+    };
+    if (frames.empty()) return false;
+    const double least = std::min(options.range_limit_m, distance(frames.back()));
+    return std::ranges::any_of(frames, [&](const Frame& frame) { return distance(frame) < least; });
   };
 }
 

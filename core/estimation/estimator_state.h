@@ -76,7 +76,7 @@ struct HandmapEstimator::State {
   std::vector<Frame*> framesFrom(std::size_t first);
   bool isInReach(const FoundBox& found) const;
   bool isInSight(const FoundBox& found) const;
-  MapCorrection::HasReached hasReached() const;
+  MapCorrection::HasPassed hasPassed() const;
 
   /// What is still to be done of a key frame, first the one, then the other.
   enum class Due { Nothing, Buildings, Whole };

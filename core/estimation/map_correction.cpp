@@ -42,7 +42,7 @@ Building MapCorrection::stated(std::size_t b, const RefinedBuilding& refined,
 }
 
 void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
-                            const HasReached& has_reached) {
+                            const HasPassed& has_passed) {
   const Labels::Label label = labels_.of(b, found);
   const Building& drawn = drawing_.buildings[b];
   if (drawn.fixed) return;
@@ -51,8 +51,8 @@ void MapCorrection::correct(std::size_t b, std::span<const FoundBox> found,
   const RefinedBuilding refined =
       label.found ? refinedBuilding(drawn, uncertainty, labels_.motion(), label.found) : predicted;
   Building building = stated(b, refined, label.found);
-  // Of what the robot has not come to yet nothing can be said.
-  if (label.doubt > kSlightDoubt && (label.found || has_reached(refined.box()))) {
+  // Of what is still ahead of the robot nothing can be said.
+  if (label.doubt > kSlightDoubt && (label.found || has_passed(refined.box()))) {
     setDoubt(building, label.doubt);
   }
   predicted_.set(b, label.found ? stated(b, predicted, nullptr) : building);
@@ -105,20 +105,20 @@ void MapCorrection::share() {
   predicted_buildings_ = predicted_.share();
 }
 
-void MapCorrection::correctAll(std::span<const FoundBox> found, const HasReached& has_reached) {
+void MapCorrection::correctAll(std::span<const FoundBox> found, const HasPassed& has_passed) {
   for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) compare(b, found);
   predict();
-  for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) correct(b, found, has_reached);
+  for (std::size_t b = 0; b < drawing_.buildings.size(); ++b) correct(b, found, has_passed);
   share();
 }
 
-void MapCorrection::correctSome(std::span<const FoundBox> found, const HasReached& has_reached) {
+void MapCorrection::correctSome(std::span<const FoundBox> found, const HasPassed& has_passed) {
   for (const std::size_t b : labels_.nearby()) compare(b, found);
   predict();
-  for (const std::size_t b : labels_.nearby()) correct(b, found, has_reached);
+  for (const std::size_t b : labels_.nearby()) correct(b, found, has_passed);
   for (std::size_t i = 0; i < std::min(kMostCorrected, drawing_.buildings.size()); ++i) {
     last_ = (last_ + 1) % drawing_.buildings.size();
-    if (!labels_.isNearby(last_)) correct(last_, found, has_reached);
+    if (!labels_.isNearby(last_)) correct(last_, found, has_passed);
   }
   share();
 }

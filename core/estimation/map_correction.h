@@ -18,8 +18,8 @@ namespace handmap {
 /// of the others.
 class MapCorrection {
  public:
-  /// Tells whether the robot has been within sight of a place.
-  using HasReached = std::function<bool(const Rectangle&)>;
+  /// Tells whether the robot was within sight of a place, and nearer to it than it is now.
+  using HasPassed = std::function<bool(const Rectangle&)>;
 
   /// Keeps references to the drawing and to its labels.
   MapCorrection(const Map& drawing, const Labels& labels)
@@ -34,8 +34,8 @@ class MapCorrection {
   }
 
   /// `found`: of the last update of the labels.
-  void correctAll(std::span<const FoundBox> found, const HasReached& has_reached);
-  void correctSome(std::span<const FoundBox> found, const HasReached& has_reached);
+  void correctAll(std::span<const FoundBox> found, const HasPassed& has_passed);
+  void correctSome(std::span<const FoundBox> found, const HasPassed& has_passed);
   /// A building that is probably another one, or not there, has a member "doubtful".
   std::function<Map()> mapLater() const;
   /// Each as if it had not been found itself.
@@ -47,8 +47,7 @@ class MapCorrection {
   void predict();
   /// How the drawing lies at a building, by the others that were found.
   DrawingMotion motionBeside(std::size_t building) const;
-  void correct(std::size_t building, std::span<const FoundBox> found,
-               const HasReached& has_reached);
+  void correct(std::size_t building, std::span<const FoundBox> found, const HasPassed& has_passed);
   Building stated(std::size_t building, const RefinedBuilding& refined,
                   const FoundBox* found) const;
   std::function<Map()> later(const SharedList<Building>& buildings) const;

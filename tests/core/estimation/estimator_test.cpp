@@ -252,6 +252,28 @@ TEST(HandmapEstimator, SwarmsLieAroundTheBuildingsAsTheEstimateSays) {
   }
 }
 
+int doubtful(const Map& refined) {
+  return static_cast<int>(std::ranges::count_if(
+      refined.buildings, [](const Building& building) { return building.doubt.has_value(); }));
+}
+
+TEST(HandmapEstimator, DoubtsNoBuildingThatIsStillAhead) {
+  const World world = twoRowWorld(17);
+  const Map drawing = perturbed(world.map, 10.0, 18);
+  for (const int observations : {1, 3}) {
+    EXPECT_EQ(doubtful(runThrough(world, drawing, observations).refined), 0) << observations;
+  }
+}
+
+TEST(HandmapEstimator, DoubtsABuildingThatItPassedAndDidNotSee) {
+  World world = twoRowWorld(17);
+  const Map drawing = world.map;
+  world.map.buildings.erase(world.map.buildings.begin() + 1);
+  const Outcome run = runThrough(world, drawing, 1000);
+  EXPECT_EQ(doubtful(run.refined), 1);
+  EXPECT_TRUE(run.refined.buildings[1].doubt.has_value());
+}
+
 TEST(HandmapEstimator, RefusesADrawingWithoutBuildingsOrStart) {
   Map map = twoRowWorld(1).map;
   map.start.reset();
