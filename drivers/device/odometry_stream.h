@@ -28,7 +28,6 @@ class OdometryStream {
   /// Ready or Degraded.
   DeviceState state();
   QString detail();
-  double lastArrival_s() const { return last_arrival_s_; }
   /// Of the base's frame in that of what take() gives.
   const Pose2& origin() const { return gate_.correction(); }
   int clockJumps() const { return offset_.jumps(); }

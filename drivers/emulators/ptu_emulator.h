@@ -47,8 +47,6 @@ class PtuEmulator : public QObject {
   void setVerbose(bool on) { verbose_ = on; }
   /// Switched off: hears and says nothing, though the cable is in.
   void setDead(bool dead) { dead_ = dead; }
-  /// Sends "!P" now, whatever it is saying.
-  void sayPanLimit() { port_.write("!P"); }
   /// All commands since the last call (the newest thousand of them).
   std::vector<std::string> takeCommands();
 

@@ -1,7 +1,5 @@
 #include "drivers/virtual/virtual_rig.h"
 
-#include <algorithm>
-
 #include "drivers/virtual/virtual_devices.h"
 
 namespace handmap {
@@ -40,13 +38,6 @@ MakeDevices virtualDevices(VirtualDrive drive) {
         shared, std::move(source), drive.step_m / drive.speed_m_s, drive.faults);
     return devices;
   };
-}
-
-Pose2 truePose(const VirtualDrive& drive, double since_start_s) {
-  const auto source = sourceOf(drive);
-  const Trajectory truth(source->info().truth, "virtual rig");
-  const auto& poses = truth.poses();
-  return *truth.at(std::clamp(since_start_s, poses.front().time_s, poses.back().time_s));
 }
 
 }  // namespace handmap

@@ -24,7 +24,4 @@ Rig virtualRig(const VirtualDrive& drive);
 /// Throws BadInput where the world has no way to drive.
 MakeDevices virtualDevices(VirtualDrive drive);
 
-/// Where the robot of a drive truly is, `since_start_s` after its start. Map frame.
-Pose2 truePose(const VirtualDrive& drive, double since_start_s);
-
 }  // namespace handmap

@@ -29,7 +29,6 @@ class FreehandTool : public Tool {
 
   /// Off: a stroke stays as it is drawn.
   void setRecognizing(bool on) { recognizing_ = on; }
-  bool isRecognizing() const { return recognizing_; }
   /// What is shown over the stroke; nullptr: nothing.
   const ShapeGuess* guess() const;
   void showNextGuess(int by = 1);

@@ -207,14 +207,6 @@ double Labels::doubtOf(std::size_t place) const {
   return hypotheses_.front().found_of[place] == FoundId::None ? agreed : 1.0 - agreed;
 }
 
-std::optional<FoundId> Labels::foundOf(std::size_t building) const {
-  const std::size_t place = nearby_at_[building];
-  if (place == kNowhere || settled_at_[building] != kNowhere) return std::nullopt;
-  const FoundId found = hypotheses_.front().found_of[place];
-  if (found == FoundId::None) return std::nullopt;
-  return found;
-}
-
 const FoundBox* Labels::foundFor(std::size_t building, const Hypothesis& hypothesis,
                                  std::span<const FoundBox> found) const {
   if (settled_at_[building] != kNowhere) return &settled_[settled_at_[building]].found;

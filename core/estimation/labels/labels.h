@@ -61,8 +61,6 @@ class Labels {
   /// sure; near `here` the way may have drifted by `shift_m`, one σ.
   std::vector<std::optional<std::size_t>> recognise(std::span<const FoundBox> boxes,
                                                     const Vec2& here, double shift_m) const;
-  /// Which of `found` of the last update() a drawn building near the robot is.
-  std::optional<FoundId> foundOf(std::size_t building) const;
   Label of(std::size_t building, std::span<const FoundBox> found) const;
   /// The same by any of the hypotheses, without the doubt.
   const FoundBox* foundFor(std::size_t building, const Hypothesis& hypothesis,

@@ -73,8 +73,8 @@ TEST_F(LabelsTest, WhoComesBackFindsThemAgain) {
     update(labels, {x, 0.0, kPi});
   }
   EXPECT_EQ(labels.nearby().front(), 0u);
-  ASSERT_TRUE(labels.foundOf(1).has_value());
-  EXPECT_EQ(labels.foundOf(1), static_cast<FoundId>(1));
+  ASSERT_NE(labels.of(1, found_).found, nullptr);
+  EXPECT_EQ(labels.of(1, found_).found->id, static_cast<FoundId>(1));
   EXPECT_EQ(labels.drawnOf(static_cast<FoundId>(1)), 1u);
   for (std::size_t b = 0; b < static_cast<std::size_t>(known_); ++b) {
     EXPECT_EQ(foundAt(labels, b), 40.0 * static_cast<double>(b)) << b;
