@@ -102,7 +102,7 @@ inline constexpr int kParents = kOffspring / 2;    // 1; derived: Hansen's half
 inline constexpr double kLeastEigenvalue = 1e-12;  // 1; limit: rounding makes none negative
 
 // Which places go together.
-inline constexpr double kTells = 3.0;           // nats; choice: less decides nothing, 20 to 1
+inline constexpr double kTells = 3.0;           // nats; measured: FIELD.md's part 2, 4, 20 to 1
 inline constexpr double kOwnedWithin_m = 0.5;   // m; choice: a building stands for returns so near
 inline constexpr double kOverlap = 400.0;       // nats; choice: for all of a building on another
 inline constexpr double kLeastWorth = 1e-9;     // nats; limit: a gain, not rounding

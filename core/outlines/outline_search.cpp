@@ -134,12 +134,10 @@ void keepBest(std::vector<Candidate>& candidates, std::size_t most, const Shape&
   candidates = std::move(kept);
 }
 
-FittedOutline finished(const Candidate& candidate, const Shape& shape,
-                       const OutlineScorer& scorer) {
-  const Move& move = candidate.move;
-  FittedOutline fitted{shape(move), move, 0.0, shape.logPrior(move)};
-  fitted.score = scorer(fitted.outline, kLast.slack_m);
-  return fitted;
+FittedOutline fittedBy(const Move& move, const Shape& shape, const OutlineScorer& scorer) {
+  Polygon outline = shape(move);
+  const double score = scorer(outline, kLast.slack_m);
+  return {std::move(outline), move, score, shape.logPrior(move)};
 }
 
 }  // namespace
@@ -173,8 +171,7 @@ std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const Outli
   }
   keepBest(candidates, candidates.size(), shape);
   std::vector<FittedOutline> fitted;
-  for (const Candidate& candidate : candidates) fitted.push_back(finished(candidate, shape, fine));
-  std::ranges::stable_sort(fitted, std::ranges::greater{}, &FittedOutline::total);
+  for (const Candidate& best : candidates) fitted.push_back(fittedBy(best.move, shape, fine));
   return fitted;
 }
 
@@ -185,7 +182,7 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
   const OutlineScorer fine = scorer.thinned(kAskedLater);
   Candidate candidate{start};
   improve(candidate, shape, fine, kLast, random, stop);
-  return finished(candidate, shape, fine);
+  return fittedBy(candidate.move, shape, fine);
 }
 
 FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {

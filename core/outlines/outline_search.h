@@ -36,8 +36,8 @@ struct FittedOutline {
 
 /// Samples of the prior, the best of them by CMA-ES with ever narrower walls. Places that differ
 /// and explain the rays nearly as well, the best first: which of them is right may depend on the
-/// neighbours. The same random numbers give the same outlines. Comes back at
-/// once, with any outline, where `stop` is requested.
+/// neighbours. The same random numbers give the same outlines. Comes back at once, with any
+/// outline, where `stop` is requested.
 std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
                                           RandomStream random, const std::stop_token& stop = {});
 

@@ -1,8 +1,6 @@
 // The parts of doubtsOf(). Each adds what it finds.
 #pragma once
 
-#include <algorithm>
-
 #include "core/base/median.h"
 #include "core/plausibility/doubt.h"
 #include "core/plausibility/places.h"
