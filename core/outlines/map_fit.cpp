@@ -143,6 +143,8 @@ class Settling {
       result.estimate = estimateOf(result.outline, task, scorer, spread);
       result.sides = sidesOf(result.outline, task, scorer, spread);
       own(i, result.outline, scorer);
+    } else if (scorer(result.outline, kDrawnSlack_m) < -kTells) {
+      result.doubt = 1.0;
     }
     return result;
   }

@@ -20,7 +20,8 @@ struct OutlineResult {
   double gain = 0.0;                 ///< the same against the drawn one
   std::optional<Estimate> estimate;  ///< of the outline, where the rays speak for it
   Sides sides;                       ///< the same
-  double doubt = 0.0;                ///< that it is another house of its row, 0 … 1
+  /// That it is another house of its row; 1 where it was looked through and found nowhere else.
+  double doubt = 0.0;
 };
 
 /// One result a task. A building is moved where the rays speak for a building there and against the

@@ -132,13 +132,13 @@ Map fittedMap(const Map& drawing, const std::optional<FoundMap>& found,
       building.estimate = results[b].estimate;
       forgetCertainty(building);
       setSides(building, results[b].sides);
-      if (results[b].doubt > 0.0) setDoubt(building, results[b].doubt);
     } else if (!found || (outline == tasks[b].drawn && isRecognised(building))) {
       // It stays as drawn; what may be said of it is what the drawing says.
       const Uncertainty uncertainty = drawing.uncertaintyOf(drawn);
       found ? building.sides.reset() : forgetCertainty(building);
       building.estimate = {uncertainty.position, uncertainty.position, uncertainty.size, 0};
     }
+    if (!results.empty() && results[b].doubt > 0.0) setDoubt(building, results[b].doubt);
   }
   return map;
 }

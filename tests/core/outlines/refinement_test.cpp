@@ -129,6 +129,28 @@ TEST(Refinement, LeavesADrawingThatIsRightAsItIs) {
   }
 }
 
+TEST(Refinement, DoubtsWhatIsLookedThroughAndNothingElse) {
+  const Rectangle on_the_way{{40.0, 2.0}, 10.0, 6.0, 0.0};
+  const Rectangle not_seen{{30.0, -150.0}, 14.0, 8.0, 0.0};
+  const Drive drive = drivePast({kDrawn.corners()});
+  for (const bool is_found : {false, true}) {
+    Map drawing = drawingOf(kDrawn, 1.5);
+    Map found = drawing;
+    found.buildings[0].estimate = Estimate{0.1, 0.1, 0.1, 12};
+    for (const Rectangle& box : {on_the_way, not_seen}) {
+      drawing.buildings.push_back(drawingOf(box, 1.5).buildings[0]);
+      found.buildings.push_back(drawing.buildings.back());
+    }
+    const auto refined =
+        refine(drawing, is_found ? std::optional(FoundMap{found, DrawingMotion{}}) : std::nullopt,
+               placeRays(drive.seen, drive.way), 40.0, 1);
+    ASSERT_TRUE(refined);
+    EXPECT_FALSE(refined->map.buildings[0].doubt) << is_found;
+    EXPECT_GT(refined->map.buildings[1].doubt.value_or(0.0), 0.5) << is_found;
+    EXPECT_FALSE(refined->map.buildings[2].doubt) << is_found;
+  }
+}
+
 TEST(Refinement, SaysHowFarRaysSpeakForADrawing) {
   Map drawing = drawingOf(kDrawn, 3.0);
   const Drive drive = drivePast({kDrawn.corners()});
