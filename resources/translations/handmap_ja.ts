@@ -8155,8 +8155,8 @@ Corrected by a run.</source>
 <context>
     <name>handmap::ReviewWords</name>
     <message>
-        <source>not seen: it stays as drawn</source>
-        <translation>見えていない：描かれたまま</translation>
+        <source>not recognised: it stays as drawn</source>
+        <translation>認識されず：描かれたまま</translation>
     </message>
     <message>
         <source>%1 of %2 walls seen</source>
@@ -8167,8 +8167,8 @@ Corrected by a run.</source>
         <translation>同様の場合の 100 件中約 %1 件が誤り</translation>
     </message>
     <message>
-        <source>not seen: it moves with the others</source>
-        <translation>見えていない：まわりと一緒に移動</translation>
+        <source>not recognised: it moves with the others</source>
+        <translation>認識されず：まわりと一緒に移動</translation>
     </message>
 </context>
 <context>

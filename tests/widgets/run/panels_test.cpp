@@ -163,7 +163,10 @@ TEST(BuildingsModel, ShowsTheChangeAgainstTheDrawing) {
   forgetCertainty(refined.buildings[0]);
   refined.buildings[0].estimate->observations = 0;
   model.setRefined(refined);
-  EXPECT_EQ(text(BuildingsModel::Why), "not seen: it moves with the others");
+  EXPECT_EQ(text(BuildingsModel::Why), "not recognised: it moves with the others");
+  setDoubt(refined.buildings[0], 0.4);
+  model.setRefined(refined);
+  EXPECT_TRUE(text(BuildingsModel::Why).startsWith("not recognised")) << "why comes first";
   model.setDrawing({});
   EXPECT_EQ(model.rowCount(), 0);
 }

@@ -23,17 +23,17 @@ Suspicion ReviewWords::suspicion(const Map& drawing, const Map& refined, std::si
     found.degree += kConcernDegree;
     found.reasons << Words::concern(concern, drawing);
   }
+  if (!isRecognised(now)) {
+    found.degree += kUnseenDegree;
+    const bool carried = changeOf(drawing.buildings[building], now).moved_m() >= kLeastMove_m;
+    found.reasons << (carried ? tr("not recognised: it moves with the others")
+                              : tr("not recognised: it stays as drawn"));
+  }
   if (const double doubt = doubtOf(now); doubt > 0.0) {
     found.degree += 2.0 * doubt;  // 1 where either is as likely
     found.reasons << tr("wrong in about %1 of 100 such cases").arg(std::lround(100.0 * doubt));
   }
-  if (!isRecognised(now)) {
-    found.degree += kUnseenDegree;
-    const bool carried = changeOf(drawing.buildings[building], now).moved_m() >= kLeastMove_m;
-    found.reasons << (carried ? tr("not seen: it moves with the others")
-                              : tr("not seen: it stays as drawn"));
-    return found;
-  }
+  if (!isRecognised(now)) return found;
   const std::vector<SideEstimate> walls = wallsOf(now);
   const auto seen = std::ranges::count_if(walls, &SideEstimate::seen);
   if (const auto all = static_cast<long>(walls.size()); seen < all) {
