@@ -10,10 +10,6 @@ namespace handmap {
 
 namespace {
 
-constexpr double kFar = 3.0;  // σ of the drawing; three of a thousand are farther off by chance
-/// One in three outlines that people draw is turned by more (core/sketch_study); of drawings that
-/// are said to be better hardly any.
-constexpr double kMuchTurned = toRadians(15.0);
 /// Of the smaller building: neighbours of real places that are fitted each for itself share less.
 constexpr double kMuchShared = 0.1;
 
@@ -28,6 +24,22 @@ constexpr double kThing_m = 5.0;
 constexpr double kShrunk = 0.8;
 constexpr double kThinMore = 10.0;
 constexpr double kMostSquare = 100.0;  // beyond it is certain
+/// So probable it is told. Of 1,431 houses as 85 runs had them, real ones and simulated ones, half
+/// of these drawn as people do, 180 are doubtful with it and 107 of them wrong. With a turn by more
+/// than 15° and 3 σ of place or size in its stead 307 were, and 117 of them.
+constexpr double kProbable = 0.07;
+
+/// How far it is off its drawing, squared, in σ of that.
+struct Off {
+  double place;
+  double sizes;
+};
+Off offOf(const BuildingChange& change, const Uncertainty& drawn) {
+  const double position = std::max(drawn.position, kLeastGrowth_m);
+  const double size = std::max(drawn.size, kLeastGrowth_m);
+  return {std::pow(change.moved_m() / position, 2),
+          (std::pow(change.wider_m, 2) + std::pow(change.deeper_m, 2)) / (size * size)};
+}
 
 struct Laid {
   std::size_t building;
@@ -77,17 +89,13 @@ std::vector<Concern> concernsOf(const Map& drawing, const Map& refined) {
   std::vector<Concern> concerns;
   const std::size_t count = std::min(drawing.buildings.size(), refined.buildings.size());
   for (std::size_t b = 0; b < count; ++b) {
-    if (!isRecognised(refined.buildings[b])) continue;
-    const BuildingChange change = changeOf(drawing.buildings[b], refined.buildings[b]);
-    const Uncertainty drawn = drawing.uncertaintyOf(drawing.buildings[b]);
-    // A middle is also moved where one side alone is put elsewhere.
-    const double off_m = std::hypot(drawn.position, 0.5 * drawn.size);
-    if (change.moved_m() > std::max(kFar * off_m, kLeastGrowth_m))
-      concerns.push_back({Concern::Kind::Moved, b, 0, change.moved_m()});
-    if (std::abs(change.turned) > kMuchTurned)
-      concerns.push_back({Concern::Kind::Turned, b, 0, change.turned});
-    if (std::abs(change.grown_m()) > std::max(kFar * drawn.size, kLeastGrowth_m))
-      concerns.push_back({Concern::Kind::Resized, b, 0, change.grown_m()});
+    const Building& drawn = drawing.buildings[b];
+    if (misfitProbability(drawing, drawn, refined.buildings[b]) < kProbable) continue;
+    const BuildingChange change = changeOf(drawn, refined.buildings[b]);
+    const Off off = offOf(change, drawing.uncertaintyOf(drawn));
+    const bool moved = off.place > off.sizes;
+    concerns.push_back({moved ? Concern::Kind::Moved : Concern::Kind::Resized, b, 0,
+                        moved ? change.moved_m() : change.grown_m()});
   }
   addOverlaps(drawing, refined, concerns);
   std::ranges::stable_sort(concerns, {}, &Concern::building);
@@ -97,20 +105,16 @@ std::vector<Concern> concernsOf(const Map& drawing, const Map& refined) {
 double misfitProbability(const Map& drawing, const Building& drawn, const Building& refined) {
   if (!isRecognised(refined) || drawn.fixed) return 0.0;
   const BuildingChange change = changeOf(drawn, refined);
-  const Uncertainty sigma = drawing.uncertaintyOf(drawn);
-  const double position = std::max(sigma.position, kLeastGrowth_m);
-  const double size = std::max(sigma.size, kLeastGrowth_m);
-  const double square =
-      std::pow(change.moved_m() / position, 2) +
-      (std::pow(change.wider_m, 2) + std::pow(change.deeper_m, 2)) / (size * size);
+  const Off off = offOf(change, drawing.uncertaintyOf(drawn));
   const Rectangle before = drawn.box();
   const Rectangle now = refined.box();
   const double thickness = std::min(now.width, now.depth);
   const bool thin =
       thickness < kThing_m && thickness < kShrunk * std::min(before.width, before.depth);
-  const double odds =
-      kMisfitted / (1.0 - kMisfitted) * (thin ? kThinMore : 1.0) * std::pow(kWorse, -4.0) *
-      std::exp(0.5 * std::min(square, kMostSquare) * (1.0 - 1.0 / (kWorse * kWorse)));
+  const double odds = kMisfitted / (1.0 - kMisfitted) * (thin ? kThinMore : 1.0) *
+                      std::pow(kWorse, -4.0) *
+                      std::exp(0.5 * std::min(off.place + off.sizes, kMostSquare) *
+                               (1.0 - 1.0 / (kWorse * kWorse)));
   return odds / (1.0 + odds);
 }
 

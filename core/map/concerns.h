@@ -1,5 +1,5 @@
 // What a run has made of a drawing that nobody should take over unseen: corrected buildings that
-// stand in each other, and changes far beyond what the drawing says that it may be off.
+// stand in each other, and such as were probably fitted to something else.
 #pragma once
 
 #include <span>
@@ -10,12 +10,12 @@
 namespace handmap {
 
 struct Concern {
-  enum class Kind { Overlaps, Moved, Turned, Resized };
+  enum class Kind { Overlaps, Moved, Resized };
   Kind kind;
   std::size_t building;   ///< of the drawing
   std::size_t other = 0;  ///< Overlaps: the building that it shares ground with
   /// Overlaps: how much more of the smaller one's area is shared than in the drawing, 0 … 1; Moved
-  /// and Resized: metres; Turned: radians.
+  /// and Resized: metres.
   double by = 0.0;
 };
 

@@ -10,24 +10,23 @@ using namespace method;
 
 namespace {
 
-double shareWrong(const Building& building, int concerns) {
-  const double said = doubtOf(building);
-  if (!isRecognised(building)) return said > 0.0 ? kProbablyWrong : 0.0;
-  if (concerns > 1 || said >= kSlight) return kProbablyWrong;
-  return concerns == 1 ? kOneConcern : 0.0;
+/// `said`: by its label, or by the rays.
+bool isDoubtful(const Building& building, double said, bool concerns) {
+  if (!isRecognised(building)) return said > 0.0;
+  return concerns || said >= kSlight;
 }
 
 }  // namespace
 
 void stateDoubt(const Map& drawing, Map& refined) {
-  std::vector<int> concerns(refined.buildings.size());
-  for (const Concern& concern : concernsOf(drawing, refined)) ++concerns[concern.building];
+  std::vector<bool> concerns(refined.buildings.size());
+  for (const Concern& concern : concernsOf(drawing, refined)) concerns[concern.building] = true;
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
     Building& building = refined.buildings[b];
     if (drawing.buildings[b].fixed) continue;
-    const double doubt = shareWrong(building, concerns[b]);
+    const bool doubtful = isDoubtful(building, doubtOf(building), concerns[b]);
     building.doubt.reset();
-    if (doubt > 0.0) setDoubt(building, doubt);
+    if (doubtful) setDoubt(building, kProbablyWrong);
   }
 }
 

@@ -10150,20 +10150,16 @@ Corrected by a run.</source>
         <translation>%1 が %2 に重なっている: 図面より %3 % 多く重なっています</translation>
     </message>
     <message>
-        <source>%1 moved by %2 m, far more than the drawing says that it may be off</source>
-        <translation>%1 が %2 m 移動。図面の不確かさをはるかに超えています</translation>
+        <source>%1 moved by %2 m: something else may have been taken for it</source>
+        <translation>%1 が %2 m 移動。別のものと取り違えたかもしれません</translation>
     </message>
     <message>
-        <source>%1 turned by %2, more than drawings are usually askew</source>
-        <translation>%1 が %2 回転。ふつうの図面の傾きを超えています</translation>
+        <source>%1 grew by %2 m: something else may have been taken for it</source>
+        <translation>%1 が %2 m 拡大。別のものと取り違えたかもしれません</translation>
     </message>
     <message>
-        <source>%1 grew by %2 m, far more than the drawing says that it may be off</source>
-        <translation>%1 が %2 m 拡大。図面の不確かさをはるかに超えています</translation>
-    </message>
-    <message>
-        <source>%1 shrank by %2 m, far more than the drawing says that it may be off</source>
-        <translation>%1 が %2 m 縮小。図面の不確かさをはるかに超えています</translation>
+        <source>%1 shrank by %2 m: something else may have been taken for it</source>
+        <translation>%1 が %2 m 縮小。別のものと取り違えたかもしれません</translation>
     </message>
     <message>
         <source>the robot came by and did not recognise it</source>

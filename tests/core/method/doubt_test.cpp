@@ -48,6 +48,14 @@ TEST_F(DoubtTest, BuildingsThatStandInEachOtherAreDoubtfulBeforeTheyAreAccepted)
   EXPECT_EQ(stated[1], 0.0);
 }
 
+TEST_F(DoubtTest, WhatWasProbablyFittedToSomethingElseIsDoubtfulAndWhatTurnedIsNot) {
+  std::get<Rectangle>(refined_.buildings[1].shape).centre.y() = 4.0;
+  std::get<Rectangle>(refined_.buildings[2].shape).heading = toRadians(20.0);
+  const std::vector<double> stated = doubts();
+  EXPECT_EQ(stated[1], 0.4);
+  EXPECT_EQ(stated[2], 0.0);
+}
+
 TEST_F(DoubtTest, AFixedBuildingKeepsWhatItHad) {
   drawing_.buildings[0].fixed = true;
   refined_.buildings[0].doubt = 0.7;

@@ -177,17 +177,13 @@ QString Words::concern(const Concern& concern, const Map& drawing) {
           .arg(name, nameOf(drawing.buildings[concern.other]))
           .arg(std::lround(100.0 * concern.by));
     case Concern::Kind::Moved:
-      return tr("%1 moved by %2 m, far more than the drawing says that it may be off")
+      return tr("%1 moved by %2 m: something else may have been taken for it")
           .arg(name, metres(concern.by));
-    case Concern::Kind::Turned:
-      return tr("%1 turned by %2, more than drawings are usually askew")
-          .arg(name, degrees(concern.by));
     case Concern::Kind::Resized:
       break;
   }
-  return (concern.by > 0.0
-              ? tr("%1 grew by %2 m, far more than the drawing says that it may be off")
-              : tr("%1 shrank by %2 m, far more than the drawing says that it may be off"))
+  return (concern.by > 0.0 ? tr("%1 grew by %2 m: something else may have been taken for it")
+                           : tr("%1 shrank by %2 m: something else may have been taken for it"))
       .arg(name, metres(std::abs(concern.by)));
 }
 
