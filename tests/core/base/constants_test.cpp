@@ -31,7 +31,7 @@ constexpr Room kRooms[] = {{"core/map_match", 33},
                            {"core/estimation/buildings", 51},
                            {"core/estimation/smoothing", 36},
                            {"core/estimation/walls", 41},
-                           {"core/method", 41},
+                           {"core/method", 40},
                            {"core/tape", 2}};
 
 const std::regex kNumber(
