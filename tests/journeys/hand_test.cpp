@@ -305,6 +305,9 @@ TEST_F(HandAndEye, AnArrowPointsToARobotOutOfView) {
   EXPECT_FALSE(pointer->isVisible());
   canvas_->zoomToRect({-2000, -2000, 50, 50});
   EXPECT_TRUE(pointer->isVisible());
+  canvas_->zoomToRect({2000, 2000, 50, 50});  // it is below, to the left
+  const QWidget* chips = canvas_->findChild<QWidget*>("snap_chip")->parentWidget();
+  EXPECT_FALSE(pointer->geometry().intersects(chips->geometry()));
   pointer->click();
   EXPECT_FALSE(pointer->isVisible());
 }

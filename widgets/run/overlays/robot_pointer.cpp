@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QScrollBar>
 
+#include "widgets/canvas/canvas_chips.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/overlays/scene_points.h"
 
@@ -54,6 +55,9 @@ void RobotPointer::place() {
   const QPointF centre(std::clamp(at.x(), edge.left(), std::max(edge.left(), edge.right())),
                        std::clamp(at.y(), edge.top(), std::max(edge.top(), edge.bottom())));
   move((centre - QPointF(width() / 2.0, height() / 2.0)).toPoint());
+  for (const auto* chips : canvas_.findChildren<CanvasChips*>()) {
+    if (geometry().intersects(chips->geometry())) move(x(), chips->y() - height());
+  }
   raise();
   update();
 }
