@@ -13,6 +13,7 @@
 #include "widgets/messages/message.h"
 #include "widgets/panels/number_field.h"
 #include "widgets/panels/property_panel.h"
+#include "widgets/run/overlays/run_strip.h"
 #include "widgets/run/panels/buildings_panel.h"
 #include "widgets/run/panels/why_panel.h"
 
@@ -305,9 +306,14 @@ TEST_F(HandAndEye, AnArrowPointsToARobotOutOfView) {
   EXPECT_FALSE(pointer->isVisible());
   canvas_->zoomToRect({-2000, -2000, 50, 50});
   EXPECT_TRUE(pointer->isVisible());
+  const QWidget* snap = canvas_->findChild<QWidget*>("snap_chip");
+  const QWidget* strip = canvas_->findChild<RunStrip*>();
+  ASSERT_TRUE(strip->isVisible());
   canvas_->zoomToRect({2000, 2000, 50, 50});  // it is below, to the left
-  const QWidget* chips = canvas_->findChild<QWidget*>("snap_chip")->parentWidget();
-  EXPECT_FALSE(pointer->geometry().intersects(chips->geometry()));
+  EXPECT_FALSE(pointer->geometry().intersects(snap->parentWidget()->geometry()));
+  canvas_->zoomToRect({100, -2000, 900, 50});  // above
+  EXPECT_FALSE(pointer->geometry().intersects(strip->geometry()));
+  EXPECT_TRUE(canvas_->viewport()->geometry().contains(pointer->geometry()));
   pointer->click();
   EXPECT_FALSE(pointer->isVisible());
 }

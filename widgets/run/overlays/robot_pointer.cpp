@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QScrollBar>
 
-#include "widgets/canvas/canvas_chips.h"
 #include "widgets/canvas/map_canvas.h"
 #include "widgets/run/overlays/scene_points.h"
 
@@ -55,8 +54,12 @@ void RobotPointer::place() {
   const QPointF centre(std::clamp(at.x(), edge.left(), std::max(edge.left(), edge.right())),
                        std::clamp(at.y(), edge.top(), std::max(edge.top(), edge.bottom())));
   move((centre - QPointF(width() / 2.0, height() / 2.0)).toPoint());
-  for (const auto* chips : canvas_.findChildren<CanvasChips*>()) {
-    if (geometry().intersects(chips->geometry())) move(x(), chips->y() - height());
+  // What else lies on the canvas is clicked as well.
+  for (const auto* other : canvas_.findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+    if (other == this || other == canvas_.viewport() || other->isHidden()) continue;
+    const QRect taken = other->geometry();
+    if (!geometry().intersects(taken)) continue;
+    move(x(), to.y() < 0.0 ? taken.bottom() + 1 : taken.top() - height());
   }
   raise();
   update();
