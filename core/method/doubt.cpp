@@ -10,10 +10,9 @@ using namespace method;
 
 namespace {
 
-/// `said`: by its label, or by the rays.
-bool isDoubtful(const Building& building, double said, bool concerns) {
-  if (!isRecognised(building)) return said > 0.0;
-  return concerns || said >= kSlight;
+bool isDoubtful(const Building& building, bool concerns) {
+  const double said = doubtOf(building);
+  return isRecognised(building) ? concerns || said >= kSlight : said > 0.0;
 }
 
 }  // namespace
@@ -24,7 +23,7 @@ void stateDoubt(const Map& drawing, Map& refined) {
   for (std::size_t b = 0; b < refined.buildings.size(); ++b) {
     Building& building = refined.buildings[b];
     if (drawing.buildings[b].fixed) continue;
-    const bool doubtful = isDoubtful(building, doubtOf(building), concerns[b]);
+    const bool doubtful = isDoubtful(building, concerns[b]);
     building.doubt.reset();
     if (doubtful) setDoubt(building, kProbablyWrong);
   }

@@ -5,9 +5,9 @@
 
 namespace handmap {
 
-/// Turns what the labels of the buildings say (doubtOf() as the method gives it) and what nobody
-/// should take over unseen (concernsOf()) into how often buildings of which the same was said were
-/// wrong. Of those that a run may move.
+/// Turns what labels and rays say of the buildings (doubtOf() as the method gives it) and what
+/// nobody should take over unseen (concernsOf()) into how often buildings of which the same was
+/// said were wrong. Of those that a run may move.
 void stateDoubt(const Map& drawing, Map& refined);
 
 }  // namespace handmap
