@@ -1,9 +1,7 @@
 #include "core/outlines/agreement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -37,9 +35,9 @@ struct SideError {
 struct Compared {
   std::vector<SideError> sides;
   double drawn_sigma = 0.0;  ///< of a side, as the drawing says
-  Polygon drawn, fitted;
-  double of_row = 1.0;  ///< how much it tells of the whole beside those it stands wall to wall with
-  bool fixed = false;   ///< right whatever was seen
+  Vec2 place = Vec2::Zero();
+  double place_sigma = 0.0;
+  bool fixed = false;  ///< right whatever was seen
   double right = 0.5;
 };
 
@@ -57,10 +55,12 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
   building.drawn_sigma =
       std::max(std::hypot(uncertainty.position, 0.5 * uncertainty.size), buildings::kFloor_m);
   const Rectangle box = drawn.box();
+  building.place = box.centre;
+  building.place_sigma = uncertainty.position;
   const double fitted_heading = fitted.box().heading;
   const Sides sides = sidesOf(fitted);
-  building.drawn = drawn.footprint();
-  building.fitted = fitted.footprint();
+  const Polygon outline = drawn.footprint();
+  const Polygon fitted_outline = fitted.footprint();
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const Vec2 normal = unitVector(box.heading + static_cast<double>(k) * kPi / 2.0);
     const SideEstimate& side = sides[sideFacing(fitted_heading, normal)];
@@ -70,38 +70,20 @@ Compared compared(const Building& drawn, const Building& fitted, const Uncertain
     SideError::Slope slope;
     slope << normal.x(), normal.y(), normal.dot(perpendicular(arm)), normal.x(), normal.y(),
         normal.dot(arm);
-    building.sides.push_back({slope,
-                              farthest(building.fitted, normal) - farthest(building.drawn, normal),
+    building.sides.push_back({slope, farthest(fitted_outline, normal) - farthest(outline, normal),
                               std::max(side.sigma, buildings::kFloor_m)});
   }
   return building;
 }
 
-bool touch(const Polygon& a, const Polygon& b) {
-  const auto near = [](const Polygon& polygon) {
-    return [&](const Vec2& corner) { return distanceTo(polygon, corner) <= kDrawnSlack_m; };
-  };
-  return std::ranges::any_of(a, near(b)) || std::ranges::any_of(b, near(a));
-}
-
-/// Houses of a row are drawn off together in part, and tell less of the whole than as many others.
-void shareRows(std::vector<Compared>& buildings) {
-  std::vector<std::size_t> row(buildings.size());
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t a = 0; a < buildings.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      if (buildings[a].sides.empty() || buildings[b].sides.empty()) continue;
-      if (row[a] == row[b]) continue;
-      // People leave gaps, or none, where there are none, or gaps.
-      if (touch(buildings[a].drawn, buildings[b].drawn) ||
-          touch(buildings[a].fitted, buildings[b].fitted))
-        std::ranges::replace(row, row[a], row[b]);
-    }
-  }
-  for (std::size_t a = 0; a < buildings.size(); ++a) {
-    const auto others = static_cast<double>(std::ranges::count(row, row[a]) - 1);
-    buildings[a].of_row = 1.0 / (1.0 + kSharedShift * kSharedShift * others);
-  }
+/// How far what is drawn off goes together, metres: a share of the drawing's extent.
+double reachOf(const std::vector<Compared>& buildings) {
+  const auto count = static_cast<double>(buildings.size());
+  Vec2 middle = Vec2::Zero();
+  for (const Compared& building : buildings) middle += building.place / count;
+  double squares = 0.0;
+  for (const Compared& building : buildings) squares += (building.place - middle).squaredNorm();
+  return std::max(kTogetherReach * std::sqrt(0.5 * squares / count), buildings::kFloor_m);
 }
 
 double logNormal(double error, double sigma) {
@@ -150,10 +132,14 @@ class Mixture {
     // A few agree by chance, with one start or another.
     if (logEvidence() - none.logEvidence() > kTogether) return false;
     *this = std::move(none);
-    if (!start_is_known) return false;
+    if (!start_is_known) {
+      covariance_ += covarianceTogether();
+      return false;
+    }
     Mixture free = *this;
     free.prior_.topLeftCorner<3, 3>().setZero();
     free.takeNoneAsRight();
+    free.covariance_ += free.covarianceTogether();
     if (free.refutesStart(way_turn)) {
       *this = std::move(free);
       return true;
@@ -205,11 +191,32 @@ class Mixture {
     Eigen::Matrix3d variance = covariance_.topLeftCorner<3, 3>();
     variance(2, 2) += way_turn * way_turn;
     const Eigen::Vector3d off = lie_.head<3>();
-    double rows = 0.0;
+    return countOfSeen() >= kLeastToRefute &&
+           off.dot(variance.inverse() * off) > kRareSquareOfThree;
+  }
+
+  /// What the lie is less sure by, since what stands near each other is drawn off together.
+  LieMatrix covarianceTogether() const {
+    using Pull = Eigen::Matrix<double, 6, 2>;
+    const double reach = reachOf(buildings_);
+    std::vector<Pull> pulls;  // of the lie, by a place drawn off by its σ
     for (const Compared& building : buildings_) {
-      if (!building.sides.empty()) rows += building.of_row;
+      Pull pull = Pull::Zero();
+      for (const SideError& side : building.sides)
+        pull += side.slope.transpose() * side.slope.head<2>() /
+                std::pow(wrongSigmaOf(building, side), 2);
+      pulls.emplace_back((1.0 - building.right) * worse_ * building.place_sigma * covariance_ *
+                         pull);
     }
-    return rows >= kLeastToRefute && off.dot(variance.inverse() * off) > kRareSquareOfThree;
+    LieMatrix sum = LieMatrix::Zero();
+    for (std::size_t a = 0; a < pulls.size(); ++a) {
+      for (std::size_t b = 0; b < pulls.size(); ++b) {
+        if (a == b) continue;
+        const double apart = (buildings_[a].place - buildings_[b].place).norm();
+        sum += std::exp(-apart / reach) * pulls[a] * pulls[b].transpose();
+      }
+    }
+    return sum;
   }
 
   std::ptrdiff_t countOfSeen() const {
@@ -284,7 +291,7 @@ class Mixture {
         SideError::Slope of_right = side.slope;
         of_right.tail<3>().setZero();
         add(of_right, building.right / (side.sigma * side.sigma * (1.0 + off / 9.0)));
-        add(side.slope, (1.0 - building.right) * building.of_row / (drawn * drawn));
+        add(side.slope, (1.0 - building.right) / (drawn * drawn));
       }
     }
     share_ = (right + 1.0) / (count + 2.0);  // a uniform prior
@@ -312,7 +319,6 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
     const Building& drawn = drawing.buildings[b];
     buildings.push_back(compared(drawn, fitted.buildings[b], drawing.uncertaintyOf(drawn), origin));
   }
-  shareRows(buildings);
   const double together = std::max(drawing.shiftSigma(), buildings::kFloor_m);
   Lie sigma;
   // Of a start that is said to be off the scale would take a part.

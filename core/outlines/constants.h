@@ -140,8 +140,9 @@ inline constexpr double kFoundRear_m = 2.7;   // m; measured: rear walls found, 
 inline constexpr double kLabelled_m = 1.0;    // m; measured: σ of what was found, METHOD.md
 inline constexpr double kStartTurn = toRadians(1.0);  // rad; choice: σ of a drawn start
 inline constexpr double kStart_m = 0.3;               // m; choice: the same
-inline constexpr double kLeastToRefute = 5.0;         // rows; choice: fewer may all be misplaced
-inline constexpr double kLeastStart_m = 0.01;         // m; limit: of one said to be exact
-inline constexpr double kLeastStartTurn = toRadians(0.01);  // rad; limit: the same
+inline constexpr int kLeastToRefute = 5;  // buildings; choice: fewer may all be misplaced
+/// Where what is drawn off goes together by 1/e: neighbours 0.76 extents apart do by 0.26.
+inline constexpr double kTogetherReach = 0.56;              // extents; measured: core/sketch_study
+inline constexpr double kLeastStartTurn = toRadians(0.01);  // rad; limit: of one said to be exact
 
 }  // namespace handmap::outlines

@@ -230,7 +230,7 @@ std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMa
   }
   Map fitted = fittedMap(drawing, found, tasks, results);
   const StartUncertainty start = startOf(drawing);
-  const Agreement agreement = agreementOf(drawing, fitted, std::max(start.position, kLeastStart_m),
+  const Agreement agreement = agreementOf(drawing, fitted, std::max(start.position, kSpreadFirst_m),
                                           std::max(start.heading, kLeastStartTurn), way_turn);
   return settled(drawing, std::move(fitted), agreement, !found, way_turn);
 }

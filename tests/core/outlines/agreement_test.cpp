@@ -216,6 +216,30 @@ TEST(Agreement, ADrawingOfAnotherScaleDoesNotRefuteTheStart) {
   }
 }
 
+/// Streets whose places were drawn one after the other, each off by about as much as the last.
+TEST(Agreement, WhatIsDrawnOffTogetherDoesNotRefuteTheStart) {
+  Map drawing = sixHouses();
+  drawing.uncertainty = {3.0, 1.0};
+  for (int i = 6; i < 24; ++i) {
+    drawing.buildings.push_back(drawing.buildings[static_cast<std::size_t>(i % 2)]);
+    drawing.buildings.back().id += std::to_string(i);
+    shift(drawing.buildings.back(), {20.0 * (i - i % 2), 0.0});
+  }
+  int refuted = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    RandomStream random(seed);
+    Map fitted = drawing;
+    Vec2 off(random.normal(0.0, 3.0), random.normal(0.0, 3.0));
+    for (Building& house : fitted.buildings) {
+      see(house);
+      off = 0.6 * off + 0.8 * Vec2(random.normal(0.0, 3.0), random.normal(0.0, 3.0));
+      shift(house, off);
+    }
+    if (agreementOf(drawing, fitted, kStart_m, kStartTurn).refutes_start) ++refuted;
+  }
+  EXPECT_LE(refuted, 2);
+}
+
 TEST(Agreement, TakesWhatWasNotSeenAsTheRest) {
   const Map drawing = sixHouses();
   Map fitted = drawing;
