@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kMostBytes = 1u << 30;
-constexpr double kUsualReach_m = 40.0;
 constexpr double kLeastReach_m = 1.0;  // as recording.json bounds it
 constexpr double kMostReach_m = 200.0;
 

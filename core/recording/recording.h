@@ -39,10 +39,13 @@ struct PointsReading {
   bool operator==(const PointsReading&) const = default;
 };
 
+/// So far is seen where nothing tells how far a sensor reaches.
+inline constexpr double kUsualReach_m = 40.0;
+
 struct Recording {
   std::filesystem::path folder;
   std::string name;
-  double range_limit_m = 40.0;
+  std::optional<double> range_limit_m;  ///< where recording.json states it
   PointsReading points_as;
   std::vector<std::string> strange_keys;       ///< of recording.json: likely misspelt, in words
   std::optional<StereoCamera> camera;          ///< rectified
@@ -50,6 +53,8 @@ struct Recording {
   std::vector<FrameRow> rows;
   Trajectory odometry;  ///< odometry frame; may be empty where only --odometry can give it
   Trajectory truth;     ///< map frame; may be empty
+
+  double rangeLimit() const { return range_limit_m.value_or(kUsualReach_m); }
 };
 
 /// Reads and checks everything but images and points. Throws BadInput; see throwIfStopped().

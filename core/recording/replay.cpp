@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/phrase.h"
@@ -10,6 +11,8 @@
 namespace handmap {
 
 namespace {
+
+constexpr std::size_t kSample = 64;  // rows; enough to tell how far a sensor reaches
 
 /// The rows of one stop, or one row of a moving robot.
 using RowGroup = std::vector<FrameRow>;
@@ -75,6 +78,28 @@ void checkCovered(const FrameRow& start, const std::vector<RowGroup>& groups,
   }
 }
 
+/// What is stated, else no farther than anything came back from: silence says nothing of what is
+/// beyond a sensor's reach.
+double reachOf(const Recording& recording) {
+  if (recording.range_limit_m) return *recording.range_limit_m;
+  const ViewReader reader(recording);
+  const std::size_t step = std::max<std::size_t>(1, recording.rows.size() / kSample);
+  double farthest_m = 0.0;
+  for (std::size_t i = 0; i < recording.rows.size(); i += step) {
+    if (recording.rows[i].points.empty()) continue;
+    View view;
+    try {
+      reader.readPoints(recording.rows[i], view);
+    } catch (const Error&) {
+      continue;  // told where it is its turn
+    }
+    for (const RangePoint& p : *view.points) {
+      if (isMeasured(p)) farthest_m = std::max(farthest_m, double{std::hypot(p.x, p.y)});
+    }
+  }
+  return farthest_m > 0.0 ? std::clamp(std::ceil(farthest_m), 1.0, kUsualReach_m) : kUsualReach_m;
+}
+
 class ReplaySource : public ObservationSource {
  public:
   ReplaySource(Recording recording, std::vector<RowGroup> groups, SourceKind kind, double start_s)
@@ -84,7 +109,7 @@ class ReplaySource : public ObservationSource {
         odometry_(std::move(recording.odometry)) {
     info_.name = std::move(recording.name);
     info_.observations = static_cast<int>(groups_.size());
-    info_.range_limit_m = recording.range_limit_m;
+    info_.range_limit_m = kind == SourceKind::Points ? reachOf(recording) : recording.rangeLimit();
     if (kind == SourceKind::Images) info_.camera = recording.camera;
     info_.truth = recording.truth.poses();
     info_.start_odometry = odometryAt(start_s);

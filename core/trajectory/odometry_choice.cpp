@@ -42,7 +42,7 @@ std::optional<Observation> nextReadable(ObservationSource& source) {
 Look lookedAt(const Recording& recording, ReplayOptions options) {
   options.kind = SourceKind::Points;
   const auto source = replay(recording, options);
-  Look look(recording.range_limit_m);
+  Look look(source->info().range_limit_m);
   JoinedFrames joined;
   while (const auto observation = nextReadable(*source)) {
     SeenPoints seen = allPoints(*observation);
