@@ -127,7 +127,7 @@ Offs offsOfWalls(const Recording& recording, const Map& drawing, const std::stop
     for (std::size_t i = 0; i < sample.points.size(); i += step) {
       const RangePoint& p = sample.points[i];
       const Vec2 own(p.x, p.y);
-      if (!isMeasured(p) || own.norm() > recording.rangeLimit() || p.w <= 0.0F) continue;
+      if (!isMeasured(p) || own.norm() > recording.range_limit_m || p.w <= 0.0F) continue;
       const Vec2 seen = here.toOuter(own);
       offs.drawn_m += off_m(drawing.start->toOuter(seen));
       offs.mirrored_m += off_m(drawing.start->toOuter({seen.x(), -seen.y()}));

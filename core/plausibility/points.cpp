@@ -56,7 +56,7 @@ bool checkUnits(const Recording& recording, const PointsSample& first, double me
 
 void checkRangeLimit(const Recording& recording, std::vector<double>& ranges_m, Doubts& doubts) {
   const auto beyond = std::ranges::count_if(
-      ranges_m, [&](double range_m) { return range_m > recording.rangeLimit(); });
+      ranges_m, [&](double range_m) { return range_m > recording.range_limit_m; });
   const double share = static_cast<double>(beyond) / static_cast<double>(ranges_m.size());
   if (share < kCutShare) return;
   const double reached_m = std::min(kLongest_m, std::ceil(quantile(ranges_m, 0.99) / 10.0) * 10.0);
@@ -66,7 +66,7 @@ void checkRangeLimit(const Recording& recording, std::vector<double>& ranges_m, 
       "{}: range_limit_m: found {:.0f} % of the returns beyond {} m, where they "
       "are not used, expected the reach of the sensor",
       (recording.folder / "recording.json").string(), 100.0 * share,
-      formatNumber(recording.rangeLimit()));
+      formatNumber(recording.range_limit_m));
   doubt.hint =
       phrase("\"range_limit_m\": {} in recording.json takes them in", formatNumber(reached_m));
   doubt.remedy = Remedy{phrase("See {} m far", formatNumber(reached_m))};

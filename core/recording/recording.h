@@ -45,7 +45,7 @@ inline constexpr double kUsualReach_m = 40.0;
 struct Recording {
   std::filesystem::path folder;
   std::string name;
-  std::optional<double> range_limit_m;  ///< where recording.json states it
+  double range_limit_m = kUsualReach_m;
   PointsReading points_as;
   std::vector<std::string> strange_keys;       ///< of recording.json: likely misspelt, in words
   std::optional<StereoCamera> camera;          ///< rectified
@@ -53,8 +53,6 @@ struct Recording {
   std::vector<FrameRow> rows;
   Trajectory odometry;  ///< odometry frame; may be empty where only --odometry can give it
   Trajectory truth;     ///< map frame; may be empty
-
-  double rangeLimit() const { return range_limit_m.value_or(kUsualReach_m); }
 };
 
 /// Reads and checks everything but images and points. Throws BadInput; see throwIfStopped().

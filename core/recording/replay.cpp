@@ -78,10 +78,9 @@ void checkCovered(const FrameRow& start, const std::vector<RowGroup>& groups,
   }
 }
 
-/// What is stated, else no farther than anything came back from: silence says nothing of what is
+/// No farther than anything came back from, whatever is stated: silence says nothing of what is
 /// beyond a sensor's reach.
 double reachOf(const Recording& recording) {
-  if (recording.range_limit_m) return *recording.range_limit_m;
   const ViewReader reader(recording);
   const std::size_t step = std::max<std::size_t>(1, recording.rows.size() / kSample);
   double farthest_m = 0.0;
@@ -97,7 +96,8 @@ double reachOf(const Recording& recording) {
       if (isMeasured(p)) farthest_m = std::max(farthest_m, double{std::hypot(p.x, p.y)});
     }
   }
-  return farthest_m > 0.0 ? std::clamp(std::ceil(farthest_m), 1.0, kUsualReach_m) : kUsualReach_m;
+  if (farthest_m == 0.0) return recording.range_limit_m;
+  return std::min(std::max(1.0, std::ceil(farthest_m)), recording.range_limit_m);
 }
 
 class ReplaySource : public ObservationSource {
@@ -109,7 +109,7 @@ class ReplaySource : public ObservationSource {
         odometry_(std::move(recording.odometry)) {
     info_.name = std::move(recording.name);
     info_.observations = static_cast<int>(groups_.size());
-    info_.range_limit_m = kind == SourceKind::Points ? reachOf(recording) : recording.rangeLimit();
+    info_.range_limit_m = kind == SourceKind::Points ? reachOf(recording) : recording.range_limit_m;
     if (kind == SourceKind::Images) info_.camera = recording.camera;
     info_.truth = recording.truth.poses();
     info_.start_odometry = odometryAt(start_s);

@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   kExample.folder.write("recording.json", fuzz::textOf(data, size));
   return fuzz::takenOrRefused([&] {
     const Recording recording = openRecording(kExample.folder.path());
-    fuzz::require(recording.rangeLimit() >= 1.0 && recording.rangeLimit() <= 200.0);
+    fuzz::require(recording.range_limit_m >= 1.0 && recording.range_limit_m <= 200.0);
     fuzz::require(recording.camera && recording.camera->baseline > 0.0);
   });
 }

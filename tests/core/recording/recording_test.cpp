@@ -37,8 +37,7 @@ TEST(Recording, NeedsOnlyFormatAndVersion) {
   example.folder().write("recording.json", R"({"format": "handmap-recording", "version": 1})");
   const Recording recording = openRecording(example.path());
   EXPECT_EQ(recording.name, example.path().filename().string());
-  EXPECT_FALSE(recording.range_limit_m);
-  EXPECT_EQ(recording.rangeLimit(), 40.0);
+  EXPECT_EQ(recording.range_limit_m, 40.0);
   ASSERT_TRUE(recording.camera);  // there are images, so calib.txt and P0, P1 are taken
   EXPECT_EQ(recording.camera->mount.z, 1.65);
 

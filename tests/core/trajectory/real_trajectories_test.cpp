@@ -56,7 +56,7 @@ DrivenTrajectory trajectoryOf(const std::string& name, double factor, ReplayOpti
     scans.push_back(allPoints(*observation).points);
   }
   const std::vector<Pose2> odometry = worse(recorded, true_poses, factor);
-  ScanTrajectory trajectory({recording.rangeLimit()});
+  ScanTrajectory trajectory({recording.range_limit_m});
   for (std::size_t i = 0; i < scans.size(); ++i) {
     trajectory.add(times_s[i], odometry[i], scans[i]);
   }
