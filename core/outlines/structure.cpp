@@ -65,9 +65,13 @@ class Cells {
     std::unordered_map<std::int64_t, std::size_t> places;
     for (const PlacedRay& ray : rays) {
       if (stop.stop_requested()) return;
-      if (ray.echo != Echo::Tall || static_cast<double>(ray.range) > perception::kFar_m) continue;
+      if (ray.echo != Echo::Tall) continue;
+      const auto range = static_cast<double>(ray.range);
+      const double sigma = noise.at(range);
+      // What is so imprecise there, as stereo, makes a line of anything.
+      if (range > perception::kFar_m && sigma > kPlace_m) continue;
       const Vec2 end = ray.end();
-      const double variance = std::pow(noise.at(static_cast<double>(ray.range)), 2);
+      const double variance = sigma * sigma;
       const double weight = static_cast<double>(ray.share) / (variance + kPoses_m2);
       const int column = cellOf(end.x());
       const int row = cellOf(end.y());

@@ -30,6 +30,12 @@ TEST(Structure, TellsWallsFromHedges) {
   EXPECT_LT(shareOf(placed, kHedge, Structure::Straight), 0.2);
 }
 
+TEST(Structure, TellsAWallThatWasSeenFromFarAloneWhereRangesAreExact) {
+  const Polygon far = Rectangle{{30.0, 41.0}, 30.0, 8.0, 0.0}.corners();  // its front 37 m away
+  const Drive drive = drivePast({kSeenHouse, far});
+  EXPECT_GT(shareOf(placeRays(drive.seen, drive.way), far, Structure::Straight), 0.8);
+}
+
 double told(const PlacedRays& placed) {
   double shares = 0.0;
   for (const PlacedRay& ray : placed.rays) shares += static_cast<double>(ray.share);
