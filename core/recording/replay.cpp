@@ -81,14 +81,17 @@ void checkCovered(const FrameRow& start, const std::vector<RowGroup>& groups,
 /// No farther than anything came back from, whatever is stated: silence says nothing of what is
 /// beyond a sensor's reach.
 double reachOf(const Recording& recording) {
+  std::vector<const FrameRow*> rows;
+  for (const FrameRow& row : recording.rows) {
+    if (hasPoints(row)) rows.push_back(&row);
+  }
   const ViewReader reader(recording);
-  const std::size_t step = std::max<std::size_t>(1, recording.rows.size() / kSample);
+  const std::size_t step = std::max<std::size_t>(1, rows.size() / kSample);
   double farthest_m = 0.0;
-  for (std::size_t i = 0; i < recording.rows.size(); i += step) {
-    if (recording.rows[i].points.empty()) continue;
+  for (std::size_t i = 0; i < rows.size(); i += step) {
     View view;
     try {
-      reader.readPoints(recording.rows[i], view);
+      reader.readPoints(*rows[i], view);
     } catch (const Error&) {
       continue;  // told where it is its turn
     }
