@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kSamePair_s = 0.01;    // cameras that are triggered together
-constexpr double kSameTime_s = 1e-3;    // of images and ranges
+constexpr double kSamePair_s = 0.01;  // cameras that are triggered together
+constexpr double kSameTime_s = 1e-3;  // of images and ranges
 constexpr double kMostReach_m = 200.0;
 constexpr std::size_t kMostWaiting = 512u << 20;  // bytes of messages out of order
 
