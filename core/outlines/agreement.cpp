@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -199,21 +200,22 @@ class Mixture {
   LieMatrix covarianceTogether() const {
     using Pull = Eigen::Matrix<double, 6, 2>;
     const double reach = reachOf(buildings_);
-    std::vector<Pull> pulls;  // of the lie, by a place drawn off by its σ
+    std::vector<std::pair<Vec2, Pull>> pulls;  // of the lie, by a place drawn off by its σ
     for (const Compared& building : buildings_) {
+      if (building.sides.empty()) continue;
       Pull pull = Pull::Zero();
       for (const SideError& side : building.sides)
         pull += side.slope.transpose() * side.slope.head<2>() /
                 std::pow(wrongSigmaOf(building, side), 2);
-      pulls.emplace_back((1.0 - building.right) * worse_ * building.place_sigma * covariance_ *
-                         pull);
+      pulls.emplace_back(building.place, (1.0 - building.right) * worse_ * building.place_sigma *
+                                             covariance_ * pull);
     }
     LieMatrix sum = LieMatrix::Zero();
     for (std::size_t a = 0; a < pulls.size(); ++a) {
       for (std::size_t b = 0; b < pulls.size(); ++b) {
         if (a == b) continue;
-        const double apart = (buildings_[a].place - buildings_[b].place).norm();
-        sum += std::exp(-apart / reach) * pulls[a] * pulls[b].transpose();
+        const double apart = (pulls[a].first - pulls[b].first).norm();
+        sum += std::exp(-apart / reach) * pulls[a].second * pulls[b].second.transpose();
       }
     }
     return sum;

@@ -68,7 +68,7 @@ class Cells {
       if (ray.echo != Echo::Tall) continue;
       const auto range = static_cast<double>(ray.range);
       const double sigma = noise.at(range);
-      // What is so imprecise there, as stereo, makes a line of anything.
+      // As imprecise as stereo is there, they make a line of anything.
       if (range > perception::kFar_m && sigma > kPlace_m) continue;
       const Vec2 end = ray.end();
       const double variance = sigma * sigma;

@@ -88,7 +88,7 @@ double reachOf(const Recording& recording) {
   const ViewReader reader(recording);
   const std::size_t step = std::max<std::size_t>(1, rows.size() / kSample);
   double farthest_m = 0.0;
-  for (std::size_t i = 0; i < rows.size(); i += step) {
+  for (std::size_t i = 0; i < rows.size() && farthest_m < recording.range_limit_m; i += step) {
     View view;
     try {
       reader.readPoints(*rows[i], view);
