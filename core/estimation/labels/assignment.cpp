@@ -39,9 +39,13 @@ class Assigner {
         found_(found),
         trajectory_(trajectory),
         options_(options),
+        farthest_(originOf(drawing)),
         log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
       drawn_.push_back(building.box());
+      const Vec2& centre = drawn_.back().centre;
+      if ((centre - originOf(drawing)).norm() > (farthest_ - originOf(drawing)).norm())
+        farthest_ = centre;
       const double phantom = building.may_not_exist ? options.uncertain_phantom : options.phantom;
       log_present_.push_back(std::log((1.0 - phantom) / phantom));
     }
@@ -100,14 +104,37 @@ class Assigner {
         if (!isTaken(branch, f)) extend(branch, building, f, side, next);
       }
     }
-    std::stable_sort(next.begin(), next.end(),
-                     [](const Branch& a, const Branch& b) { return a.log_weight > b.log_weight; });
-    const double least = next.front().log_weight - kHopeless;
-    while (next.size() > static_cast<std::size_t>(options_.hypotheses) ||
-           next.back().log_weight < least) {
-      next.pop_back();
+    return fittest(std::move(next));
+  }
+
+  /// Half of the room is for the best, half for those few others have the drawing lie as they do:
+  /// what goes on alike would leave none for what proves right later.
+  std::vector<Branch> fittest(std::vector<Branch> branches) const {
+    struct Place {
+      Vec2 at;
+      int branches = 0;
+    };
+    std::ranges::stable_sort(branches, std::ranges::greater{}, &Branch::log_weight);
+    const double least = branches.front().log_weight - kHopeless;
+    std::erase_if(branches, [&](const Branch& branch) { return branch.log_weight < least; });
+    const auto room = static_cast<std::size_t>(options_.hypotheses);
+    if (branches.size() <= room) return branches;
+    std::vector<Place> places;
+    std::vector<Branch> kept;
+    std::vector<Branch> others;
+    for (Branch& branch : branches) {
+      const Vec2 at = branch.motion(farthest_);
+      auto place = std::ranges::find_if(
+          places, [&](const Place& other) { return (other.at - at).norm() < kSamePlace_m; });
+      if (place == places.end()) place = places.insert(places.end(), {at});
+      const bool stays = kept.size() < room / 2 || place->branches < kMostAlike;
+      ++place->branches;
+      (stays ? kept : others).push_back(std::move(branch));
     }
-    return next;
+    std::ranges::move(others, std::back_inserter(kept));
+    kept.erase(kept.begin() + options_.hypotheses, kept.end());
+    std::ranges::stable_sort(kept, std::ranges::greater{}, &Branch::log_weight);
+    return kept;
   }
 
   /// The nearest to the start first: what is known of the whole drawing grows outwards.
@@ -135,7 +162,8 @@ class Assigner {
     const Uncertainty uncertainty = drawing_.uncertaintyOf(drawing_.buildings[building]);
     const double own = std::hypot(uncertainty.position, uncertainty.size);
     const Rectangle& drawn = drawn_[building];
-    return kReachSigmas * (own + motion.sigmaAt(drawn.centre)) + motion.scale() * halfSize(drawn);
+    return std::sqrt(kGate) * (own + motion.sigmaAt(drawn.centre)) +
+           motion.scale() * halfSize(drawn);
   }
 
   /// Of the robot's way: 1 left, −1 right, 0 where there is none.
@@ -187,6 +215,7 @@ class Assigner {
   std::vector<Vec2> found_at_;
   std::vector<double> half_size_;  ///< of the found ones
   std::vector<int> sides_;         ///< of the found buildings
+  Vec2 farthest_;                  ///< of the drawn ones from the start
   double log_undrawn_;
   std::vector<double> log_present_;  ///< of the drawn ones
 };

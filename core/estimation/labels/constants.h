@@ -13,15 +13,15 @@ inline constexpr double kFan = toRadians(8.0);  // rad; choice: between hypothes
 inline constexpr int kFanSteps = 5;             // hypotheses; derived: to either side, ±40°
 inline constexpr double kHopeless =
     25.0;  // nats; choice: behind the best, more than a building tells
+inline constexpr double kSamePlace_m = 2.0;  // m; measured: README, of the farthest drawn building
+inline constexpr int kMostAlike = 3;         // hypotheses; measured: README, with it there
 inline constexpr double kUndrawnMargin_m = 20.0;  // m; choice: round the drawing things may stand
-inline constexpr double kReachSigmas = 6.0;       // σ; derived: beyond kGate
 inline constexpr double kLeastSigma = 1e-4;       // 1; choice: also rad, 5 cm in 500 m
 inline constexpr int kNone = -1;                  // index; limit: of nothing found
 inline constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);  // index; limit: not drawn
 
 // One drawn and one found building.
 inline constexpr double kGate = 25.0;       // σ²; choice: of what is tried
-inline constexpr double kSurprising = 6.0;  // σ²; choice: beyond it a wall may not belong
 inline constexpr double kMostTurned = 4.0;  // σ²/2; choice: that a heading costs at most
 inline constexpr double kCarLong_m = 6.0;   // m; choice: longer is no car
 inline constexpr double kCarWide_m = 3.0;   // m; choice: wider is no car

@@ -112,7 +112,7 @@ std::optional<Pairing> pairing(const Rectangle& drawn, const Uncertainty& uncert
     return std::nullopt;
   }
   // A wall may be of something built on to the building.
-  if (match.distance > kSurprising && seen.count > 1) {
+  if (seen.count > 1) {
     const Match all = match;
     for (int i = 0; i < seen.count; ++i) {
       Match rest = all.without(seen.index[static_cast<std::size_t>(i)]);
