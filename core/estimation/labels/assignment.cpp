@@ -107,8 +107,8 @@ class Assigner {
     return fittest(std::move(next));
   }
 
-  /// Half of the room is for the best, half for those few others have the drawing lie as they do:
-  /// what goes on alike would leave none for what proves right later.
+  /// Half of the room is for the best, half for what has the drawing lie where few better ones have
+  /// it: those that lie alike go on alike, and would leave none for what proves right later.
   std::vector<Branch> fittest(std::vector<Branch> branches) const {
     struct Place {
       Vec2 at;
