@@ -39,13 +39,9 @@ class Assigner {
         found_(found),
         trajectory_(trajectory),
         options_(options),
-        farthest_(originOf(drawing)),
         log_undrawn_(std::log(undrawnDensity(drawing, options))) {
     for (const Building& building : drawing.buildings) {
       drawn_.push_back(building.box());
-      const Vec2& centre = drawn_.back().centre;
-      if ((centre - originOf(drawing)).norm() > (farthest_ - originOf(drawing)).norm())
-        farthest_ = centre;
       const double phantom = building.may_not_exist ? options.uncertain_phantom : options.phantom;
       log_present_.push_back(std::log((1.0 - phantom) / phantom));
     }
@@ -62,7 +58,10 @@ class Assigner {
       beam.push_back(
           {std::vector<int>(drawing_.buildings.size(), kNone), root.motion, root.log_weight});
     }
-    for (const std::size_t building : inOrder()) beam = grown(beam, building);
+    const std::vector<std::size_t> order = inOrder();
+    for (const std::size_t building : order) {
+      beam = fittest(grown(beam, building), drawn_[order.back()].centre);
+    }
     std::vector<Hypothesis> hypotheses;
     double sum = 0.0;
     for (const Branch& branch : beam) {
@@ -90,8 +89,7 @@ class Assigner {
     return ids;
   }
 
-  /// The branches with one building more, left out or given each found one that it may be; the best
-  /// of them.
+  /// The branches with one building more, left out or given each found one that it may be.
   std::vector<Branch> grown(const std::vector<Branch>& beam, std::size_t building) const {
     std::vector<Branch> next;
     const int side = sideOf(beam.front().motion(drawn_[building].centre));
@@ -104,12 +102,13 @@ class Assigner {
         if (!isTaken(branch, f)) extend(branch, building, f, side, next);
       }
     }
-    return fittest(std::move(next));
+    return next;
   }
 
   /// Half of the room is for the best, half for what has the drawing lie where few better ones have
-  /// it: those that lie alike go on alike, and would leave none for what proves right later.
-  std::vector<Branch> fittest(std::vector<Branch> branches) const {
+  /// it: those that lie alike go on alike, and would leave none for what proves right later. Where
+  /// it lies is told by the `farthest` drawn place.
+  std::vector<Branch> fittest(std::vector<Branch> branches, const Vec2& farthest) const {
     struct Place {
       Vec2 at;
       int branches = 0;
@@ -123,7 +122,7 @@ class Assigner {
     std::vector<Branch> kept;
     std::vector<Branch> others;
     for (Branch& branch : branches) {
-      const Vec2 at = branch.motion(farthest_);
+      const Vec2 at = branch.motion(farthest);
       auto place = std::ranges::find_if(
           places, [&](const Place& other) { return (other.at - at).norm() < kSamePlace_m; });
       if (place == places.end()) place = places.insert(places.end(), {at});
@@ -215,7 +214,6 @@ class Assigner {
   std::vector<Vec2> found_at_;
   std::vector<double> half_size_;  ///< of the found ones
   std::vector<int> sides_;         ///< of the found buildings
-  Vec2 farthest_;                  ///< of the drawn ones from the start
   double log_undrawn_;
   std::vector<double> log_present_;  ///< of the drawn ones
 };
