@@ -18,9 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kSamePair_s = 0.01;  // cameras that are triggered together
-constexpr double kSameTime_s = 1e-3;  // of images and ranges
-constexpr double kMostReach_m = 200.0;
+constexpr double kSamePair_s = 0.01;              // cameras that are triggered together
+constexpr double kSameTime_s = 1e-3;              // of images and ranges
 constexpr std::size_t kMostWaiting = 512u << 20;  // bytes of messages out of order
 
 /// A row to be: which messages of each topic belong to it.
@@ -235,7 +234,7 @@ ImportedBag importBag(const Bag& bag, const BagPlan& plan, const fs::path& folde
   info.name = name;
   info.without_odometry = true;  // the bag's own, at its rate, is written below
   info.range_limit_m =
-      facts.reach_m > 0.0 ? std::clamp(facts.reach_m, 1.0, kMostReach_m) : kUsualReach_m;
+      facts.reach_m > 0.0 ? std::clamp(facts.reach_m, kLeastReach_m, kMostReach_m) : kUsualReach_m;
   if (camera) info.camera = camera->camera();
   RecordingWriter writer(folder, info);
   ImportedBag imported = BagRecorder(bag, plan, facts, camera, notes)

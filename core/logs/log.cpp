@@ -17,8 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kMostBytes = 1u << 30;
-constexpr double kLeastReach_m = 1.0;  // as recording.json bounds it
-constexpr double kMostReach_m = 200.0;
 
 /// In the order of time; what has a time that was there is left out.
 template <typename Stamped>

@@ -18,7 +18,6 @@ constexpr double kOneHeight_m = 0.3;
 constexpr double kGroundRange_m = 15.0;
 constexpr double kSunk_m = 0.7;  // more than kerbs and ramps
 constexpr std::size_t kRowsLookedFor = 2000;
-constexpr double kLongest_m = 200.0;  // that range_limit_m may say
 
 double rangeOf(const RangePoint& p) { return std::hypot(p.x, p.y); }
 
@@ -59,7 +58,8 @@ void checkRangeLimit(const Recording& recording, std::vector<double>& ranges_m, 
       ranges_m, [&](double range_m) { return range_m > recording.range_limit_m; });
   const double share = static_cast<double>(beyond) / static_cast<double>(ranges_m.size());
   if (share < kCutShare) return;
-  const double reached_m = std::min(kLongest_m, std::ceil(quantile(ranges_m, 0.99) / 10.0) * 10.0);
+  const double reached_m =
+      std::min(kMostReach_m, std::ceil(quantile(ranges_m, 0.99) / 10.0) * 10.0);
   Doubt doubt;
   doubt.code = "range_limit";
   doubt.message = phrase(

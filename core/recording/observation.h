@@ -78,11 +78,18 @@ class FrameError : public std::runtime_error {
   int frame_;
 };
 
+/// So far is seen where nothing tells how far a sensor reaches.
+inline constexpr double kUsualReach_m = 40.0;
+/// Bounds of what is said: what is kept of the surroundings grows with the square, 0.6 GB at 200 m,
+/// and no sensor that drives along streets tells walls from farther away.
+inline constexpr double kLeastReach_m = 1.0;
+inline constexpr double kMostReach_m = 200.0;
+
 struct SourceInfo {
   std::string name;
-  int observations = 0;                ///< next() will give, unreadable ones too; 0: without end
-  double range_limit_m = 40.0;         ///< nothing farther is measured
-  std::optional<StereoCamera> camera;  ///< where views carry images
+  int observations = 0;                  ///< next() will give, unreadable ones too; 0: without end
+  double range_limit_m = kUsualReach_m;  ///< nothing farther is measured
+  std::optional<StereoCamera> camera;    ///< where views carry images
   /// Odometry at the first selected frame, whatever that frame carries: a drawing's start pose is
   /// the robot's pose there.
   Pose2 start_odometry;

@@ -20,10 +20,6 @@ namespace {
 constexpr int kVersion = 2;  // since 2 a row may name a part of a points file
 constexpr std::uintmax_t kMaxRecordingBytes = 1u << 20;
 constexpr std::size_t kMaxTextBytes = 4096;
-/// What is kept of the surroundings grows with the square: 0.6 GB at 200 m, and no sensor that
-/// drives along streets tells walls from farther away.
-constexpr double kMinRange_m = 1.0;
-constexpr double kMaxRange_m = 200.0;
 constexpr double kMaxMount = 100.0;
 constexpr double kMaxAngleDeg = 360.0;
 
@@ -120,7 +116,7 @@ Recording openHandmapFolder(const fs::path& folder, const std::stop_token& stop)
   recording.folder = folder;
   recording.name = json.textOr("name", kMaxTextBytes, "");
   if (const auto range = json.find("range_limit_m")) {
-    recording.range_limit_m = range->number(kMinRange_m, kMaxRange_m);
+    recording.range_limit_m = range->number(kLeastReach_m, kMostReach_m);
   }
   findStrangeKeys(json, recording);
   recording.rows = readFrameTable(folder / "frames.csv", stop);

@@ -39,9 +39,6 @@ struct PointsReading {
   bool operator==(const PointsReading&) const = default;
 };
 
-/// So far is seen where nothing tells how far a sensor reaches.
-inline constexpr double kUsualReach_m = 40.0;
-
 struct Recording {
   std::filesystem::path folder;
   std::string name;

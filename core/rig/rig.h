@@ -44,6 +44,7 @@
 
 #include "core/recording/calibration.h"
 #include "core/recording/camera.h"
+#include "core/recording/observation.h"
 
 namespace handmap {
 
@@ -133,7 +134,7 @@ struct PublishRig {
 
 struct Rig {
   std::string name;
-  double range_limit_m = 40.0;
+  double range_limit_m = kUsualReach_m;
   std::optional<CameraRig> camera;  ///< exactly one of camera and scanner
   std::optional<HeadRig> head;
   std::optional<ScannerRig> scanner;

@@ -243,7 +243,7 @@ Rig parseRig(const std::string& text, const std::string& source, const fs::path&
                    "odometry", "stops", "ros", "publish", "record"});
   Rig rig;
   rig.name = json.textOr("name", kMaxTextBytes, "");
-  readNumber(json, "range_limit_m", 1.0, 200.0, rig.range_limit_m);
+  readNumber(json, "range_limit_m", kLeastReach_m, kMostReach_m, rig.range_limit_m);
   if (const auto camera = json.find("camera")) rig.camera = readCamera(*camera, folder);
   if (const auto head = json.find("head")) {
     onlyKnown(*head, {"port"});

@@ -15,7 +15,7 @@ struct SimulationOptions {
   double speed_m_s = 1.0;
   int rays = 720;               ///< around the robot
   double view_rad = 2.0 * kPi;  ///< of these, those around straight ahead are measured
-  double range_limit_m = 40.0;
+  double range_limit_m = kUsualReach_m;
   double sigma_offset_m = 0.05;      ///< σ(d) = offset + quadratic · d²
   double sigma_quadratic = 0.0021;   ///< 1/m
   double outliers = 0.02;            ///< share of rays with a random range

@@ -22,8 +22,6 @@ namespace {
 /// So often it is looked whether left is left: a camera that was pulled may come back as the other.
 constexpr double kLookClosely_s = 1.0;
 
-constexpr double kLeastReach_m = 1.0;  // as of a recording
-
 /// The camera behind the images that the run gets, and how they are made.
 struct Optics {
   StereoCamera camera;
