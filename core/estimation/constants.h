@@ -7,12 +7,11 @@
 namespace handmap::estimation {
 
 // What is worked on.
-inline constexpr double kRangeLimit_m = 40.0;  // m; choice: of a source that states none
-inline constexpr int kParticles = 100;         // 1; paper: of its filter
-inline constexpr double kActive_m = 50.0;      // m; choice: frames farther behind are not searched
-inline constexpr int kMostActive = 40;         // keyframes; choice: that are searched, 80 m
-inline constexpr int kMostKept = 1500;         // keyframes; choice: that the end may correct, 3 km
-inline constexpr int kWindow = 12;             // keyframes; choice: that the next may correct, 24 m
+inline constexpr int kParticles = 100;          // 1; paper: of its filter
+inline constexpr double kActive_m = 50.0;       // m; choice: frames farther behind are not searched
+inline constexpr std::size_t kMostActive = 40;  // keyframes; choice: that are searched, 80 m
+inline constexpr std::size_t kMostKept = 1500;  // keyframes; choice: that the end may correct, 3 km
+inline constexpr std::size_t kWindow = 12;     // keyframes; choice: that the next may correct, 24 m
 inline constexpr double kNearLimits = 2.5;     // limits; choice: labels are looked at anew
 inline constexpr std::size_t kFromStart = 10;  // keyframes; choice: 20 m, as sure as wheels, for
                                                // the way has to turn to the drawing somewhere

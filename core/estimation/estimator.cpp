@@ -52,8 +52,8 @@ void HandmapEstimator::step(double time_s, const Odometry& odometry, const Scan&
   if (state.frames.empty()) startFrom(odometry);
   const Frame& last = state.frames.back();
   const Pose2 motion = between(last.odometry, odometry.pose);
-  const bool moved = std::hypot(motion.x, motion.y) >= state.options.key_step_m ||
-                     std::abs(motion.heading) >= state.options.key_turn ||
+  const bool moved = std::hypot(motion.x, motion.y) >= odometry::kKeyframe_m ||
+                     std::abs(motion.heading) >= odometry::kKeyframeTurn ||
                      mayBeFar(guessedOf({last.odometry, last.guessed}, odometry));
   if (moved) state.workToTheEnd(stop);
   state.pose = last.pose * state.smoother.scaled(motion);

@@ -9,32 +9,20 @@
 #include <vector>
 
 #include "core/base/shared_list.h"
-#include "core/estimation/buildings/box_finder.h"
 #include "core/estimation/constants.h"
 #include "core/estimation/labels/assignment.h"
+#include "core/estimation/walls/wall_detection.h"
 #include "core/map/map.h"
-#include "core/odometry/constants.h"
 #include "core/perception/local_map.h"
+#include "core/recording/observation.h"
 #include "core/recording/trajectory.h"
 
 namespace handmap {
 
 struct EstimatorOptions {
-  double range_limit_m = estimation::kRangeLimit_m;
+  double range_limit_m = kUsualReach_m;
   int particles = estimation::kParticles;
-  SensorOptions sensor;
-  OdometryNoise odometry = kWheels;
-  DetectionOptions detection;
-  FinderOptions finder;
   AssignmentOptions assignment;
-  double cell_m = walls::kCell_m;  ///< of the evidence
-  /// Nearer than this to the last key frame only the robot moves.
-  double key_step_m = odometry::kKeyframe_m;
-  double key_turn = odometry::kKeyframeTurn;  ///< radians, the same
-  double active_m = estimation::kActive_m;    ///< frames farther behind are not searched
-  int window = estimation::kWindow;           ///< poses that an observation may correct
-  int most_active = estimation::kMostActive;  ///< key frames searched for buildings
-  int most_kept = estimation::kMostKept;      ///< key frames that the end may still correct
 };
 
 /// A sample of where the robot is.

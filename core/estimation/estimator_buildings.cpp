@@ -49,10 +49,10 @@ bool HandmapEstimator::State::findBuildings() {
   const std::span<const Frame* const> seen(last.begin(), last.end());
   if (both || !detects) finder.refineAll(found, seen, sensor);
   if (detects) {
-    finder.update(found,
-                  detectWalls(evidence.evidence(), frames.back().pose.position(),
-                              options.range_limit_m, options.detection),
-                  seen, sensor);
+    finder.update(
+        found,
+        detectWalls(evidence.evidence(), frames.back().pose.position(), options.range_limit_m),
+        seen, sensor);
   }
   found.insert(found.end(), aside.begin(), aside.end());
   return detects;
@@ -71,7 +71,7 @@ void HandmapEstimator::State::followBuildings() {
     if (isInSight(box)) {
       box.last_frame = now;
       oldest = std::min(oldest, box.first_frame);
-    } else if (box.last_frame + static_cast<std::size_t>(options.most_active) < now) {
+    } else if (box.last_frame + kMostActive < now) {
       box.dormant = true;
     }
   }
@@ -86,12 +86,12 @@ void HandmapEstimator::State::updateNoise() {
   noise.add(frames.back(), found, sensor);
   clutter.add(frames.back(), found, sensor);
   smoother.setSystematic(noise.systematic());
-  SensorOptions changed = sensor.options();
+  MeasuredSensor changed = sensor.measured();
   changed.noise = noise.fitted(changed.noise);
   changed.noise.bias_per_m = smoother.biasPerMetre();
   changed.clutter = clutter.measured();
-  if (differMuch(changed.noise, sensor.options().noise) ||
-      differMuch(changed.clutter, sensor.options().clutter)) {
+  if (differMuch(changed.noise, sensor.measured().noise) ||
+      differMuch(changed.clutter, sensor.measured().clutter)) {
     sensor = SensorModel(changed, sensor.rangeLimit());
     evidence.setSensor(sensor);
   }

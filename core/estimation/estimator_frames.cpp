@@ -33,8 +33,7 @@ void HandmapEstimator::State::addFrame(double time_s, const Odometry& odometry, 
         before.driven_m + between(before.odometry, odometry.pose).position().norm();
   }
   frames.back().sightings = compactThings(frames.back().rays, sensor);
-  landmarks.associate(frames.back(), sensor.options().noise,
-                      static_cast<std::size_t>(options.most_active));
+  landmarks.associate(frames.back(), sensor.measured().noise, kMostActive);
   if (const std::size_t kept = firstKept(); kept > 0) {
     frames[kept - 1].rays = {};
     frames[kept - 1].sightings = {};
@@ -58,14 +57,12 @@ void HandmapEstimator::State::updateTrajectory() {
 }
 
 std::size_t HandmapEstimator::State::firstActive() const {
-  const auto most = static_cast<std::size_t>(options.most_active);
-  return frames.size() > most ? frames.size() - most : 0;
+  return frames.size() > kMostActive ? frames.size() - kMostActive : 0;
 }
 
 /// Older frames keep their pose alone.
 std::size_t HandmapEstimator::State::firstKept() const {
-  const auto most = static_cast<std::size_t>(options.most_kept);
-  return frames.size() > most ? frames.size() - most : 0;
+  return frames.size() > kMostKept ? frames.size() - kMostKept : 0;
 }
 
 std::vector<Frame*> HandmapEstimator::State::framesFrom(std::size_t first) {
@@ -140,7 +137,7 @@ void HandmapEstimator::State::renewCovariance() {
   if (!newest) return;
   covariance = *newest;
   covariances.resize(frames.size(), Eigen::Matrix3d::Zero());
-  const auto count = std::min(covariances.size(), static_cast<std::size_t>(options.window) + 1);
+  const auto count = std::min(covariances.size(), kWindow + 1);
   std::fill(covariances.end() - static_cast<std::ptrdiff_t>(count), covariances.end(), covariance);
 }
 

@@ -19,8 +19,7 @@ void HandmapEstimator::State::smoothWindow() {
     boxes.push_back(box);
   }
   const std::vector<Frame*> active = framesFrom(firstActive());
-  const auto count = static_cast<std::size_t>(options.window);
-  const std::size_t fixed = active.size() > count ? active.size() - count : 1;
+  const std::size_t fixed = active.size() > kWindow ? active.size() - kWindow : 1;
   first_moved = std::min(first_moved, frames.size() - (active.size() - fixed));
   const SmoothingGraph graph{active, fixed, boxes, landmarks.positions()};
   for (const double slack : kWindowSlacks_m) smoother.iterate(graph, slack);

@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 
+#include "core/estimation/buildings/box_finder.h"
 #include "core/estimation/buildings/clutter_estimate.h"
 #include "core/estimation/buildings/noise_estimate.h"
 #include "core/estimation/constants.h"
@@ -16,6 +17,7 @@
 #include "core/estimation/smoothing/smoother.h"
 #include "core/estimation/walls/active_directions.h"
 #include "core/estimation/walls/evidence_window.h"
+#include "core/odometry/constants.h"
 
 namespace handmap {
 
@@ -24,12 +26,11 @@ struct HandmapEstimator::State {
       : drawing(map),
         options(with),
         seed(random_seed),
-        sensor(with.sensor, with.range_limit_m),
-        evidence(with.cell_m, 2.0 * (with.range_limit_m + with.active_m), with.active_m,
-                 static_cast<std::size_t>(with.most_active), sensor),
-        finder(with.finder),
-        smoother(with.odometry, sensor),
-        odometry_estimate(with.odometry.heading_variance_per_m),
+        sensor({}, with.range_limit_m),
+        evidence(walls::kCell_m, 2.0 * (with.range_limit_m + estimation::kActive_m),
+                 estimation::kActive_m, estimation::kMostActive, sensor),
+        smoother(kWheels, sensor),
+        odometry_estimate(kWheels.heading_variance_per_m),
         labels(drawing, with.assignment),
         correction(drawing, labels) {}
 
@@ -69,7 +70,7 @@ struct HandmapEstimator::State {
   void labelBuildings(double near_m);
   /// Buildings farther from the robot keep the labels that they have: no active frame sees them.
   double nearM() const {
-    return estimation::kNearLimits * options.range_limit_m + options.active_m;
+    return estimation::kNearLimits * options.range_limit_m + estimation::kActive_m;
   }
   std::size_t firstActive() const;
   std::size_t firstKept() const;

@@ -96,13 +96,13 @@ std::optional<std::size_t> HandmapEstimator::drawnOf(FoundId found) const {
 std::vector<FoundWall> HandmapEstimator::walls() const {
   if (state_->frames.empty()) return {};
   return detectWalls(state_->evidence.evidence(), state_->frames.back().pose.position(),
-                     state_->options.range_limit_m, state_->options.detection);
+                     state_->options.range_limit_m);
 }
 
 /// Whatever the direction of the wall: the strongest counts.
 LocalMap HandmapEstimator::evidence() const {
   const State& state = *state_;
-  LocalMap map(state.options.cell_m, state.options.range_limit_m);
+  LocalMap map(walls::kCell_m, state.options.range_limit_m);
   if (state.frames.empty()) return map;
   const Pose2& robot = state.frames.back().pose;
   for (int row = 0; row < map.cells().rows; ++row) {

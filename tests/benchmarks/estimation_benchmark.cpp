@@ -125,7 +125,6 @@ int main(int argc, char** argv) {
     }
     if (key == "sigma") sigmas = {value};
     if (key == "verbose") verbose = true;
-    if (key == "cell") conditions.options.cell_m = value;
     if (key == "street") street_folder = text;
   }
   if (trials > 0) table(conditions, sigmas, trials, first, verbose);

@@ -87,8 +87,8 @@ double BoxFinder::objective(const Box& box, BoxScorer& scorer) const {
   double prior = 0.0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double size = box.reach[axis] + box.reach[axis + 2];
-    if (size < options_.least_size_m) return kImpossible;
-    const double off = (size - options_.typical_size_m) / options_.typical_size_m;
+    if (size < kLeastSize_m) return kImpossible;
+    const double off = (size - kTypicalSize_m) / kTypicalSize_m;
     prior -= 0.5 * off * off;
   }
   return prior + scorer(box);
@@ -97,7 +97,7 @@ double BoxFinder::objective(const Box& box, BoxScorer& scorer) const {
 Box BoxFinder::seed(const FoundWall& wall) const {
   return {(wall.a + wall.b) / 2.0,
           wall.heading(),
-          {wall.length() / 2.0, options_.typical_size_m, wall.length() / 2.0, 0.0}};
+          {wall.length() / 2.0, kTypicalSize_m, wall.length() / 2.0, 0.0}};
 }
 
 void BoxFinder::refine(FoundBox& found, double step_m, std::span<const Frame* const> frames,
@@ -201,7 +201,7 @@ std::vector<FoundBox> BoxFinder::split(const FoundBox& found, const std::vector<
       }
       refine(low, kPieceStep_m, frames, sensor);
       refine(high, kPieceStep_m, frames, sensor);
-      if (low.score > options_.least_score && high.score > options_.least_score &&
+      if (low.score > kLeastScore && high.score > kLeastScore &&
           low.score + high.score > found.score + kGain) {
         return {low, high};
       }
@@ -233,7 +233,7 @@ void BoxFinder::update(std::vector<FoundBox>& boxes, const std::vector<FoundWall
     if (explained || ++seeds > kMostSeeds) continue;
     FoundBox found{seed(wall)};
     refine(found, kSeedStep_m, frames, sensor);
-    if (found.score < options_.least_score) continue;
+    if (found.score < kLeastScore) continue;
     found.id = newId();
     boxes.push_back(found);
   }
@@ -263,7 +263,7 @@ void BoxFinder::prune(std::vector<FoundBox>& boxes) {
   };
   std::vector<FoundBox> kept;
   for (const FoundBox& found : boxes) {
-    if (found.score < options_.least_score) continue;
+    if (found.score < kLeastScore) continue;
     if (!any(kept, collide, found)) {
       kept.push_back(found);
     } else if (found.in_sight && rivals_.size() < kMostRivals && !any(rivals_, alike, found)) {

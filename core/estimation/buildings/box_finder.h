@@ -10,18 +10,10 @@
 
 namespace handmap {
 
-struct FinderOptions {
-  double least_score = buildings::kLeastScore;        ///< nats; less is no building
-  double typical_size_m = buildings::kTypicalSize_m;  ///< of sides that nobody saw
-  double least_size_m = buildings::kLeastSize_m;
-};
-
 /// Keeps a list of buildings up to date with walls detected in the evidence and with the rays
 /// themselves.
 class BoxFinder {
  public:
-  explicit BoxFinder(const FinderOptions& options) : options_(options) {}
-
   /// Refines the boxes that the last frame looks at. `frames`: the last ones, back to those that
   /// saw the first of what is in sight.
   void refineAll(std::vector<FoundBox>& boxes, std::span<const Frame* const> frames,
@@ -50,7 +42,6 @@ class BoxFinder {
   Box seed(const FoundWall& wall) const;
   FoundId newId() { return static_cast<FoundId>(found_so_far_++); }
 
-  FinderOptions options_;
   std::int32_t found_so_far_ = 0;
   std::vector<FoundBox> rivals_;  ///< where a surer box stands
 };

@@ -30,7 +30,7 @@ void NoiseEstimate::add(const Frame& frame, std::span<const FoundBox> boxes,
       const Entry entry = view.entry(ray);
       if (entry.distance < 0.0F || entry.cosine < kSteep) return;
       const auto index = static_cast<std::size_t>(entry.distance / kBin_m);
-      const RangeNoise& noise = sensor.options().noise;
+      const RangeNoise& noise = sensor.measured().noise;
       const auto distance = static_cast<double>(entry.distance);
       const double error = static_cast<double>(ray.sight.range) - distance - noise.bias(distance);
       const double sigma = noise.at(distance);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/estimation/buildings/constants.h"
+#include "core/estimation/walls/constants.h"
 
 namespace handmap {
 
@@ -106,7 +107,7 @@ std::vector<SeenEnd> silhouette(const Box& box, const Frame& frame, const Sensor
     std::vector<Boundary> boundaries;
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < visible.rays.size(); ++i) {
-      sum += static_cast<double>(evenHanded(sensor, visible.rays[i])) / sensor.options().temper;
+      sum += static_cast<double>(evenHanded(sensor, visible.rays[i])) / walls::kTemper;
       boundaries.push_back({(visible.rays[i].outwards + visible.rays[i + 1].outwards) / 2.0, sum});
     }
     std::optional<SeenEnd> end = located(boundaries);

@@ -45,7 +45,8 @@ class Grouping {
 
  private:
   float tolerance(float range) const {
-    return std::max(kDepth_m, kDepthSigmas * static_cast<float>(sensor_.options().noise.at(range)));
+    return std::max(kDepth_m,
+                    kDepthSigmas * static_cast<float>(sensor_.measured().noise.at(range)));
   }
   bool continues(std::size_t a, std::size_t b) const {
     return returned(rays_[b]) && rays_[b].bearing - rays_[a].bearing < kMostSpacing &&
@@ -85,7 +86,7 @@ std::vector<Sighting> compactThings(const std::vector<FrameRay>& rays, const Sen
     if (range > kFarthest_m || width > kWidest_m || !grouping.standsOut(group)) continue;
     // The mean depth of the near half of a circle is π/4 of its radius before the middle.
     const double middle = static_cast<double>(range + kMiddle * width);
-    const double noise = sensor.options().noise.at(middle) / std::sqrt(count);
+    const double noise = sensor.measured().noise.at(middle) / std::sqrt(count);
     sightings.push_back({static_cast<double>(low + high) / 2.0, middle,
                          std::hypot(kShape_m / middle, kBearing * static_cast<double>(spacing)),
                          std::hypot(kRangeShape_m, noise), -1});

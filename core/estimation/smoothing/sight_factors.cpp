@@ -56,7 +56,7 @@ ReturnFactors::ReturnFactors(const Pose2& pose, const Box& box, const SensorMode
 
 std::optional<ScalarFactor<SightEquations::kSize>> ReturnFactors::operator()(
     const FrameRay& ray, const Entry& entry) const {
-  const double noise = sensor_.options().noise.at(entry.distance);
+  const double noise = sensor_.measured().noise.at(entry.distance);
   // Near the limit only the returns that noise makes shorter come back.
   if (entry.distance + kNearLimit * noise > sensor_.rangeLimit()) return std::nullopt;
   const double cosine = std::max(entry.cosine, buildings::kLeastCosine);

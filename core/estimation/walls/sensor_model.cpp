@@ -21,18 +21,18 @@ double shareBehind(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 
 }  // namespace
 
-SensorModel::SensorModel(const SensorOptions& options, double range_limit_m)
-    : options_(options),
+SensorModel::SensorModel(const MeasuredSensor& measured, double range_limit_m)
+    : measured_(measured),
       range_limit_m_(range_limit_m),
-      blocked_(static_cast<float>(options.temper * std::log(options.clutter.at_walls))),
-      passed_(static_cast<float>(options.temper * std::log(1.0 - options.hit))),
-      silent_(static_cast<float>(options.temper * std::log(options.silent))) {
+      blocked_(static_cast<float>(kTemper * std::log(measured.clutter.at_walls))),
+      passed_(static_cast<float>(kTemper * std::log(1.0 - kHit))),
+      silent_(static_cast<float>(kTemper * std::log(kSilence))) {
   const auto bins = static_cast<std::size_t>(range_limit_m / kDistanceStep_m) + 2;
   for (std::size_t i = 0; i < bins; ++i) {
     const double distance = (static_cast<double>(i) + 0.5) * kDistanceStep_m;
-    const double sigma = options.noise.at(distance);
+    const double sigma = measured.noise.at(distance);
     returns_.push_back(
-        {static_cast<float>(sigma * sigma), static_cast<float>(options.noise.bias(distance))});
+        {static_cast<float>(sigma * sigma), static_cast<float>(measured.noise.bias(distance))});
   }
   table_.resize(kLevels * kLabels * kSteps);
   for (std::size_t level = 0; level < kLevels; ++level) {
@@ -43,10 +43,10 @@ SensorModel::SensorModel(const SensorOptions& options, double range_limit_m)
           static_cast<float>(meanError(label, sigma));
       for (std::size_t step = 0; step < kSteps; ++step) {
         const double z = zOf(step);
-        const double ratio = 1.0 - options.hit * shareBehind(z) +
-                             wallDensity(label, z * sigma, sigma) / otherDensity(options, label);
+        const double ratio = 1.0 - kHit * shareBehind(z) +
+                             wallDensity(label, z * sigma, sigma) / otherDensity(label);
         table_[(level * kLabels + static_cast<std::size_t>(label)) * kSteps + step] =
-            static_cast<float>(options.temper * std::log(ratio));
+            static_cast<float>(kTemper * std::log(ratio));
       }
     }
   }
@@ -58,33 +58,33 @@ int SensorModel::labelOf(double wall) {
 
 double SensorModel::recognised(int label) const {
   const double wall = shareOf(label);
-  return wall * options_.recognised + (1.0 - wall) * (1.0 - options_.recognised);
+  return wall * kRecognised + (1.0 - wall) * (1.0 - kRecognised);
 }
 
 double SensorModel::wallDensity(int label, double error, double sigma) const {
-  return options_.hit * recognised(label) * normalDensity(error, sigma);
+  return kHit * recognised(label) * normalDensity(error, sigma);
 }
 
-double SensorModel::otherDensity(const SensorOptions& options, int label) {
+double SensorModel::otherDensity(int label) const {
   const double wall = shareOf(label);
-  return wall * std::max(options.wall_like_per_m, options.clutter.wall_like_per_m) +
-         (1.0 - wall) * std::max(options.others_per_m, options.clutter.others_per_m);
+  return wall * std::max(kWallLike, measured_.clutter.wall_like_per_m) +
+         (1.0 - wall) * std::max(kOthers, measured_.clutter.others_per_m);
 }
 
 double SensorModel::responsibility(int label, double error, double sigma) const {
   const double wall = wallDensity(label, error, sigma);
-  return wall / (wall + otherDensity(options_, label));
+  return wall / (wall + otherDensity(label));
 }
 
 double SensorModel::meanError(int label, double sigma) const {
   const double wall = shareOf(label);
   const double rate =
-      wall * options_.clutter.wall_like_per_m + (1.0 - wall) * options_.clutter.others_per_m;
+      wall * measured_.clutter.wall_like_per_m + (1.0 - wall) * measured_.clutter.others_per_m;
   double weights = 0.0;
   double errors = 0.0;
   for (std::size_t step = 0; step < kSteps; ++step) {
     const double error = sigma * zOf(step);
-    const double passed = 1.0 - options_.hit * shareBehind(zOf(step));
+    const double passed = 1.0 - kHit * shareBehind(zOf(step));
     const double weight =
         responsibility(label, error, sigma) * (wallDensity(label, error, sigma) + rate * passed);
     weights += weight;
@@ -94,8 +94,8 @@ double SensorModel::meanError(int label, double sigma) const {
 }
 
 float SensorModel::reach(float range) const {
-  return static_cast<float>(kReach * options_.noise.at(range) +
-                            std::abs(options_.noise.bias(range)));
+  return static_cast<float>(kReach * measured_.noise.at(range) +
+                            std::abs(measured_.noise.bias(range)));
 }
 
 }  // namespace handmap

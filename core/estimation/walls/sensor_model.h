@@ -21,16 +21,9 @@ struct Clutter {
   double at_walls = 1.0;
 };
 
-struct SensorOptions {
+struct MeasuredSensor {
   RangeNoise noise;
-  Clutter clutter;           ///< as measured
-  double hit = walls::kHit;  ///< a wall returns the ray; else it is looked through
-  double silent =
-      walls::kSilence;  ///< a wall gives no return at all (with `hit`: of those that do)
-  double recognised = walls::kRecognised;     ///< share of the returns from walls that look so
-  double wall_like_per_m = walls::kWallLike;  ///< density along a ray of other things that do
-  double others_per_m = walls::kOthers;       ///< density, where they are, of things that do not
-  double temper = walls::kTemper;             ///< rays of a frame share the errors of its pose
+  Clutter clutter;
 };
 
 /// A ray as the model reads it. `label` and `range` are those of a return; where nothing came back
@@ -44,7 +37,7 @@ struct Sight {
 /// front of d hide the wall and say nothing; a return from behind d, or none, speaks against it.
 class SensorModel {
  public:
-  SensorModel(const SensorOptions& options, double range_limit_m);
+  SensorModel(const MeasuredSensor& measured, double range_limit_m);
 
   static int labelOf(double wall);
   static double shareOf(int label) { return static_cast<double>(label) / (walls::kLabels - 1); }
@@ -82,7 +75,7 @@ class SensorModel {
   float passed() const { return passed_; }
   float silent() const { return silent_; }
   double rangeLimit() const { return range_limit_m_; }
-  const SensorOptions& options() const { return options_; }
+  const MeasuredSensor& measured() const { return measured_; }
   /// How far around a return its table reaches, metres.
   float reach(float range) const;
 
@@ -105,9 +98,9 @@ class SensorModel {
   double meanError(int label, double sigma) const;
   double recognised(int label) const;
   double wallDensity(int label, double error, double sigma) const;
-  static double otherDensity(const SensorOptions& options, int label);
+  double otherDensity(int label) const;
 
-  SensorOptions options_;
+  MeasuredSensor measured_;
   double range_limit_m_;
   float blocked_;
   float passed_;

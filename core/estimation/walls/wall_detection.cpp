@@ -15,6 +15,9 @@ using namespace walls;
 
 namespace {
 
+/// As cells have them.
+constexpr std::int32_t inCells(double nats) { return static_cast<std::int32_t>(nats * kScale); }
+
 /// The part of an image that is looked at.
 struct Window {
   int column_low;
@@ -133,18 +136,12 @@ struct Runs {
 class RowScan {
  public:
   RowScan(const WallImage& image, const Window& window, const Tilt& tilt,
-          const DetectionOptions& options, std::vector<FoundWall>& walls)
+          std::vector<FoundWall>& walls)
       : image_(image),
         window_(window),
         tilt_(tilt),
-        least_score_(leastScore(options)),
-        least_length_(options.least_length_m / image.cell()),
-        drop_(static_cast<std::int32_t>(options.drop * kScale)),
+        least_length_(kLeastWall_m / image.cell()),
         walls_(walls) {}
-
-  static std::int32_t leastScore(const DetectionOptions& options) {
-    return static_cast<std::int32_t>(options.least_score * kScale);
-  }
 
   /// Ascending rows.
   void operator()(const std::vector<int>& rows) {
@@ -157,7 +154,7 @@ class RowScan {
     for (int column = window_.column_low; column < window_.column_high; ++column) {
       const int shift = window_.row_low + tilt_.shiftAt(column);
       for (Runs& runs : runs_) {
-        runs.advance(load(image_.cells(column, shift + runs.row, wrapped)), column, drop_);
+        runs.advance(load(image_.cells(column, shift + runs.row, wrapped)), column, inCells(kDrop));
         close(runs, runs.closed);
       }
     }
@@ -166,12 +163,12 @@ class RowScan {
 
  private:
   void close(const Runs& runs, const Lanes& peaks) {
-    if (!any(peaks >= least_score_)) return;
+    if (!any(peaks >= inCells(kLeastScore))) return;
     const int count = std::min(static_cast<int>(kLanes), window_.rows() - runs.row);
     for (int i = 0; i < count; ++i) {
       const int begin = runs.begin[i];
       const int last = runs.peak_at[i];
-      if (peaks[i] < least_score_ || last - begin < least_length_) continue;
+      if (peaks[i] < inCells(kLeastScore) || last - begin < least_length_) continue;
       walls_.push_back(
           {pointAt(begin, runs.row + i), pointAt(last + 1, runs.row + i), peaks[i] / kScale});
     }
@@ -186,9 +183,7 @@ class RowScan {
   const WallImage& image_;
   Window window_;
   Tilt tilt_;
-  std::int32_t least_score_;
   double least_length_;
-  std::int32_t drop_;
   std::vector<FoundWall>& walls_;
   std::vector<Runs> runs_;
 };
@@ -234,11 +229,11 @@ std::vector<FoundWall> withoutRepeats(const std::vector<FoundWall>& walls) {
 
 }  // namespace
 
-std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle, double reach_m,
-                                   const DetectionOptions& options) {
+std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle,
+                                   double reach_m) {
   const std::vector<WallImage>& images = evidence.images();
   double most_slope = 0.0;
-  for (const double tilt : options.tilts) {
+  for (const double tilt : kTilts) {
     most_slope = std::max(most_slope, std::abs(std::tan(tilt)));
   }
   std::vector<std::vector<FoundWall>> found(images.size());
@@ -249,11 +244,10 @@ std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& mid
     const double across = image.across().dot(middle);
     const Window window{at(along - reach_m), at(along + reach_m), at(across - reach_m),
                         at(across + reach_m)};
-    const std::int32_t least = RowScan::leastScore(options);
     const WallBounds bounds(image, window, most_slope);
-    for (const double angle : options.tilts) {
+    for (const double angle : kTilts) {
       const Tilt tilt{std::tan(angle), window.middle()};
-      RowScan(image, window, tilt, options, found[i])(bounds.rowsWith(least, tilt));
+      RowScan(image, window, tilt, found[i])(bounds.rowsWith(inCells(kLeastScore), tilt));
     }
   });
   std::vector<FoundWall> walls;

@@ -17,17 +17,9 @@ struct FoundWall {
   double length() const { return (b - a).norm(); }
 };
 
-struct DetectionOptions {
-  double least_score = walls::kLeastScore;  ///< nats
-  double least_length_m = walls::kLeastWall_m;
-  double drop =
-      walls::kDrop;  ///< nats: a wall ends where the evidence behind its end has fallen by so much
-  std::vector<double> tilts = {walls::kTilts.begin(), walls::kTilts.end()};  ///< radians
-};
-
 /// Walls within `reach_m` (per axis) of `middle`, the surest first; of those that lie on one
 /// another only the surest.
-std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle, double reach_m,
-                                   const DetectionOptions& options);
+std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle,
+                                   double reach_m);
 
 }  // namespace handmap

@@ -66,7 +66,7 @@ void WallDirections::add(const Frame& frame, const Pose2& pose, const SensorMode
       if (!is_wall(rays[end])) continue;
       const double range = rays[end].sight.range;
       piece.add(pose.toOuter({range * rays[end].x, range * rays[end].y}),
-                sensor.options().noise.at(range));
+                sensor.measured().noise.at(range));
       last = end;
       if (piece.length() < kLeastWall_m) continue;
       piece.fit();

@@ -31,7 +31,7 @@ double plainScore(const Box& box, const std::vector<const Frame*>& frames,
 
 TEST(BoxScorer, IsTheSumOverAllRays) {
   RandomStream random(7);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const SensorModel sensor(MeasuredSensor{}, 40.0);
   for (int round = 0; round < 20; ++round) {
     const Box box = boxOf({{random.uniform(-5.0, 5.0), random.uniform(12.0, 20.0)},
                            random.uniform(5.0, 40.0),
@@ -59,7 +59,7 @@ TEST(BoxScorer, IsTheSumOverAllRays) {
 
 TEST(BoxScorer, TheTrueBoxIsBest) {
   RandomStream random(8);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const SensorModel sensor(MeasuredSensor{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.1});
   std::vector<Frame> frames;
   for (double x = -20.0; x <= 20.0; x += 5.0) {
@@ -81,7 +81,7 @@ TEST(BoxScorer, TheTrueBoxIsBest) {
 
 TEST(BoxScorer, ARobotInsideIsImpossible) {
   RandomStream random(9);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const SensorModel sensor(MeasuredSensor{}, 40.0);
   const Frame frame = seenFrom({}, {}, 0.2, random);
   const std::vector<const Frame*> seen{&frame};
   const Box box = boxOf({{0.0, 0.0}, 10.0, 10.0, 0.0});

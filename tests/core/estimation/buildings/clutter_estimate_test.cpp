@@ -26,7 +26,7 @@ class ClutterTest : public testing::Test {
   }
 
   FoundBox found_{Box{{0.0, 10.0}, 0.0, {20.0, 8.0, 20.0, 0.0}}};
-  SensorModel sensor_{SensorOptions{}, 40.0};
+  SensorModel sensor_{MeasuredSensor{}, 40.0};
   RandomStream random_{1, 0, 0, 0};
 };
 

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kLimit = 40.0;
 
-SensorOptions quiet() {
-  SensorOptions options;
-  options.noise = {0.1, 0.0};
-  return options;
+MeasuredSensor quiet() {
+  MeasuredSensor measured;
+  measured.noise = {0.1, 0.0};
+  return measured;
 }
 
 class SightFactorsTest : public testing::Test {

@@ -17,9 +17,9 @@ namespace {
 /// with the truth. Returns the scale that the smoother corrects the odometry by.
 double smoothDrive(double scale) {
   RandomStream random(11);
-  SensorOptions options;
-  options.noise = {0.1, 0.0};
-  const SensorModel sensor(options, 40.0);
+  MeasuredSensor measured;
+  measured.noise = {0.1, 0.0};
+  const SensorModel sensor(measured, 40.0);
   const std::vector<Box> boxes{boxOf({{0.0, 15.0}, 20.0, 8.0, 0.0}),
                                boxOf({{10.0, -16.0}, 24.0, 10.0, 0.05})};
   std::vector<Frame> frames;
@@ -70,7 +70,7 @@ TEST(Smoother, FindsTheScaleOfTheOdometry) { EXPECT_NEAR(smoothDrive(1.03), 1.0 
 
 /// What a graph of one box holds, to be broken.
 struct Small {
-  Small() : sensor(SensorOptions{}, 40.0), smoother(kWheels, sensor) {
+  Small() : sensor(MeasuredSensor{}, 40.0), smoother(kWheels, sensor) {
     RandomStream random(5);
     const std::vector<Box> boxes{boxOf({{0.0, 15.0}, 20.0, 8.0, 0.0})};
     for (double x = -6.0; x <= 6.0; x += 3.0) {
@@ -135,7 +135,7 @@ TEST(Smoother, ABoxThatNobodySeesStaysAndTurnsLittle) {
 }
 
 TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const SensorModel sensor(MeasuredSensor{}, 40.0);
   const Vec2 tree(8.0, 6.0);
   Landmarks landmarks;
   for (double x = 0.0; x <= 15.0; x += 3.0) {
@@ -155,7 +155,7 @@ TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
     Frame frame = makeFrame(0.0, pose, pose, scan);
     frame.sightings = compactThings(frame.rays, sensor);
     ASSERT_EQ(frame.sightings.size(), 1u);
-    landmarks.associate(frame, sensor.options().noise, 40);
+    landmarks.associate(frame, sensor.measured().noise, 40);
     const Sighting& s = frame.sightings.front();
     EXPECT_LT((pose.toOuter(s.range * unitVector(s.bearing)) - tree).norm(), 0.25);
   }
@@ -164,21 +164,21 @@ TEST(Landmarks, ATreeIsSeenAtItsMiddleFromEverywhere) {
 
 TEST(NoiseEstimate, FindsTheNoiseThatTheDataHave) {
   RandomStream random(12);
-  SensorOptions options;
-  options.noise = {0.15, 0.0};
+  MeasuredSensor measured;
+  measured.noise = {0.15, 0.0};
   const Box box = boxOf({{0.0, 15.0}, 40.0, 8.0, 0.0});
   const std::vector<FoundBox> found{{box}};
   NoiseEstimate estimate;
   for (int round = 0; round < 12; ++round) {
-    const SensorModel sensor(options, 40.0);
+    const SensorModel sensor(measured, 40.0);
     for (double x = -10.0; x <= 10.0; x += 5.0) {
       estimate.add(seenFrom({x, 0.0, 0.0}, {box}, 0.3, random), found, sensor);
       estimate.add(seenFrom({x, 5.0, 0.0}, {box}, 0.3, random), found, sensor);
     }
-    options.noise = estimate.fitted(options.noise);
+    measured.noise = estimate.fitted(measured.noise);
   }
-  EXPECT_NEAR(options.noise.at(10.0), 0.3, 0.06);
-  EXPECT_TRUE(differMuch(options.noise, {0.15, 0.0}));
+  EXPECT_NEAR(measured.noise.at(10.0), 0.3, 0.06);
+  EXPECT_TRUE(differMuch(measured.noise, {0.15, 0.0}));
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ class EvidenceWindowTest : public testing::Test {
     return window;
   }
 
-  SensorModel sensor_{SensorOptions{}, 40.0};
+  SensorModel sensor_{MeasuredSensor{}, 40.0};
   std::deque<Frame> frames_;
 };
 
 TEST_F(EvidenceWindowTest, WhatAnotherModelWeighedIsPutInAnewAFewAtATime) {
-  SensorOptions noisy;
+  MeasuredSensor noisy;
   noisy.noise.offset_m = 0.5;
   const SensorModel changed(noisy, 40.0);
   EvidenceWindow here = window(sensor_);

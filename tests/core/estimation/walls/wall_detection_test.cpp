@@ -13,23 +13,22 @@ constexpr double kDetectionCell = 0.5;
 constexpr double kReach = 40.0;
 
 /// Scores of all runs that are walls, along every row and tilt: the plain way.
-std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle,
-                                const DetectionOptions& options) {
+std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle) {
   std::vector<double> scores;
   for (const WallImage& image : evidence.images()) {
     const auto at = [](double metres) { return static_cast<int>(metres / kDetectionCell); };
     const int low = at(image.along().dot(middle) - kReach);
     const int high = at(image.along().dot(middle) + kReach);
     const double across = image.across().dot(middle);
-    for (const double tilt : options.tilts) {
+    for (const double tilt : walls::kTilts) {
       for (int row = at(across - kReach); row < at(across + kReach); ++row) {
         double sum = 0.0;
         double peak = 0.0;
         int begin = 0;
         int peak_at = 0;
         const auto close = [&] {
-          if (peak >= options.least_score &&
-              (peak_at - begin) * kDetectionCell >= options.least_length_m) {
+          if (peak >= walls::kLeastScore &&
+              (peak_at - begin) * kDetectionCell >= walls::kLeastWall_m) {
             scores.push_back(peak);
           }
           sum = peak = 0.0;
@@ -44,7 +43,7 @@ std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle
           if (sum > peak) {
             peak = sum;
             peak_at = column;
-          } else if (value != 0.0 && (sum <= 0.0 || sum < peak - options.drop)) {
+          } else if (value != 0.0 && (sum <= 0.0 || sum < peak - walls::kDrop)) {
             close();
           }
         }
@@ -71,8 +70,7 @@ class WallDetectionTest : public testing::Test {
   }
   WallEvidence evidence_;
   std::shared_ptr<const SensorModel> sensor_ =
-      std::make_shared<const SensorModel>(SensorOptions{}, kReach);
-  DetectionOptions options_;
+      std::make_shared<const SensorModel>(MeasuredSensor{}, kReach);
 };
 
 TEST_F(WallDetectionTest, FindsWhatAPlainSearchOfAllRowsFinds) {
@@ -80,31 +78,26 @@ TEST_F(WallDetectionTest, FindsWhatAPlainSearchOfAllRowsFinds) {
        boxOf({{2.0, -15.0}, 18.0, 6.0, 0.6})},
       7);
   for (const Vec2& middle : {Vec2(0.0, 0.0), Vec2(9.3, -4.1)}) {
-    const std::vector<double> plain = plainScores(evidence_, middle, options_);
-    const auto walls = detectWalls(evidence_, middle, kReach, options_);
+    const std::vector<double> plain = plainScores(evidence_, middle);
+    const auto walls = detectWalls(evidence_, middle, kReach);
     ASSERT_GE(walls.size(), 3U);
     EXPECT_EQ(walls.front().score, plain.front());
     for (const FoundWall& wall : walls) {
       EXPECT_TRUE(std::count(plain.begin(), plain.end(), wall.score)) << wall.score;
     }
-    // Of those that lie on one another the surest alone is kept; without others all are.
-    DetectionOptions straight = options_;
-    straight.tilts = {0.0};
-    EXPECT_EQ(detectWalls(evidence_, middle, kReach, straight).front().score,
-              plainScores(evidence_, middle, straight).front());
   }
 }
 
 TEST_F(WallDetectionTest, ATiltedWallIsFoundAsItStands) {
   see({boxOf({{0.0, 14.0}, 24.0, 8.0, 0.05 + toRadians(3.0)})}, 8);
-  const auto walls = detectWalls(evidence_, Vec2::Zero(), kReach, options_);
+  const auto walls = detectWalls(evidence_, Vec2::Zero(), kReach);
   ASSERT_FALSE(walls.empty());
   EXPECT_NEAR(walls.front().heading(), 0.05 + toRadians(3.0), toRadians(1.6));
   EXPECT_NEAR(walls.front().length(), 24.0, 3.0);
 }
 
 TEST_F(WallDetectionTest, WithoutEvidenceThereIsNoWall) {
-  EXPECT_TRUE(detectWalls(evidence_, Vec2::Zero(), kReach, options_).empty());
+  EXPECT_TRUE(detectWalls(evidence_, Vec2::Zero(), kReach).empty());
 }
 
 }  // namespace

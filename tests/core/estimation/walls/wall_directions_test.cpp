@@ -10,7 +10,7 @@ namespace {
 
 TEST(WallDirections, AreThoseOfTheBuildingsSeen) {
   RandomStream random(3);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const SensorModel sensor(MeasuredSensor{}, 40.0);
   const std::vector<Box> boxes{boxOf({{-15.0, 15.0}, 20.0, 8.0, toRadians(20.0)}),
                                boxOf({{15.0, 15.0}, 24.0, 8.0, toRadians(55.0)})};
   WallDirections directions;
@@ -30,7 +30,7 @@ TEST(WallDirections, AreThoseOfTheBuildingsSeen) {
 
 TEST(WallDirections, NoneInACloudOfReturns) {
   RandomStream random(4);
-  const SensorModel sensor(SensorOptions{}, 40.0);
+  const SensorModel sensor(MeasuredSensor{}, 40.0);
   WallDirections directions;
   for (int k = 0; k < 30; ++k) {
     Scan scan;

@@ -31,7 +31,7 @@ double plainEvidence(const Frame& frame, double from_x, double to_x, double y,
 
 TEST(WallImage, IsTheSumOverTheRaysThatCross) {
   RandomStream random(3);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   for (int round = 0; round < 10; ++round) {
     const Box box = boxOf({{random.uniform(-5.0, 5.0), 20.0}, 20.0, 8.0, 0.0});
     const Pose2 pose{random.uniform(-8.0, 8.0), random.uniform(0.0, 6.0),
@@ -53,7 +53,7 @@ TEST(WallImage, IsTheSumOverTheRaysThatCross) {
 
 TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
   RandomStream random(6);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   WallEvidence evidence(kEvidenceCell, kWindow);
   evidence.include(0.1, {});
@@ -84,7 +84,7 @@ TEST(WallEvidence, PutInAnewItIsAsItWasOneByOne) {
 
 TEST(WallEvidence, SomeChangedForOthersItIsAsIfThoseHadBeenAddedAlone) {
   RandomStream random(8);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   Frame frame = seenFrom({1.0, 2.0, 0.3}, {boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2})}, 0.2, random);
   const std::vector<ActiveFrame> before{{&frame, frame.pose, sensor}, {&frame, {2.0, 1.0}, sensor}};
   const std::vector<ActiveFrame> after{{&frame, {1.5, 2.0, 0.2}, sensor}};
@@ -102,7 +102,7 @@ TEST(WallEvidence, SomeChangedForOthersItIsAsIfThoseHadBeenAddedAlone) {
 
 TEST(WallImage, CellsOfAColumnAreOneBehindTheOtherWhereThePlaneIsWrappedAround) {
   RandomStream random(9);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   Frame frame = seenFrom({0.0, -20.0, 0.0}, {boxOf({{0.0, 4.0}, 40.0, 8.0, 0.0})}, 0.2, random);
   WallImage image(0.0, kEvidenceCell, kWindow);
   image.apply({&frame, frame.pose, sensor}, 1);
@@ -117,7 +117,7 @@ TEST(WallImage, CellsOfAColumnAreOneBehindTheOtherWhereThePlaneIsWrappedAround) 
 
 TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
   RandomStream random(4);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   WallEvidence evidence(kEvidenceCell, kWindow);
   evidence.include(0.1, {});
@@ -134,7 +134,7 @@ TEST(WallEvidence, AFrameTakenOutLeavesNoTrace) {
 
 TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
   RandomStream random(6);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   const Box box = boxOf({{0.0, 15.0}, 20.0, 8.0, 0.2});
   Frame frame = seenFrom({1.0, 2.0, 0.3}, {box}, 0.2, random);
   WallEvidence first(kEvidenceCell, kWindow);
@@ -155,7 +155,7 @@ TEST(WallEvidence, ADirectionTakenUpLaterHoldsTheSame) {
 
 TEST(DetectWalls, NeighboursWithAGapAreTwoWalls) {
   RandomStream random(5);
-  const auto sensor = std::make_shared<const SensorModel>(SensorOptions{}, 40.0);
+  const auto sensor = std::make_shared<const SensorModel>(MeasuredSensor{}, 40.0);
   const std::vector<Box> boxes{boxOf({{-15.0, 15.0}, 20.0, 8.0, toRadians(3.0)}),
                                boxOf({{15.0, 15.0}, 24.0, 8.0, 0.0})};
   WallEvidence evidence(kEvidenceCell, kWindow);
@@ -164,7 +164,7 @@ TEST(DetectWalls, NeighboursWithAGapAreTwoWalls) {
     Frame frame = seenFrom({x, 0.0, 0.0}, boxes, 0.2, random);
     evidence.add({&frame, frame.pose, sensor});
   }
-  const auto walls = detectWalls(evidence, Vec2::Zero(), 40.0, DetectionOptions{});
+  const auto walls = detectWalls(evidence, Vec2::Zero(), 40.0);
   ASSERT_GE(walls.size(), 2u);
   EXPECT_LT(walls[0].a.x() * walls[1].a.x(), 0.0);
   for (const FoundWall& wall : {walls[0], walls[1]}) {
