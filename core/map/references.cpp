@@ -49,6 +49,10 @@ std::optional<Reference> modelReference(const Map& map, const fs::path& map_file
                 phrase("a path relative to the folder of the map"));
 }
 
+fs::path modelBeside(const fs::path& map_file) {
+  return map_file.parent_path() / (map_file.stem().string() + ".model.json");
+}
+
 std::vector<Reference> referencesOf(const Map& map, const fs::path& map_file) {
   std::vector<Reference> references;
   for (std::size_t i = 0; i < map.underlays.size(); ++i) {

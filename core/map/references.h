@@ -23,6 +23,8 @@ enum class Outside { Refused, Allowed };
 
 /// Throws BadInput for a member that is no path. `map_file` names the map in messages.
 std::optional<Reference> modelReference(const Map& map, const std::filesystem::path& map_file);
+/// NAME.model.json beside NAME.handmap.
+std::filesystem::path modelBeside(const std::filesystem::path& map_file);
 /// That of the pictures and of the model. Throws BadInput for a model that is no path.
 std::vector<Reference> referencesOf(const Map& map, const std::filesystem::path& map_file);
 

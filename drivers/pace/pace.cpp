@@ -17,11 +17,6 @@ void Pace::setSpeed(double speed) {
   changed_.notify_all();
 }
 
-double Pace::speed() const {
-  const std::scoped_lock lock(mutex_);
-  return speed_;
-}
-
 void Pace::waitFor(double seconds, Clock::time_point since, const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (speed_ > 0.0 && !stop.stop_requested()) {

@@ -18,14 +18,13 @@ class Pace {
 
   /// Takes effect at once, also for who is waiting.
   void setSpeed(double speed);
-  double speed() const;
 
   /// Waits until `seconds` of the recording have passed since `since`; returns at once when `stop`
   /// is requested.
   void waitFor(double seconds, Clock::time_point since, const std::stop_token& stop);
 
  private:
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable_any changed_;
   double speed_;
 };

@@ -43,7 +43,7 @@ class MapDocument : public QObject {
   void reset(Map map = {}, QString path = {}, const QString& origin = {});
   void open(const QString& path);  ///< throws Error; the document is then as before
   void save(const QString& path);  ///< throws Error; atomic
-  /// Names the model that belongs to this map, see core/map/map_model.h; `map_path` is where the
+  /// Names the model that belongs to this map, see core/map/references.h; `map_path` is where the
   /// map will be saved.
   void setModel(const QString& model, const QString& map_path);
   /// Whether pictures from outside of the drawing's folder are shown; not before somebody says so.

@@ -2,7 +2,6 @@
 
 #include "app/gui/files/file_actions.h"
 #include "core/base/error.h"
-#include "core/map/map_model.h"
 #include "core/map/references.h"
 #include "widgets/document/map_document.h"
 #include "widgets/messages/dialogs.h"

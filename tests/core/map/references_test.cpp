@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include "core/map/map_io.h"
-#include "core/map/map_model.h"
 #include "tests/core/base/expect_error.h"
 #include "tests/core/base/temporary_folder.h"
 
@@ -112,6 +111,10 @@ TEST_F(References, ToWhatIsNoRegularFileAreRefused) {
                  {"handmap:model", "the path of a file"});
 }
 
+fs::path modelTarget(const Map& map, const fs::path& map_file) {
+  return targetOf(modelReference(map, map_file).value(), map_file);
+}
+
 Map mapNaming(const std::string& image, const std::string& model) {
   Map map;
   map.underlays.push_back({image, 0, 0, 0.2, 0, 1, {}});
@@ -123,7 +126,7 @@ TEST(MovedReferences, LeadToTheSameFiles) {
   Map map = mapNaming("aerial.jpg", "yard.model.json");
   moveReferences(map, "maps/yard.handmap", "out/new/yard.handmap");
   EXPECT_EQ(map.underlays[0].image, "../../maps/aerial.jpg");
-  EXPECT_EQ(modelOf(map, "out/new/yard.handmap")->lexically_normal(),
+  EXPECT_EQ(modelTarget(map, "out/new/yard.handmap").lexically_normal(),
             fs::path("maps/yard.model.json"));
   const Map before = map;
   moveReferences(map, "out/new/yard.handmap", "out/new/other.handmap");
@@ -143,6 +146,34 @@ TEST(MovedReferences, ThatAreAbsoluteOrNoPathsStay) {
     const Map before = map;
     moveReferences(map, "a.handmap", "b/a.handmap");
     EXPECT_EQ(map, before);
+  }
+}
+
+Map mapWith(const std::string& member) {
+  return parseMap(R"({"format":"handmap","version":1,"buildings":[])" + member + "}", "a.handmap");
+}
+
+TEST(ModelReference, IsNamedInTheFileOfTheMap) {
+  Map map = mapWith("");
+  EXPECT_FALSE(modelReference(map, "maps/yard.handmap"));
+  map.model = referenceFrom("maps/yard.handmap", "maps/yard.model.json");
+  const std::string text = formatMap(map);
+  EXPECT_NE(text.find(R"("handmap:model": "yard.model.json")"), std::string::npos) << text;
+  const Map read = parseMap(text, "yard.handmap");
+  EXPECT_EQ(modelTarget(read, "elsewhere/yard.handmap"), fs::path("elsewhere/yard.model.json"));
+  EXPECT_EQ(modelTarget(read, "yard.handmap"), fs::path("yard.model.json"));
+}
+
+TEST(ModelReference, ModelsAreBesideTheMap) {
+  EXPECT_EQ(modelBeside("maps/my.yard.handmap"), fs::path("maps/my.yard.model.json"));
+}
+
+TEST(ModelReference, ThatIsNoPathIsRefused) {
+  for (const char* member : {R"(,"handmap:model":3)", R"(,"handmap:model":"")",
+                             R"(,"handmap:model":{"a":1})", R"(,"handmap:model":null)"}) {
+    const Map map = mapWith(member);
+    expectBadInput([&] { modelReference(map, "a.handmap"); },
+                   {"a.handmap", "handmap:model: found"});
   }
 }
 

@@ -15,13 +15,6 @@ void LogModel::add(LogEntry entry) {
   endInsertRows();
 }
 
-void LogModel::clear() {
-  beginResetModel();
-  entries_.clear();
-  dropped_ = 0;
-  endResetModel();
-}
-
 int LogModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }

@@ -27,7 +27,6 @@ class LogModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   void add(LogEntry entry);
-  void clear();
   const LogEntry& entry(int row) const { return entries_.at(static_cast<std::size_t>(row)); }
   int dropped() const { return dropped_; }
 
