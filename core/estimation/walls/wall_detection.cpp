@@ -229,11 +229,11 @@ std::vector<FoundWall> withoutRepeats(const std::vector<FoundWall>& walls) {
 
 }  // namespace
 
-std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle,
-                                   double reach_m) {
+std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle, double reach_m,
+                                   std::span<const double> tilts) {
   const std::vector<WallImage>& images = evidence.images();
   double most_slope = 0.0;
-  for (const double tilt : kTilts) {
+  for (const double tilt : tilts) {
     most_slope = std::max(most_slope, std::abs(std::tan(tilt)));
   }
   std::vector<std::vector<FoundWall>> found(images.size());
@@ -245,7 +245,7 @@ std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& mid
     const Window window{at(along - reach_m), at(along + reach_m), at(across - reach_m),
                         at(across + reach_m)};
     const WallBounds bounds(image, window, most_slope);
-    for (const double angle : kTilts) {
+    for (const double angle : tilts) {
       const Tilt tilt{std::tan(angle), window.middle()};
       RowScan(image, window, tilt, found[i])(bounds.rowsWith(inCells(kLeastScore), tilt));
     }

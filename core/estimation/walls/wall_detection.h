@@ -1,8 +1,10 @@
 // Walls in the evidence, found without the drawing.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "core/estimation/walls/constants.h"
 #include "core/estimation/walls/wall_evidence.h"
 
 namespace handmap {
@@ -18,8 +20,8 @@ struct FoundWall {
 };
 
 /// Walls within `reach_m` (per axis) of `middle`, the surest first; of those that lie on one
-/// another only the surest.
-std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle,
-                                   double reach_m);
+/// another only the surest. `tilts`: of rows to those of the directions, radians.
+std::vector<FoundWall> detectWalls(const WallEvidence& evidence, const Vec2& middle, double reach_m,
+                                   std::span<const double> tilts = walls::kTilts);
 
 }  // namespace handmap

@@ -1,6 +1,8 @@
 #include "core/estimation/walls/wall_detection.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -13,14 +15,15 @@ constexpr double kDetectionCell = 0.5;
 constexpr double kReach = 40.0;
 
 /// Scores of all runs that are walls, along every row and tilt: the plain way.
-std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle) {
+std::vector<double> plainScores(const WallEvidence& evidence, const Vec2& middle,
+                                std::span<const double> tilts = walls::kTilts) {
   std::vector<double> scores;
   for (const WallImage& image : evidence.images()) {
     const auto at = [](double metres) { return static_cast<int>(metres / kDetectionCell); };
     const int low = at(image.along().dot(middle) - kReach);
     const int high = at(image.along().dot(middle) + kReach);
     const double across = image.across().dot(middle);
-    for (const double tilt : walls::kTilts) {
+    for (const double tilt : tilts) {
       for (int row = at(across - kReach); row < at(across + kReach); ++row) {
         double sum = 0.0;
         double peak = 0.0;
@@ -85,6 +88,10 @@ TEST_F(WallDetectionTest, FindsWhatAPlainSearchOfAllRowsFinds) {
     for (const FoundWall& wall : walls) {
       EXPECT_TRUE(std::count(plain.begin(), plain.end(), wall.score)) << wall.score;
     }
+    // Of those that lie on one another the surest alone is kept; without others all are.
+    constexpr std::array kStraight{0.0};
+    EXPECT_EQ(detectWalls(evidence_, middle, kReach, kStraight).front().score,
+              plainScores(evidence_, middle, kStraight).front());
   }
 }
 
