@@ -46,12 +46,18 @@ bool Sweeps::areRegular(const std::vector<RangePoint>& points) {
   std::vector<float> steps;
   for (std::size_t i = 1; i < bearings.size(); ++i) steps.push_back(bearings[i] - bearings[i - 1]);
   if (steps.empty()) return true;
-  const double most = kOneStep * static_cast<double>(medianOf(steps));
+  const auto usual = static_cast<double>(medianOf(steps));
+  if (static_cast<double>(steps.size()) >= kAtFirst) {
+    narrowest_ = narrowest_ > 0.0 ? std::min(narrowest_, usual) : usual;
+  }
+  const double most = kOneStep * usual;
   steps_ += static_cast<double>(steps.size());
   regular_ += static_cast<double>(
       std::ranges::count_if(steps, [&](float step) { return static_cast<double>(step) <= most; }));
   return regular_ + kAtFirst >= kRegular * (steps_ + kAtFirst);
 }
+
+double Sweeps::step() const { return std::max(narrowest_, kDirection); }
 
 ScanBuilder::ScanBuilder(double range_limit_m)
     : range_limit_m_(range_limit_m), looked_at_(kDirections) {}
@@ -86,11 +92,15 @@ Scan ScanBuilder::operator()(const std::vector<RangePoint>& points,
 
 void ScanBuilder::addRays(const std::vector<RangePoint>& points, Scan& scan) {
   const bool tilted = !isPlanar(points);
+  const auto beside = static_cast<std::size_t>(sweeps_.step() / 2.0 / kDirection);
   for (const RangePoint& p : points) {
     const float bearing = std::atan2(p.y, p.x);
     const std::size_t direction = directionOf(bearing);
     if (!looked_at_[direction]) scan.first_looked_at.push_back(bearingOf(direction));
-    looked_at_[direction] = true;
+    // What is nearer to this direction than to its neighbours is looked at by it.
+    for (std::size_t i = 0; i <= 2 * beside; ++i) {
+      looked_at_[(direction + kDirections - beside + i) % kDirections] = true;
+    }
     const float range = std::hypot(p.x, p.y);
     if (tilted && p.z < kLevel_m) {
       keepNearest(nearest_[direction], {bearing, range, 0.0F, 0.0F, false});
@@ -99,11 +109,24 @@ void ScanBuilder::addRays(const std::vector<RangePoint>& points, Scan& scan) {
     const float wall = std::clamp(p.w, 0.0F, 1.0F);
     keepNearest(nearest_[direction], {bearing, range, kScanSigma_m, wall, true});
   }
-  const auto limit = static_cast<float>(range_limit_m_);
+  addSilence();
+}
+
+/// A step apart, as returns are: between two that are one step apart nothing was looked at.
+void ScanBuilder::addSilence() {
+  const auto apart =
+      static_cast<std::size_t>(std::ceil(kOneStep / 2.0 * sweeps_.step() / kDirection));
+  const auto told = [&](std::size_t i) {
+    return nearest_[i % kDirections].range > 0.0F || not_measured_[i % kDirections];
+  };
   for (std::size_t i = 0; i < kDirections; ++i) {
     if (not_measured_[i]) looked_at_[i] = true;  // but it had not looked there all the while
-    if (!looked_at_[i] || not_measured_[i] || nearest_[i].range > 0.0F) continue;
-    nearest_[i] = {bearingOf(i), limit, 0.0F, 0.0F, false};
+    bool near = told(i);
+    for (std::size_t k = 1; k < apart && !near; ++k) {
+      near = told(i + k) || told(i + kDirections - k);
+    }
+    if (near || !looked_at_[i]) continue;
+    nearest_[i] = {bearingOf(i), static_cast<float>(range_limit_m_), 0.0F, 0.0F, false};
   }
 }
 

@@ -37,14 +37,18 @@ struct Scan {
 /// What its rays met that show walls, as a planar scanner has them.
 std::vector<RangePoint> likelyWalls(const Scan& scan);
 
-/// A scanner looks along one direction after the other, in steps of one width. Corners that a
-/// camera follows lie where they lie, and that there is none in a direction says nothing.
+/// A scanner looks along one direction after the other, in steps of one width; where the first one
+/// is may differ from scan to scan. Corners that a camera follows lie where they lie, and that
+/// there is none in a direction says nothing.
 class Sweeps {
  public:
   /// Whether all until now, and the one with these points, were a scanner's.
   bool areRegular(const std::vector<RangePoint>& points);
+  /// The narrowest that was usual in a scan until now, radians; at least the width of a direction.
+  double step() const;
 
  private:
+  double narrowest_ = 0.0;  ///< 0: not known yet
   double steps_ = 0.0;
   double regular_ = 0.0;  ///< no wider than most
 };
@@ -63,6 +67,7 @@ class ScanBuilder {
 
  private:
   void addRays(const std::vector<RangePoint>& points, Scan& scan);
+  void addSilence();
   void addStanding(const std::vector<RangePoint>& points, const std::vector<WallPoint>& walls);
 
   double range_limit_m_;

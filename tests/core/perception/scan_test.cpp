@@ -49,6 +49,39 @@ TEST(ScanBuilder, SilenceCountsOnlyWhereSomethingWasEverSeen) {
   EXPECT_EQ(rayAt(scan, -90.0), nullptr);
 }
 
+TEST(ScanBuilder, BetweenTwoReturnsAStepApartNothingWasLookedAt) {
+  ScanBuilder scans(40.0);
+  // 1° from return to return, beginning somewhere else in each scan, as a turning head may.
+  for (const double first_deg : {-90.0, -89.5, -89.2, -90.3}) {
+    std::vector<RangePoint> points;
+    for (int i = 0; i < 180; ++i) {
+      const double bearing_deg = first_deg + i;
+      if (bearing_deg < 19.0 || bearing_deg > 31.0) {
+        points.push_back(pointAt(bearing_deg, 10.0, 1.0, 1.0F));
+      }
+    }
+    const Scan scan = scanOf(scans, points);
+    const auto silent = std::ranges::count_if(scan.rays, [](const Ray& r) { return !r.returned; });
+    EXPECT_LE(silent, 3) << "at edges alone; nothing ever came back from 19° to 31°; " << first_deg;
+    EXPECT_TRUE(first_deg == -90.0 || scan.first_looked_at.size() <= 1) << first_deg;
+  }
+  std::vector<RangePoint> whole;
+  for (int i = 0; i < 180; ++i) whole.push_back(pointAt(-90.0 + i, 10.0, 1.0, 1.0F));
+  scanOf(scans, whole);
+  whole.erase(whole.begin() + 100, whole.begin() + 110);
+  for (RangePoint& p : whole) {
+    p = pointAt(toDegrees(static_cast<double>(std::atan2(p.y, p.x))) + 0.5, 10.0, 1.0, 1.0F);
+  }
+  const Scan scan = scanOf(scans, whole);
+  std::vector<double> silent;
+  for (const Ray& ray : scan.rays) {
+    if (!ray.returned) silent.push_back(toDegrees(static_cast<double>(ray.bearing)));
+  }
+  const auto missing = std::ranges::count_if(silent, [](double b) { return b > 10.0 && b < 20.0; });
+  EXPECT_NEAR(static_cast<double>(missing), 10.0, 1.0) << "as many as are missing";
+  EXPECT_LE(silent.size() - static_cast<std::size_t>(missing), 3U) << "at edges";
+}
+
 TEST(ScanBuilder, WhatWasNotMeasuredIsNoSilence) {
   ScanBuilder scans(40.0);
   scanOf(scans, {pointAt(90.0, 10.0, 1.0, 1.0F), pointAt(0.0, 5.0, 1.0, 1.0F)});
@@ -62,6 +95,17 @@ TEST(ScanBuilder, WhatWasNotMeasuredIsNoSilence) {
   const Scan next = scanOf(scans, {pointAt(-90.0, 3.0, 1.0, 1.0F)});
   EXPECT_TRUE(next.first_looked_at.empty()) << "nobody knows what was there before";
   EXPECT_FALSE(rayAt(next, 90.0)->returned) << "now it is silent";
+}
+
+TEST(ScanBuilder, NorIsWhatLiesBetweenDirectionsThatWereNotMeasured) {
+  ScanBuilder scans(40.0);
+  std::vector<RangePoint> points;
+  for (int i = 0; i < 60; ++i) points.push_back(pointAt(i, 10.0, 1.0, 1.0F));
+  scanOf(scans, points);
+  for (std::size_t i = 20; i < 40; ++i) {
+    points[i] = notMeasured(toRadians(static_cast<double>(i)), 1.0F);
+  }
+  for (const Ray& ray : scanOf(scans, points).rays) EXPECT_TRUE(ray.returned) << ray.bearing;
 }
 
 TEST(ScanBuilder, AScannerThatMeasuresNothingSaysNothing) {
