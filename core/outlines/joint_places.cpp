@@ -70,7 +70,7 @@ class Places {
   void searchBesideRivals() {
     struct Beside {
       std::size_t building, rival;
-      FittedOutline place;
+      std::vector<FittedOutline> places;
     };
     std::vector<Beside> beside;
     for (const auto& [i, m, k, n, cost] : conflictsAmong(1)) {
@@ -79,18 +79,20 @@ class Places {
       beside.push_back({k, i, {}});
     }
     parallelFor(beside.size(), [&](std::size_t b) {
-      auto& [i, rival, place] = beside[b];
-      if (!stop_.stop_requested()) place = bestBeside(i, rival);
+      auto& [i, rival, places] = beside[b];
+      if (!stop_.stop_requested()) places = placesBeside(i, rival);
     });
     if (stop_.stop_requested()) return;
-    for (auto& [i, rival, place] : beside) add(i, std::move(place), scorerOf(i, owners_));
+    for (auto& [i, rival, places] : beside) {
+      for (FittedOutline& place : places) add(i, std::move(place), scorerOf(i, owners_));
+    }
   }
 
   /// First which thing each building is, then where on that it stands.
   std::vector<std::optional<FittedOutline>> choose() const {
     const std::vector<ModeConflict> conflicts = conflictsAmong();
-    const std::vector<int> things = chosen(conflicts, &Mode::ofWhichThing);
-    const std::vector<int> modes = chosen(conflicts, &Mode::ofWhere, things);
+    const std::vector<int> things = chosen(conflicts, tellsWhichThing);
+    const std::vector<int> modes = chosen(conflicts, tellsWhere, things);
     std::vector<std::optional<FittedOutline>> places(priors_.size());
     for (std::size_t i = 0; i < priors_.size(); ++i) {
       if (modes[i] != kNoMode) places[i] = modeOf(i, modes[i]).place;
@@ -102,19 +104,11 @@ class Places {
   struct Mode {
     FittedOutline place;
     Standing standing;
-    double against = 0.0;  ///< of its score, what walls tell that speak against it; at most 0
-
-    /// What the evidence tells of where on one thing the building stands, some nats taken off.
-    double ofWhere(double less) const { return place.score - less; }
-    /// What it tells of which thing the building is: that one stands there, and ever less how much
-    /// of it is seen. A long wall explains more than the right one; walls where rays go through
-    /// count in full.
-    double ofWhichThing(double less) const {
-      const double seen = place.score - against - less;
-      return against + (seen > 0.0 ? kLeastEvidence * std::log1p(seen / kLeastEvidence) : seen);
-    }
   };
-  using Told = double (Mode::*)(double) const;
+  /// What the evidence tells for a place, some nats taken off.
+  using Told = double (*)(const FittedOutline&, double);
+  /// The same of where on one thing the building stands.
+  static double tellsWhere(const FittedOutline& place, double less) { return place.score - less; }
 
   const Mode& modeOf(std::size_t i, int mode) const {
     return modes_[i][static_cast<std::size_t>(mode)];
@@ -128,13 +122,13 @@ class Places {
       for (const Mode& mode : modes_[i]) {
         const bool may =
             things.empty() || things[i] == kNoMode || areOfOneThing(modeOf(i, things[i]), mode);
-        worth[i].push_back(may ? (mode.*told)(0.0) + mode.place.prior
+        worth[i].push_back(may ? told(mode.place, 0.0) + mode.place.prior
                                : -std::numeric_limits<double>::infinity());
       }
     }
     for (ModeConflict& conflict : conflicts) {
       const auto lost = [&](const Mode& mode) {
-        return (mode.*told)(0.0) - (mode.*told)(conflict.cost);
+        return told(mode.place, 0.0) - told(mode.place, conflict.cost);
       };
       conflict.cost = std::min(lost(modes_[conflict.building][conflict.mode]),
                                lost(modes_[conflict.other][conflict.other_mode]));
@@ -157,22 +151,20 @@ class Places {
   }
   void add(std::size_t i, FittedOutline place, const OutlineScorer& scorer) {
     Standing standing = scorer.standingFor(place.outline, kOwnedWithin_m);
-    double against = 0.0;
-    for (const double nats : scorer.ofWalls(place.outline, kSlack_m)) {
-      against += std::min(0.0, nats);
-    }
-    modes_[i].push_back({std::move(place), std::move(standing), against});
+    modes_[i].push_back({std::move(place), std::move(standing)});
   }
 
   /// Where the best place of the rival has the returns of its own.
-  FittedOutline bestBeside(std::size_t i, std::size_t rival) const {
+  std::vector<FittedOutline> placesBeside(std::size_t i, std::size_t rival) const {
     RayOwners owners = owners_;
     for (const OutlineScorer::Standing& claim : modes_[rival].front().standing) {
       owners[claim.ray] = static_cast<int>(rival);
     }
-    FittedOutline best = searchOutlines(priors_[i], scorerOf(i, owners), random(i), stop_).front();
-    best.score = scorerOf(i, owners_)(best.outline, kSlack_m);
-    return best;
+    std::vector<FittedOutline> places =
+        searchOutlines(priors_[i], scorerOf(i, owners), random(i), stop_);
+    const OutlineScorer scorer = scorerOf(i, owners_);
+    for (FittedOutline& place : places) scorePlace(place, scorer);
+    return places;
   }
 
   /// Of the first so many modes of each.

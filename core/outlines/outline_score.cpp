@@ -269,18 +269,17 @@ OutlineScorer::Met::Each<float> OutlineScorer::ratiosOf(const Met& met, double s
   return ratios;
 }
 
-double OutlineScorer::operator()(const Polygon& outline, double slack_m) const {
-  double score = 0.0;
-  forMet(outline, [&](const Met& met) {
-    const auto ratios = ratiosOf(met, slack_m);
-    for (std::size_t k = 0; k < met.size; ++k) score += static_cast<double>(ratios[k]);
-  });
-  score *= kTemper * each_;
+OutlineScorer::Evidence OutlineScorer::evidence(const Polygon& outline, double slack_m) const {
+  Evidence evidence;
+  for (const double nats : ofWalls(outline, slack_m)) {
+    evidence.nats += nats;
+    evidence.against += std::min(0.0, nats);
+  }
   const Bounds bounds = boundsOf(outline);
   for (const Vec2& robot : robots_) {
-    if (bounds.overlaps({robot, robot}) && contains(outline, robot)) score -= kInside;
+    if (bounds.overlaps({robot, robot}) && contains(outline, robot)) evidence.nats -= kInside;
   }
-  return score;
+  return evidence;
 }
 
 std::vector<double> OutlineScorer::ofWalls(const Polygon& outline, double slack_m) const {
@@ -288,9 +287,10 @@ std::vector<double> OutlineScorer::ofWalls(const Polygon& outline, double slack_
   forMet(outline, [&](const Met& met) {
     const auto ratios = ratiosOf(met, slack_m);
     for (std::size_t k = 0; k < met.size; ++k) {
-      scores[met.wall[k]] += kTemper * each_ * static_cast<double>(ratios[k]);
+      scores[met.wall[k]] += static_cast<double>(ratios[k]);
     }
   });
+  for (double& score : scores) score *= kTemper * each_;
   return scores;
 }
 

@@ -28,9 +28,16 @@ class OutlineScorer {
   /// It asks about so many of the rays at most, for all of them.
   OutlineScorer thinned(std::size_t most) const;
 
+  struct Evidence {
+    double nats = 0.0;     ///< for the outline
+    double against = 0.0;  ///< of them, by walls that speak against it; at most 0
+  };
   /// Tempered: rays share the errors of poses and walls. `slack_m`: how far walls may be off, one
   /// σ.
-  double operator()(const Polygon& outline, double slack_m) const;
+  Evidence evidence(const Polygon& outline, double slack_m) const;
+  double operator()(const Polygon& outline, double slack_m) const {
+    return evidence(outline, slack_m).nats;
+  }
   /// The same by wall that rays meet (i: from corner i − 1 to corner i), but for robots inside.
   std::vector<double> ofWalls(const Polygon& outline, double slack_m) const;
   /// Tempered number of returns that are from each wall (i: from corner i − 1 to corner i).

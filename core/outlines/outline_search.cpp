@@ -96,21 +96,23 @@ class Shape {
   std::vector<Vec2> own_;  ///< corners along and across the axes
 };
 
-struct Candidate {
-  Move move{};
-  double total = -1e300;
-};
+FittedOutline placeAt(const Move& move, const Shape& shape, const OutlineScorer& scorer,
+                      double slack_m) {
+  Polygon outline = shape(move);
+  const auto [nats, against] = scorer.evidence(outline, slack_m);
+  return {std::move(outline), move, nats, against, shape.logPrior(move)};
+}
 
-void improve(Candidate& candidate, const Shape& shape, const OutlineScorer& scorer,
-             const Stage& stage, RandomStream& random, const std::stop_token& stop) {
+FittedOutline improved(const Move& from, const Shape& shape, const OutlineScorer& scorer,
+                       const Stage& stage, RandomStream& random, const std::stop_token& stop) {
   const auto value = [&](const Eigen::VectorXd& metres) {
     const Move m = shape.moveOf(metres);
     return scorer(shape(m), stage.slack_m) + shape.logPrior(m);
   };
   const Evolved evolved =
-      evolve(value, shape.metresOf(candidate.move),
-             {.step = stage.step_m, .least_step = stage.least_step_m}, random, stop);
-  candidate = {shape.moveOf(evolved.parameters), evolved.value};
+      evolve(value, shape.metresOf(from), {.step = stage.step_m, .least_step = stage.least_step_m},
+             random, stop);
+  return placeAt(shape.moveOf(evolved.parameters), shape, scorer, stage.slack_m);
 }
 
 double farthestCorner(const Polygon& a, const Polygon& b) {
@@ -119,60 +121,59 @@ double farthestCorner(const Polygon& a, const Polygon& b) {
   return most;
 }
 
-/// Of places that are the same the best alone.
-void keepBest(std::vector<Candidate>& candidates, std::size_t most, const Shape& shape) {
-  std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::total);
-  std::vector<Candidate> kept;
-  for (const Candidate& candidate : candidates) {
-    if (kept.size() == most) break;
-    const Polygon outline = shape(candidate.move);
-    const bool is_new = std::ranges::none_of(kept, [&](const Candidate& better) {
-      return farthestCorner(shape(better.move), outline) < kAnother_m;
-    });
-    if (is_new) kept.push_back(candidate);
-  }
-  candidates = std::move(kept);
-}
-
-FittedOutline fittedBy(const Move& move, const Shape& shape, const OutlineScorer& scorer) {
-  Polygon outline = shape(move);
-  const double score = scorer(outline, kLast.slack_m);
-  return {std::move(outline), move, score, shape.logPrior(move)};
+/// Of places that are the same the best alone: half of them by what they explain, half by what that
+/// tells of which thing the building is.
+void keepBest(std::vector<FittedOutline>& places, std::size_t most) {
+  std::vector<FittedOutline> kept;
+  const auto keep = [&](std::size_t until, auto worth) {
+    std::ranges::stable_sort(places, std::ranges::greater{}, worth);
+    for (const FittedOutline& place : places) {
+      if (kept.size() >= until) return;
+      const bool is_new = std::ranges::none_of(kept, [&](const FittedOutline& better) {
+        return farthestCorner(better.outline, place.outline) < kAnother_m;
+      });
+      if (is_new) kept.push_back(place);
+    }
+  };
+  keep(most / 2, &FittedOutline::total);
+  keep(most, [](const FittedOutline& place) { return tellsWhichThing(place) + place.prior; });
+  places = std::move(kept);
 }
 
 }  // namespace
+
+double tellsWhichThing(const FittedOutline& place, double less) {
+  const double seen = place.score - place.against - less;
+  return place.against + (seen > 0.0 ? kLeastEvidence * std::log1p(seen / kLeastEvidence) : seen);
+}
 
 std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
                                           RandomStream random, const std::stop_token& stop) {
   const Shape shape(prior);
   const OutlineScorer coarse = scorer.thinned(kAsked);
-  std::vector<Candidate> candidates(1);
-  for (int i = 0; i < kSamples; ++i) candidates.push_back({shape.sample(random)});
-  for (Candidate& candidate : candidates) {
+  std::vector<FittedOutline> places;
+  for (int i = 0; i <= kSamples; ++i) {
     if (stop.stop_requested()) return {{prior.start}};
-    candidate.total =
-        coarse(shape(candidate.move), kSlackAtFirst_m) + shape.logPrior(candidate.move);
+    const Move move = i == 0 ? Move{} : shape.sample(random);
+    places.push_back(placeAt(move, shape, coarse, kSlackAtFirst_m));
   }
-  const Candidate start = candidates.front();
   for (const Stage& stage : kStages) {
-    keepBest(candidates, stage.tries, shape);
-    for (Candidate& candidate : candidates) {
-      improve(candidate, shape, coarse, stage, random, stop);
+    keepBest(places, stage.tries);
+    for (FittedOutline& place : places) {
+      place = improved(place.move, shape, coarse, stage, random, stop);
       if (stop.stop_requested()) return {{prior.start}};
     }
   }
   // Narrow walls are found near where they are only: the start may be right as it is.
-  keepBest(candidates, kLast.tries, shape);
-  candidates.push_back(start);
+  keepBest(places, kLast.tries);
+  places.push_back({prior.start});
   const OutlineScorer fine = scorer.thinned(kAskedLater);
-  for (Candidate& candidate : candidates) {
-    improve(candidate, shape, fine, kLast, random, stop);
+  for (FittedOutline& place : places) {
+    place = improved(place.move, shape, fine, kLast, random, stop);
     if (stop.stop_requested()) return {{prior.start}};
   }
-  keepBest(candidates, candidates.size(), shape);
-  std::vector<FittedOutline> fitted;
-  for (const Candidate& best : candidates) fitted.push_back(fittedBy(best.move, shape, fine));
-  return fitted;
+  keepBest(places, 2 * places.size());
+  return places;
 }
 
 FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
@@ -180,9 +181,7 @@ FittedOutline searchNear(const OutlineMove& start, const OutlinePrior& prior,
                          const std::stop_token& stop) {
   const Shape shape(prior);
   const OutlineScorer fine = scorer.thinned(kAskedLater);
-  Candidate candidate{start};
-  improve(candidate, shape, fine, kLast, random, stop);
-  return fittedBy(candidate.move, shape, fine);
+  return improved(start, shape, fine, kLast, random, stop);
 }
 
 FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {
@@ -197,11 +196,13 @@ FittedOutline placedOn(const Rectangle& box, const OutlinePrior& prior) {
                   std::log((across ? box.depth : box.width) / now.width),
                   std::log((across ? box.width : box.depth) / now.depth),
                   0.0};
-  return {shape(move), move, 0.0, shape.logPrior(move)};
+  return {shape(move), move, 0.0, 0.0, shape.logPrior(move)};
 }
 
 void scorePlace(FittedOutline& place, const OutlineScorer& scorer) {
-  place.score = scorer.thinned(kAskedLater)(place.outline, kLast.slack_m);
+  const auto [nats, against] = scorer.thinned(kAskedLater).evidence(place.outline, kLast.slack_m);
+  place.score = nats;
+  place.against = against;
 }
 
 double spreadOfSide(const Polygon& outline, const Vec2& direction, double prior_sigma_m,

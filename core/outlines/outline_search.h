@@ -28,16 +28,22 @@ using OutlineMove = std::array<double, 6>;
 
 struct FittedOutline {
   Polygon outline;
-  OutlineMove move{};  ///< of the prior's start
-  double score = 0.0;  ///< log ratio against nothing there, without what the prior says
-  double prior = 0.0;  ///< log density of the prior, at most 0
+  OutlineMove move{};    ///< of the prior's start
+  double score = 0.0;    ///< log ratio against nothing there, without what the prior says
+  double against = 0.0;  ///< of it, what walls tell that speak against it; at most 0
+  double prior = 0.0;    ///< log density of the prior, at most 0
   double total() const { return score + prior; }
 };
 
-/// Samples of the prior, the best of them by CMA-ES with ever narrower walls. Places that differ
-/// and explain the rays nearly as well, the best first: which of them is right may depend on the
-/// neighbours. The same random numbers give the same outlines. Comes back at once, with any
-/// outline, where `stop` is requested.
+/// What the evidence tells of which thing the building is: that one stands there, and ever less how
+/// much of it is seen. A long wall explains more than the right one; walls where rays go through
+/// count in full. `less`: nats that are taken off.
+double tellsWhichThing(const FittedOutline& place, double less = 0.0);
+
+/// Samples of the prior, the best of them by CMA-ES with ever narrower walls: those that explain
+/// most, and as many that tell most of which thing the building is. Places that differ, the one
+/// that explains most first: which of them is right may depend on the neighbours. The same random
+/// numbers give the same outlines. Comes back at once, with any outline, where `stop` is requested.
 std::vector<FittedOutline> searchOutlines(const OutlinePrior& prior, const OutlineScorer& scorer,
                                           RandomStream random, const std::stop_token& stop = {});
 
