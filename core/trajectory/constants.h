@@ -20,6 +20,7 @@ inline constexpr double kGapSpacings = 4.5;  // 1; measured: FIELD.md (a), a wal
 inline constexpr double kRough_m = 0.08;     // m; measured: FIELD.md (a), plaster, window frames
 inline constexpr double kRoughPerMetre = 0.002;  // 1; measured: FIELD.md (a), with the range
 inline constexpr double kLeastLength = 5.0;      // thicknesses; measured: FIELD.md (a)
+inline constexpr double kNoisy = 1.5;  // 1; choice: of the noise, what a piece may be thick
 inline constexpr double kStandingCell_m = 0.35;  // m; choice: a piece is three of them wide
 
 // The noise of ranges, as a histogram of what returns are off.
@@ -37,7 +38,7 @@ inline constexpr double kNear_m = kCell_m / 2.0;   // m; derived: what is as nea
 inline constexpr int kSide = 256;                  // cells; choice: twice what a scan reaches, 64 m
 inline constexpr std::ptrdiff_t kMostOfAKind = 8;  // points; choice: in a cell, every 6 cm of wall
 inline constexpr std::array kGates_m{1.5, 1.0, 0.7, 0.5, 0.5};  // m; measured: FIELD.md (a)
-inline constexpr double kPoint_m = 0.3;  // m; measured: FIELD.md (a), σ about a point of a bush
+inline constexpr double kPoint_m = 0.2;  // m; choice: σ about a point of a bush, but for noise
 inline constexpr double kShared = 0.4;   // 1; measured: FIELD.md (a), neighbours are off together
 inline constexpr double kKernelGates = 0.3;  // gates; measured: FIELD.md (a), Cauchy's kernel bends
 inline constexpr std::size_t kMostScanPoints = 400;  // points; choice: more tell the same
@@ -72,11 +73,10 @@ inline constexpr std::size_t kRatios = 300;          // motions; measured: FIELD
 inline constexpr std::size_t kLeastRatios = 40;      // motions; choice: a length to half a per cent
 inline constexpr double kPulled =
     1.6 * 1.48;  // 1; measured: FIELD.md (a), σ by a median, and a match is pulled by its prior
-inline constexpr double kLeastScale = 0.7;      // 1; measured: FIELD.md (a), of σ
-inline constexpr double kMostMoveScale = 4.0;   // 1; measured: FIELD.md (a), of σ
-inline constexpr double kMostTurnScale = 6.0;   // 1; measured: FIELD.md (a), of σ
-inline constexpr double kFirstMoveScale = 2.0;  // 1; choice: too little doubt turns the whole way
-inline constexpr double kFirstTurnScale = 3.0;  // 1; choice: the same
+inline constexpr double kLeastScale = 2.0;          // 1; measured: README, of σ, and at first
+inline constexpr double kLeastScaleFollowed = 0.7;  // 1; measured: FIELD.md (a), of σ
+inline constexpr double kMostMoveScale = 4.0;       // 1; measured: FIELD.md (a), of σ
+inline constexpr double kMostTurnScale = 6.0;       // 1; measured: FIELD.md (a), of σ
 // As measured on a campus and in simulated quarters, scans a metre apart: within a third of each
 // the way is off by a tenth to a quarter of what it is with three times as much.
 inline constexpr double kGuessedMove = 10.0;   // 1; measured: 0.1 m and 30 %, it keeps its speed

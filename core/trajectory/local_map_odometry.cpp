@@ -98,7 +98,7 @@ std::optional<Pose2> LocalMapOdometry::followedPose(const std::vector<TrackedPoi
                                                     const Pose2& motion, const MotionPrior& prior) {
   const auto match = tracks_.match(tracked, prior);
   if (!match) return std::nullopt;
-  noise_.learn(motion, between(prior.from, match->pose));
+  noise_.learn(motion, between(prior.from, match->pose), kLeastScaleFollowed);
   variance_ = strayOf(*match, prior.motion);
   return match->pose;
 }
@@ -107,7 +107,7 @@ std::optional<Pose2> LocalMapOdometry::matchedPose(const std::vector<ScanPoint>&
                                                    const Pose2& motion, const MotionPrior& prior) {
   const auto match = bestMatch(scan, prior);
   if (!match || match->matched < kLeastMatched) return std::nullopt;
-  noise_.learn(motion, between(prior.from, match->pose));
+  noise_.learn(motion, between(prior.from, match->pose), kLeastScale);
   if (guessed_) return whereHeld(*match, prior);
   const Eigen::Vector3d off = prior.motion.at(prior.from, match->pose).residual;
   if (std::abs(off.z()) > kTurnSigmas) return std::nullopt;

@@ -38,8 +38,9 @@ std::vector<TrackedPoint> trackedPoints(const std::vector<RangePoint>& points,
   return tracked;
 }
 
-std::vector<ScanPoint> features(const Returns& returns) {
-  return returns.planar ? planarFeatures(returns.all) : standingFeatures(returns.upright);
+std::vector<ScanPoint> features(const Returns& returns, const ScanNoise& noise) {
+  return returns.planar ? planarFeatures(returns.all, noise)
+                        : standingFeatures(returns.upright, noise);
 }
 
 SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m,

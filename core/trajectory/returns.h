@@ -9,8 +9,6 @@
 
 namespace handmap {
 
-class ScanNoise;
-
 /// The returns of one observation in the plane, metres, robot frame.
 struct Returns {
   bool planar = true;
@@ -24,7 +22,7 @@ Returns usableReturns(const std::vector<RangePoint>& points, double range_limit_
 std::vector<TrackedPoint> trackedPoints(const std::vector<RangePoint>& points,
                                         const std::vector<std::uint32_t>& ids);
 
-std::vector<ScanPoint> features(const Returns& returns);
+std::vector<ScanPoint> features(const Returns& returns, const ScanNoise& noise = {});
 
 /// At most 100 of them, evenly taken, with the noise known now.
 SharpnessFrame sharpnessFrame(const Returns& returns, double range_limit_m, const ScanNoise& noise);

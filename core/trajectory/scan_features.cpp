@@ -17,6 +17,23 @@ using namespace trajectory;
 
 namespace {
 
+/// How noisy a return is, and how thick a straight piece there may be.
+struct Thickness {
+  double noise_m2;
+  double most_m;
+
+  Thickness(double range_m, const ScanNoise& noise)
+      : noise_m2(noise.sigma(range_m) * noise.sigma(range_m)),
+        most_m(kRough_m + kRoughPerMetre * range_m) {}
+};
+
+/// How far neighbours either side make a piece long enough for its noise. 0 for stereo: what is
+/// noisier 20 m away than the map has cells errs with its neighbours, and bends as they do.
+double reach(double range_m, const ScanNoise& noise) {
+  if (!noise.knows(2.0 * kBin_m) || noise.sigma(2.0 * kBin_m) > kCell_m) return 0.0;
+  return 0.5 * kLeastLength * kNoisy * noise.sigma(range_m);
+}
+
 /// Sums of a few points, for the line through them.
 class LineSums {
  public:
@@ -32,19 +49,23 @@ class LineSums {
   }
 
   /// A point with the normal towards the origin where the points make a straight piece, else zero.
-  ScanPoint feature(const Vec2& at) const {
-    if (count_ < kLeastPoints) return {at, Vec2::Zero(), 1.0};
+  ScanPoint feature(const Vec2& at, const Thickness& thick) const {
+    if (count_ < kLeastPoints) return {at, Vec2::Zero(), 1.0, thick.noise_m2};
     const Vec2 mean = sum_ / count_;
     const Eigen::Matrix2d scatter = squares_ - mean * sum_.transpose();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
     axes.computeDirect(scatter / (count_ - 2));
     const double thickness = std::sqrt(std::max(axes.eigenvalues()(0), 0.0));
     const double length = std::sqrt(12.0 * axes.eigenvalues()(1));
-    if (thickness > kRough_m + kRoughPerMetre * mean.norm()) return {at};
-    if (length < kLeastLength * thickness) return {at};
+    if (thickness > thick.most_m || length < kLeastLength * thickness)
+      return {at, Vec2::Zero(), 0.0, thick.noise_m2};
     const Vec2 normal = axes.eigenvectors().col(0);
-    const double slope = axes.eigenvalues()(0) / axes.eigenvalues()(1);
-    return {at, normal.dot(mean) > 0.0 ? Vec2(-normal) : normal, std::max(0.0, slope) / count_};
+    const double variance = std::max(axes.eigenvalues()(0), 0.0);
+    // Off its line by noise, which is taken out, and by how rough the wall is.
+    const double by_noise = thick.noise_m2 / (thick.noise_m2 + kRough_m * kRough_m);
+    return {at - by_noise * normal.dot(at - mean) * normal,
+            normal.dot(mean) > 0.0 ? Vec2(-normal) : normal,
+            variance / axes.eigenvalues()(1) / count_, variance};
   }
 
  private:
@@ -76,7 +97,8 @@ std::uint64_t cellOf(const Vec2& at, double cell_m) {
 
 }  // namespace
 
-std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points) {
+std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points,
+                                      const ScanNoise& noise) {
   std::vector<Polar> scan;
   scan.reserve(points.size());
   for (const RangePoint& p : points) {
@@ -86,26 +108,32 @@ std::vector<ScanPoint> planarFeatures(const std::vector<RangePoint>& points) {
   std::stable_sort(scan.begin(), scan.end(),
                    [](const Polar& a, const Polar& b) { return a.bearing < b.bearing; });
   const double step = spacing(scan);
-  const auto gap = [&](std::size_t a, std::size_t b) {
-    const double range = std::min(scan[a].at.norm(), scan[b].at.norm());
-    return (scan[a].at - scan[b].at).norm() > std::max(kNear_m, kGapSpacings * step * range);
-  };
+  std::vector<bool> gap(scan.size(), true);  // behind each return
+  for (std::size_t i = 0; i + 1 < scan.size(); ++i) {
+    const double range_m = std::min(scan[i].at.norm(), scan[i + 1].at.norm());
+    const double usual_m = std::max(kNear_m, kGapSpacings * step * range_m);
+    gap[i] = (scan[i + 1].at - scan[i].at).norm() > std::max(usual_m, reach(range_m, noise));
+  }
   std::vector<ScanPoint> features(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) {
+    Thickness thick(scan[i].at.norm(), noise);
+    const double reach_m = reach(scan[i].at.norm(), noise);
+    thick.most_m = std::max(thick.most_m, 2.0 * reach_m / kLeastLength);
+    const auto near = [&](std::size_t j) { return (scan[j].at - scan[i].at).norm() < reach_m; };
     LineSums sums;
     sums.add(scan[i].at);
-    for (std::size_t j = i; j > 0 && i - j < kNeighbours && !gap(j, j - 1); --j) {
+    for (std::size_t j = i; j > 0 && !gap[j - 1] && (i - j < kNeighbours || near(j)); --j) {
       sums.add(scan[j - 1].at);
     }
-    for (std::size_t j = i + 1; j < scan.size() && j - i <= kNeighbours && !gap(j - 1, j); ++j) {
-      sums.add(scan[j].at);
+    for (std::size_t j = i; !gap[j] && (j - i < kNeighbours || near(j)); ++j) {
+      sums.add(scan[j + 1].at);
     }
-    features[i] = sums.feature(scan[i].at);
+    features[i] = sums.feature(scan[i].at, thick);
   }
   return features;
 }
 
-std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points) {
+std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points, const ScanNoise& noise) {
   struct Cell {
     LineSums sums;
     Vec2 first;
@@ -128,7 +156,7 @@ std::vector<ScanPoint> standingFeatures(const std::vector<Vec2>& points) {
         if (found != index.end()) around.add(cells[found->second].sums);
       }
     }
-    features.push_back(around.feature(cell.first));
+    features.push_back(around.feature(cell.first, {cell.first.norm(), noise}));
   }
   return features;
 }
@@ -138,8 +166,8 @@ std::vector<ScanPoint> moved(const std::vector<ScanPoint>& points, const Pose2& 
   result.reserve(points.size());
   const ToOuter outer(pose);
   for (const ScanPoint& p : points) {
-    result.push_back(
-        {outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal, p.chance, p.height});
+    result.push_back({outer(p.at), p.straight() ? outer.turned(p.normal) : p.normal, p.chance,
+                      p.variance, p.height});
   }
   return result;
 }

@@ -37,19 +37,22 @@ MatchEquations linearized(const std::vector<ScanPoint>& scan, const PointMap& ma
   const std::size_t stride = scan.size() / kMostScanPoints + 1;
   for (std::size_t i = 0; i < scan.size(); i += stride) {
     const ScanPoint& p = scan[i];
-    const ScanPoint outer{moved(p.at), p.straight() ? moved.turned(p.normal) : p.normal, 0.0,
+    const ScanPoint outer{moved(p.at), p.straight() ? moved.turned(p.normal) : p.normal, 0.0, 0.0,
                           p.height};
     const ScanPoint* near = map.nearest(outer, gate_m);
     if (!near) continue;
     ++sums.matched;
-    const double sigma = p.straight() ? kRough_m : kPoint_m;
+    const double noise = p.variance + near->variance;
+    const double sigma =
+        std::sqrt(p.straight() ? kRough_m * kRough_m + noise / (2 * kNeighbours + 1)
+                               : kPoint_m * kPoint_m + noise);
     const double chance = std::max(p.chance, near->chance);
     const double bend = (kKernelGates * gate_m / sigma) * (kKernelGates * gate_m / sigma);
     if (p.straight()) {
       const LineFactor::Value value = LineFactor{p.at, *near, sigma}.at(moved);
       const double square = value.residual * value.residual;
       const double weight = cauchyWeight(square, bend);
-      sums.squares += weight * square;
+      sums.squares += weight * (square + p.variance / (sigma * sigma));  // of returns, not lines
       sums.weights += weight;
       sums.information += kShared * weight * value.slope.transpose() * value.slope;
       sums.gradient += kShared * weight * value.slope.transpose() * value.residual;

@@ -32,32 +32,37 @@ void ScanNoise::add(const std::vector<Vec2>& returns) {
     ++deviations_[bin][std::min(step, kSteps - 1)];
     ++counts_[bin];
   }
+  tell();
 }
 
-double ScanNoise::median(const Histogram& histogram, int count) {
-  int below = 0;
+double ScanNoise::sigmaOf(const Histogram& histogram, int count) {
+  const double quarter = 0.25 * count;
+  double below = 0.0;
   std::size_t step = 0;
-  while (2 * (below + histogram[step]) < count) below += histogram[step++];
-  const double within = (0.5 * count - below) / std::max(histogram[step], 1);
-  return kLeastOff_m * std::pow(10.0, (static_cast<double>(step) + within) / kStepsPerDecade);
+  while (below + histogram[step] < quarter) below += histogram[step++];
+  const double within = (quarter - below) / std::max(histogram[step], 1);
+  return kQuarterToSigma * kLeastOff_m *
+         std::pow(10.0, (static_cast<double>(step) + within) / kStepsPerDecade);
+}
+
+void ScanNoise::tell() {
+  told_.clear();
+  double before = kLeastNoise_m;
+  for (std::size_t bin = 0; bin < kRanges; ++bin) {
+    if (counts_[bin] < kLeastCount) continue;
+    before = std::max(sigmaOf(deviations_[bin], counts_[bin]), before);
+    told_.push_back({kBin_m * (static_cast<double>(bin) + 0.5), before});
+  }
 }
 
 double ScanNoise::sigma(double range_m) const {
-  double before_m = 0.0;
-  double before = 0.0;
-  for (std::size_t bin = 0; bin < kRanges; ++bin) {
-    if (counts_[bin] < kLeastCount) continue;
-    const double middle_m = kBin_m * (static_cast<double>(bin) + 0.5);
-    const double here =
-        std::max({kMedianToSigma * median(deviations_[bin], counts_[bin]), kLeastNoise_m, before});
-    if (range_m <= middle_m) {
-      if (before == 0.0) return here;
-      return before + (here - before) * (range_m - before_m) / (middle_m - before_m);
-    }
-    before_m = middle_m;
-    before = here;
-  }
-  return before > 0.0 ? before : perception::kLaserSigma_m;
+  if (told_.empty()) return perception::kLaserSigma_m;
+  const auto next = std::ranges::lower_bound(told_, range_m, {}, &Told::range_m);
+  if (next == told_.begin()) return next->sigma_m;
+  if (next == told_.end()) return told_.back().sigma_m;
+  const Told& last = *std::prev(next);
+  const double share = (range_m - last.range_m) / (next->range_m - last.range_m);
+  return std::lerp(last.sigma_m, next->sigma_m, share);
 }
 
 }  // namespace handmap

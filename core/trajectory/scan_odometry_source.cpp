@@ -38,9 +38,10 @@ class ScanOdometrySource : public ObservationSource {
     if (alone_) guessed_ = guessed_ * motionIn(elapsed_s);
     const Pose2& recorded = alone_ ? guessed_ : observation->odometry;
     if (!seen.ids.empty()) joined_.removeRepeats(seen, recorded);
+    const Returns returns = usableReturns(seen.points, info_.range_limit_m);
+    if (!alone_) noise_.add(returns.upright);  // guesses are held by details that noise may hide
     const bool matched =
-        odometry_.add(recorded, features(usableReturns(seen.points, info_.range_limit_m)),
-                      trackedPoints(seen.points, seen.ids));
+        odometry_.add(recorded, features(returns, noise_), trackedPoints(seen.points, seen.ids));
     // Where it was silent the robot may be anywhere near, until the next scan is recognised.
     is_blind_ = !seesAnything(*observation) || (is_blind_ && (!matched || odometry_.unheld()));
     if (!is_blind_ || !any_) seen_s_ = observation->time_s;
@@ -77,6 +78,7 @@ class ScanOdometrySource : public ObservationSource {
   std::unique_ptr<ObservationSource> source_;
   SourceInfo info_;
   LocalMapOdometry odometry_;
+  ScanNoise noise_;
   JoinedFrames joined_;
   bool alone_;
   bool any_ = false;

@@ -132,8 +132,8 @@ void ScanTrajectory::add(double /*time_s*/, const Odometry& odometry,
                          const std::vector<std::uint32_t>& ids, const std::optional<Pose2>& moved) {
   State& state = *state_;
   const Returns returns = usableReturns(points, state.options.range_limit_m);
-  const std::vector<ScanPoint> scan = features(returns);
   state.noise.add(returns.upright);
+  const std::vector<ScanPoint> scan = features(returns, state.noise);
   state.returns += static_cast<long>(scan.size());
   state.straight +=
       std::count_if(scan.begin(), scan.end(), [](const ScanPoint& p) { return p.straight(); });

@@ -24,8 +24,8 @@ void remember(std::deque<double>& values, double value, std::size_t most) {
   if (values.size() > most) values.pop_front();
 }
 
-double learntScale(const std::deque<double>& deviations, double most) {
-  return std::clamp(kPulled * median(deviations), kLeastScale, most);
+double learntScale(const std::deque<double>& deviations, double least, double most) {
+  return std::clamp(kPulled * median(deviations), least, most);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ MotionFactor WheelNoise::factor(const Pose2& recorded) const {
           sigma(recorded).cwiseInverse().asDiagonal()};
 }
 
-void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
+void WheelNoise::learn(const Pose2& recorded, const Pose2& matched, double least) {
   if (!learns_) return;
   const Eigen::Vector3d sigma = kWheels.sigmaOf(recorded);
   const Vec2 off = matched.position() - length_ * recorded.position();
@@ -58,9 +58,9 @@ void WheelNoise::learn(const Pose2& recorded, const Pose2& matched) {
   const double length = recorded.position().norm();
   if (length > perception::kMoved_m) remember(ratios_, matched.position().norm() / length, kRatios);
   if (move_deviations_.size() >= kLeastDeviations) {
-    move_ = learntScale(move_deviations_, kMostMoveScale);
+    move_ = learntScale(move_deviations_, least, kMostMoveScale);
     aside_ = move_;
-    turn_ = learntScale(turn_deviations_, kMostTurnScale);
+    turn_ = learntScale(turn_deviations_, least, kMostTurnScale);
   }
   if (ratios_.size() >= kLeastRatios) length_ = median(ratios_);
 }

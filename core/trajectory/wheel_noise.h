@@ -19,17 +19,17 @@ class WheelNoise {
   MotionFactor factor(const Pose2& recorded) const;
   /// σ of (along, aside, heading) of a recorded motion.
   Eigen::Vector3d sigma(const Pose2& recorded) const;
-  /// What matching made of it.
-  void learn(const Pose2& recorded, const Pose2& matched);
+  /// What matching made of it; `least`: of the scales that are learnt.
+  void learn(const Pose2& recorded, const Pose2& matched, double least);
 
   double lengthScale() const { return length_; }
 
  private:
   bool learns_ = true;
   double length_ = 1.0;
-  double move_ = trajectory::kFirstMoveScale;
-  double aside_ = trajectory::kFirstMoveScale;
-  double turn_ = trajectory::kFirstTurnScale;
+  double move_ = trajectory::kLeastScale;
+  double aside_ = trajectory::kLeastScale;
+  double turn_ = trajectory::kLeastScale;
   std::deque<double> move_deviations_;
   std::deque<double> turn_deviations_;
   std::deque<double> ratios_;

@@ -7,13 +7,13 @@
 namespace handmap {
 namespace {
 
-/// A wall 8 m ahead.
-std::vector<RangePoint> wallAhead(double sigma_m) {
+/// A wall ahead.
+std::vector<RangePoint> wallAhead(double sigma_m, double away_m = 8.0) {
   RandomStream random(3);
   std::vector<RangePoint> points;
   for (int i = -60; i <= 60; ++i) {
     const double bearing = toRadians(0.5 * i);
-    const double range = 8.0 / std::cos(bearing) + random.normal(0.0, sigma_m);
+    const double range = away_m / std::cos(bearing) + random.normal(0.0, sigma_m);
     const Vec2 at = range * unitVector(bearing);
     points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), 0.0F, 1.0F});
   }
@@ -45,6 +45,39 @@ TEST(ScanFeatures, TheOrderOfTheReturnsDoesNotMatter) {
 
 TEST(ScanFeatures, NoiseIsNotStraight) {
   EXPECT_LT(shareStraight(planarFeatures(wallAhead(0.5))), 0.05);
+}
+
+TEST(ScanFeatures, OfNoisyRangesMoreReturnsMakeAPiece) {
+  const double sigma_m = 0.3;
+  ScanNoise noise;
+  for (const double away_m : {8.0, 25.0}) {
+    std::vector<Vec2> returns;
+    for (const RangePoint& p : wallAhead(sigma_m, away_m)) returns.emplace_back(p.x, p.y);
+    noise.add(returns);
+  }
+  const auto points = planarFeatures(wallAhead(sigma_m), noise);
+  EXPECT_GT(shareStraight(points), 0.8);
+  double squares = 0.0;
+  double said = 0.0;
+  double count = 0.0;
+  for (const ScanPoint& p : points) {
+    if (!p.straight()) continue;
+    squares += (p.at.x() - 8.0) * (p.at.x() - 8.0);
+    said += p.variance;
+    ++count;
+  }
+  EXPECT_LT(std::sqrt(squares / count), 0.5 * sigma_m);
+  EXPECT_NEAR(std::sqrt(said / count), sigma_m, 0.3 * sigma_m);
+}
+
+TEST(ScanFeatures, OfStereoTheyDoNot) {
+  ScanNoise noise;
+  for (const auto& [away_m, sigma_m] : {std::pair(8.0, 0.3), std::pair(25.0, 1.2)}) {
+    std::vector<Vec2> returns;
+    for (const RangePoint& p : wallAhead(sigma_m, away_m)) returns.emplace_back(p.x, p.y);
+    noise.add(returns);
+  }
+  EXPECT_LT(shareStraight(planarFeatures(wallAhead(0.3), noise)), 0.2);
 }
 
 TEST(ScanFeatures, APieceEndsAtAGap) {

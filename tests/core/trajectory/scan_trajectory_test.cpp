@@ -8,13 +8,15 @@ namespace handmap {
 namespace {
 
 ScanTrajectory drive(const std::vector<Pose2>& truth, const std::vector<Pose2>& odometry,
-                     double sigma_m, bool close_loops = true) {
+                     double sigma_m, bool close_loops = true, double view_rad = kPi) {
   const auto walls = test::ringCorridor();
   RandomStream random(2);
   ScanTrajectory trajectory({40.0, close_loops});
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    trajectory.add(0.1 * static_cast<double>(i), odometry[i],
-                   test::scanFrom(walls, truth[i], sigma_m, random));
+    auto points = test::scanFrom(walls, truth[i], sigma_m, random);
+    std::erase_if(points,
+                  [&](const RangePoint& p) { return std::abs(std::atan2(p.y, p.x)) > view_rad; });
+    trajectory.add(0.1 * static_cast<double>(i), odometry[i], points);
   }
   return trajectory;
 }
@@ -52,6 +54,12 @@ TEST_F(AroundTheBlock, LoopsAreClosed) {
 
 TEST_F(AroundTheBlock, TheSameAgain) {
   EXPECT_TRUE(drive(truth_, odometry_, 0.03).poses() == drive(truth_, odometry_, 0.03).poses());
+}
+
+TEST_F(AroundTheBlock, WithNoisyRangesAndANarrowViewToo) {
+  EXPECT_LT(test::rms(drive(truth_, odometry_, 0.3).poses(), truth_), 0.3);
+  EXPECT_LT(test::rms(drive(truth_, odometry_, 0.03, true, kPi / 4.0).poses(), truth_), 0.3);
+  EXPECT_LT(test::rms(drive(truth_, odometry_, 0.3, true, kPi / 4.0).poses(), truth_), 0.5);
 }
 
 TEST_F(AroundTheBlock, ANoisySensorIsLeftAlone) {
