@@ -1,9 +1,7 @@
 #include "core/method/conclusion.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/estimation/buildings/constants.h"
 #include "core/explain/seen_walls.h"
 #include "core/map/certainty.h"
 #include "core/map_match/matched_trajectory.h"
@@ -75,27 +73,6 @@ bool isFounded(const Map& found, const PlacedRays& placed, double range_limit_m,
   return labelled.buildings.empty() || supportOf(labelled, placed, range_limit_m, stop) >= kFounded;
 }
 
-/// A way that was laid along the buildings may still be turned by as much as neither it alone nor
-/// they tell, one σ, radians: each is drawn a little off, as seen from the middle of all.
-double turnAmong(const Map& drawing, const Map& found, double alone) {
-  if (alone <= 0.0) return 0.0;
-  std::vector<std::pair<Vec2, double>> seen;
-  Vec2 middle = Vec2::Zero();
-  for (std::size_t b = 0; b < found.buildings.size(); ++b) {
-    if (!isRecognised(found.buildings[b])) continue;
-    const Vec2 at = centroid(found.buildings[b].footprint());
-    seen.emplace_back(at, drawing.uncertaintyOf(drawing.buildings[b]).position);
-    middle += at;
-  }
-  double information = 1.0 / (alone * alone);
-  for (const auto& [at, sigma] : seen) {
-    const Vec2 arm = at - middle / static_cast<double>(seen.size());
-    information +=
-        arm.squaredNorm() / std::max(sigma * sigma, buildings::kFloor_m * buildings::kFloor_m);
-  }
-  return 1.0 / std::sqrt(information);
-}
-
 std::ptrdiff_t seenWalls(const Building& building) {
   return std::ranges::count_if(wallsOf(building), &SideEstimate::seen);
 }
@@ -127,9 +104,8 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
     proven = provenMap(drawing, known, placed);
     if (isFounded(proven, placed, known.seen.rangeLimit(), stop)) {
       found.emplace(FoundMap{proven, known.motion});
-      // By the odometry what was found tells of its own how far it may be turned.
-      if (known.alone.by == TrajectoryHypothesis::By::Scans)
-        trajectory.turn = turnAmong(drawing, proven, known.alone.turn);
+      // By the odometry they hold it; beside matched scans they hardly do.
+      if (known.alone.by == TrajectoryHypothesis::By::Scans) trajectory.turn = known.alone.turn;
     } else {
       unfounded = true;
       // Walls may hold a way though they are not those that were drawn.
@@ -142,6 +118,7 @@ std::optional<Conclusion> conclude(const Map& drawing, const RunKnowledge& known
   auto refined = refine(drawing, found, placed, known.seen.rangeLimit(), seed, stop, progress,
                         trajectory.turn);
   if (!refined) return std::nullopt;
+  trajectory.turn = refined->way_turn;
   const Pose2 onto_map = inverse(refined->motion);
   WallRays::of(refined->map, placed, onto_map).state(drawing, refined->map);
   for (Pose2& pose : trajectory.poses) pose = onto_map * pose;

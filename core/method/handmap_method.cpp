@@ -353,7 +353,8 @@ class HandmapMethod : public EstimationMethod {
     };
     const bool by_matches =
         by_scans_ && (!followed_ || trajectory_.hasTracks());  // that err together
-    if (by_matches && !laid) add_start(0.0, trajectory_.turn());
+    if (by_matches && !laid)
+      add_start(0.0, concluded_ ? concluded_->trajectory.turn : trajectory_.turn());
     if (concluded_ && concluded_->start_variance) {
       covariance += swungBy(from_start, *concluded_->start_variance);
     } else if (const auto& start = drawing_.start_uncertainty) {

@@ -119,6 +119,7 @@ class Mixture {
   /// `start_is_known`: as well as nothing but buildings that are right can tell better, unless all
   /// refute it. Returns whether they do.
   bool solve(bool start_is_known, double way_turn) {
+    way_turn_ = way_turn;
     Mixture none = *this;
     none.takeNoneAsRight();
     iterate();
@@ -147,9 +148,11 @@ class Mixture {
     }
     lie_.head<3>().setZero();
     covariance_ = prior_.inverse();
+    if (way_turn > 0.0 && countOfSeen() >= kLeastToRefute) turnWay(free);
     return false;
   }
 
+  double wayTurn() const { return way_turn_; }
   const Lie& lie() const { return lie_; }
   const LieMatrix& covariance() const { return covariance_; }
   /// 0 where nothing was seen.
@@ -194,6 +197,17 @@ class Mixture {
     const Eigen::Vector3d off = lie_.head<3>();
     return countOfSeen() >= kLeastToRefute &&
            off.dot(variance.inverse() * off) > kRareSquareOfThree;
+  }
+
+  /// The start is where it is, and the way may be turned about it: by as much as it says itself,
+  /// and all buildings together of a drawing that may be turned too.
+  void turnWay(const Mixture& free) {
+    Eigen::Matrix3d variance = free.covariance_.topLeftCorner<3, 3>();
+    variance(2, 2) += 1.0 / prior_(2, 2);
+    const Eigen::Matrix3d told = variance.inverse();
+    const double information = told(2, 2) + 1.0 / (way_turn_ * way_turn_);
+    lie_[2] = told.row(2).dot(free.lie_.head<3>()) / information;
+    way_turn_ = 1.0 / std::sqrt(information);
   }
 
   /// What the lie is less sure by, since what stands near each other is drawn off together.
@@ -309,6 +323,7 @@ class Mixture {
   Lie lie_ = Lie::Zero();
   LieMatrix covariance_ = LieMatrix::Zero();  ///< of it
   double log_density_ = 0.0;
+  double way_turn_ = 0.0;  ///< that nothing tells yet, one σ
 };
 
 }  // namespace
@@ -335,6 +350,7 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
   agreement.motion =
       Pose2{origin.x() + motion[0], origin.y() + motion[1], motion[2]} * inverse(about);
   agreement.covariance = mixture.covariance().topLeftCorner<3, 3>();
+  agreement.way_turn = mixture.wayTurn();
   agreement.share = mixture.shareSeen();
   for (const Compared& building : mixture.buildings()) agreement.right.push_back(building.right);
   return agreement;

@@ -20,6 +20,7 @@ struct Agreement {
   bool refutes_start = false;
   /// Of the motion: shift and turn about the start.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double way_turn = 0.0;  ///< what the buildings leave of it
 
   bool isRight(std::size_t building) const { return right[building] > 0.5; }
   /// How well it is known where what lies so far from the start is: the rms of any direction.
@@ -27,7 +28,8 @@ struct Agreement {
 };
 
 /// `start_turn`, `start_m`: how well the start tells how the map as a whole lies, one σ;
-/// `way_turn`: what was seen may beside that be turned about the start with the way. The sides that
+/// `way_turn`: what was seen may beside that be turned about the start with the way, as all
+/// buildings tell together. The sides that
 /// were seen are compared (sidesOf()): a mixture of buildings that are drawn right, up to what
 /// fitting is off, and others. How many are right, and how far the others are off, is found by
 /// expectation and maximization (README.md).

@@ -159,10 +159,10 @@ double sharedBetween(double drawn_m, double way_m) {
 }
 
 /// What is drawn right is as it was drawn; all else goes where those say that the map lies.
-RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, bool by_start,
-                   double way_turn) {
+RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, bool by_start) {
   RefinedMap refined{std::move(fitted), agreement.motion, agreement.share};
   refined.refutes_start = agreement.refutes_start;
+  refined.way_turn = agreement.way_turn;
   const bool start_is_off = drawing.start_uncertainty || agreement.refutes_start;
   if (start_is_off) refined.start_variance = agreement.covariance;
   const Pose2 back = inverse(agreement.motion);
@@ -178,7 +178,7 @@ RefinedMap settled(const Map& drawing, Map fitted, const Agreement& agreement, b
     building.shape = as_drawn ? drawn.shape : moved(building.shape, back);
     if (!seen) continue;
     const Vec2 from_start = centroid(building.footprint()) - origin;
-    const double way_m = way_turn * from_start.norm();
+    const double way_m = agreement.way_turn * from_start.norm();
     // The drawing has its share already in a way that was laid along its buildings.
     const double by_way =
         by_start ? sharedBetween(drawing.uncertaintyOf(drawn).position, way_m) : 1.0;
@@ -232,7 +232,7 @@ std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMa
   const StartUncertainty start = startOf(drawing);
   const Agreement agreement = agreementOf(drawing, fitted, std::max(start.position, kSpreadFirst_m),
                                           std::max(start.heading, kLeastStartTurn), way_turn);
-  return settled(drawing, std::move(fitted), agreement, !found, way_turn);
+  return settled(drawing, std::move(fitted), agreement, !found);
 }
 
 }  // namespace handmap

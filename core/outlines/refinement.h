@@ -23,6 +23,7 @@ struct RefinedMap {
   /// Of shift and turn about the start, where the drawing says that it is off or the buildings do.
   std::optional<Eigen::Matrix3d> start_variance = {};
   bool refutes_start = false;  ///< they do, and it is off by the motion
+  double way_turn = 0.0;       ///< what the buildings leave of it, one σ, radians
 };
 
 /// Where rays meet the drawn outlines: the share of the buildings for which they speak there.
@@ -31,7 +32,8 @@ double supportOf(const Map& drawing, const PlacedRays& placed, double range_limi
 
 /// `placed`: what was seen, along a way in the frame of the map. Without `found` the drawing is
 /// where it was drawn. `way_turn`: the way may be turned about its start by so much, one σ,
-/// radians, and what is seen along it with it. nullopt where `stop` was requested.
+/// radians, and what is seen along it with it; all buildings together tell by how much it is.
+/// nullopt where `stop` was requested.
 std::optional<RefinedMap> refine(const Map& drawing, const std::optional<FoundMap>& found,
                                  const PlacedRays& placed, double range_limit_m, std::uint64_t seed,
                                  const std::stop_token& stop = {},

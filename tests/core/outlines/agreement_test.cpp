@@ -138,6 +138,36 @@ TEST(Agreement, AStartThatIsKnownHoldsTheWayWhereAllIsDrawnOffTogether) {
   for (std::size_t b = 0; b < 6; ++b) EXPECT_FALSE(agreement.isRight(b)) << b;
 }
 
+TEST(Agreement, AWayThatMayBeTurnedIsTurnedAsAllBuildingsSay) {
+  const double way_turn = toRadians(2.0);
+  double squares = 0.0;
+  double sigmas = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    RandomStream random(seed);
+    Map drawing = sixHouses();
+    drawing.uncertainty = {2.0, 1.0};
+    const Pose2 turned{0.0, 0.0, random.normal(0.0, way_turn)};
+    Map fitted = drawing;
+    for (Building& house : fitted.buildings) {
+      see(house);
+      const double x = random.normal(0.0, 2.0);
+      shift(house, {x, random.normal(0.0, 2.0)});
+      auto& box = std::get<Rectangle>(house.shape);
+      box.centre = turned.toOuter(box.centre);
+      box.heading += turned.heading;
+    }
+    const Agreement agreement = agreementOf(drawing, fitted, kStart_m, kStartTurn, way_turn);
+    EXPECT_FALSE(agreement.refutes_start) << seed;
+    EXPECT_LT(agreement.motion.position().norm(), 1e-9) << seed;
+    EXPECT_LT(agreement.way_turn, 0.8 * way_turn) << seed;
+    const double left = agreement.motion.heading - turned.heading;
+    squares += left * left / 20.0;
+    sigmas += std::pow(left / agreement.way_turn, 2) / 20.0;
+  }
+  EXPECT_LT(std::sqrt(sigmas), 1.5);
+  EXPECT_LT(std::sqrt(squares), 0.7 * way_turn);
+}
+
 TEST(Agreement, FindsTheOneHouseThatIsDrawnWrong) {
   const Map drawing = sixHouses();
   Map fitted = drawing;
