@@ -144,6 +144,7 @@ class Mixture {
     free.covariance_ += free.covarianceTogether();
     if (free.refutesStart(way_turn)) {
       *this = std::move(free);
+      way_turn_ = 0.0;
       return true;
     }
     lie_.head<3>().setZero();
@@ -337,14 +338,19 @@ Agreement agreementOf(const Map& drawing, const Map& fitted, double start_m, dou
     buildings.push_back(compared(drawn, fitted.buildings[b], drawing.uncertaintyOf(drawn), origin));
   }
   const double together = std::max(drawing.shiftSigma(), buildings::kFloor_m);
+  const bool start_is_known = !drawing.start_uncertainty;
+  if (!start_is_known) {
+    // Its turn and that of the way are one.
+    start_turn = std::hypot(start_turn, way_turn);
+    way_turn = 0.0;
+  }
   Lie sigma;
   // Of a start that is said to be off the scale would take a part.
-  const double scale =
-      drawing.start_uncertainty ? 0.0 : drawing.whole.scale.value_or(kUsualScaleSigma);
+  const double scale = start_is_known ? drawing.whole.scale.value_or(kUsualScaleSigma) : 0.0;
   sigma << start_m, start_m, start_turn, together, together, std::max(scale, kLeastShare);
   Mixture mixture(std::move(buildings), sigma);
   Agreement agreement;
-  agreement.refutes_start = mixture.solve(!drawing.start_uncertainty, way_turn);
+  agreement.refutes_start = mixture.solve(start_is_known, way_turn);
   const Lie& motion = mixture.lie();
   const Pose2 about{origin.x(), origin.y(), 0.0};
   agreement.motion =
