@@ -8,6 +8,7 @@
 #include "core/odometry/constants.h"
 #include "core/outlines/constants.h"
 #include "core/perception/constants.h"
+#include "core/perception/range_walls.h"
 
 namespace handmap {
 
@@ -54,13 +55,14 @@ std::vector<SeenRay> raysOf(const Scan& scan, double range_limit_m) {
 std::vector<SeenRay> raysOf(const std::vector<RangePoint>& points, double most) {
   const auto stride =
       static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(points.size()) / most)));
+  const bool planar = isPlanar(points);  // how high that is tells nothing of what it met
   std::vector<SeenRay> rays;
   rays.reserve(points.size() / stride + 1);
   for (std::size_t i = 0; i < points.size(); i += stride) {
     const RangePoint& p = points[i];
     const float range = std::hypot(p.x, p.y);
     if (!std::isfinite(p.z) || !std::isfinite(range) || range < kLeastRange_m) continue;
-    rays.push_back({std::atan2(p.y, p.x), range, 1.0F, echoAt(p.z)});
+    rays.push_back({std::atan2(p.y, p.x), range, 1.0F, planar ? Echo::Tall : echoAt(p.z)});
   }
   return rays;
 }
