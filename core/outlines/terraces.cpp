@@ -173,17 +173,19 @@ RowHouse rowHouseOf(std::size_t b, const Terrace& terrace, const Buildings& buil
   return house;
 }
 
-/// As deep as its faces are seen; else as what was found there.
-Rectangle boxOf(const RowPart& part, const Terrace& terrace, const RowFaces& faces) {
+/// As deep as its faces are seen, else as it is drawn: what was found there may have been made
+/// shallow by the gaps of the row.
+Rectangle boxOf(const RowPart& part, double drawn_depth, const Terrace& terrace,
+                const RowFaces& faces) {
   const Stretch& there = *std::ranges::max_element(terrace.places, {}, [&](const Stretch& house) {
     return std::min(house.to, part.to) - std::max(house.from, part.from);
   });
   std::optional<double> low = faces.across(RowFaces::kLow, part.from, part.to);
   std::optional<double> high = faces.across(RowFaces::kHigh, part.from, part.to);
   if (low && high && *high - *low < 0.5 * there.depth) low = high = std::nullopt;
-  if (!low && !high) low = there.middle - 0.5 * there.depth;
-  if (!low) low = *high - there.depth;
-  if (!high) high = *low + there.depth;
+  if (!low && !high) low = there.middle - 0.5 * drawn_depth;
+  if (!low) low = *high - drawn_depth;
+  if (!high) high = *low + drawn_depth;
   const Vec2 along = unitVector(terrace.heading);
   return {0.5 * (part.from + part.to) * along + 0.5 * (*low + *high) * perpendicular(along),
           part.to - part.from, *high - *low, terrace.heading};
@@ -208,8 +210,9 @@ std::vector<TerraceHouse> divided(const Terrace& terrace, const Buildings& build
     more = more || part.house == kUndrawn || !terrace.has(among[part.house]);
     if (part.house == kUndrawn) continue;
     const std::size_t b = among[part.house];
-    const Rectangle box = boxOf(part, terrace, faces);
     const OutlinePrior prior = priorOf(asDrawn(buildings.tasks[b]));
+    const double drawn_depth = stretchOf(prior.start, terrace.heading).depth;
+    const Rectangle box = boxOf(part, drawn_depth, terrace, faces);
     houses.push_back({b,
                       prior,
                       placedOn(box, prior),

@@ -230,6 +230,24 @@ TEST(Terraces, DoubtAHouseThatMayBeItsNeighbour) {
   EXPECT_GT(doubtOfDrawnAt(24.5), 0.25);
 }
 
+/// One was found so shallow that rays pass behind it, through a gap of the row.
+TEST(Terraces, AreAsDeepAsTheyAreDrawnWhereNobodySawThat) {
+  const Polygon undrawn = Rectangle{{17.0, 12.6}, 12.0, 8.0, 0.0}.corners();
+  const Polygon first = Rectangle{{29.0, 12.0}, 12.0, 8.0, 0.0}.corners();
+  const Polygon second = Rectangle{{41.0, 12.5}, 12.0, 8.0, 0.0}.corners();
+  const Polygon shallow = Rectangle{{29.0, 10.0}, 12.0, 4.0, 0.0}.corners();
+  const Drive drive = drivePast({undrawn, first, second});
+  const std::vector<OutlineTask> tasks = {taskFor(first, true), taskFor(second, true)};
+  const auto houses = dividedTerraces(tasks, {FittedOutline{shallow}, FittedOutline{second}},
+                                      placeRays(drive.seen, drive.way), 40.0, {});
+  ASSERT_EQ(houses.size(), 2U);
+  for (const TerraceHouse& house : houses) {
+    ASSERT_TRUE(house.place);
+    const Polygon& there = house.building == 0 ? first : second;
+    EXPECT_GT(intersectionOverUnion(house.place->outline, there), 0.85) << house.building;
+  }
+}
+
 /// Drawn behind the row, and found where it cannot be.
 TEST(Terraces, HaveNoRoomForOneWhoseOtherPlaceIsWorseStill) {
   const Polygon first = Rectangle{{17.0, 12.6}, 12.0, 8.0, 0.0}.corners();
