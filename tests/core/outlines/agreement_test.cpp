@@ -234,7 +234,8 @@ TEST(Agreement, AllTogetherRefuteAStartOfWhichNothingIsSaid) {
   }
   const auto refutes = [&](const Vec2& rows_off, double drawn_width) {
     for (std::size_t b = 0; b < 12; ++b) {
-      const Vec2 at(10.0 + 12.0 * double(b / 2), b % 2 == 0 ? 15.0 : -15.0);
+      const std::size_t in_row = b / 2;
+      const Vec2 at(10.0 + 12.0 * static_cast<double>(in_row), b % 2 == 0 ? 15.0 : -15.0);
       drawing.buildings[b].shape = Rectangle{at, drawn_width, 8.0, 0.0};
       fitted.buildings[b].shape = Rectangle{at + rows_off, 12.0, 8.0, 0.0};
     }

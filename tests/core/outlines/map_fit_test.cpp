@@ -219,15 +219,15 @@ TEST(Terraces, DoubtAHouseThatMayBeItsNeighbour) {
   const Drive drive = drivePast({first, second, third, last});
   const std::vector<std::optional<FittedOutline>> places = {
       FittedOutline{first}, FittedOutline{second}, FittedOutline{last}};
-  const auto doubtOfDrawnAt = [&](double x) {
+  const auto doubt_of_drawn_at = [&](double x) {
     const Polygon drawn = moved(second, {x - 19.0, 0.0});
     const std::vector<OutlineTask> tasks = {taskFor(first, true), taskFor(drawn, true),
                                             taskFor(last, true)};
     const auto houses = dividedTerraces(tasks, places, placeRays(drive.seen, drive.way), 40.0, {});
     return std::ranges::find(houses, 1U, &TerraceHouse::building)->in_row.doubt;
   };
-  EXPECT_LT(doubtOfDrawnAt(18.5), 0.2);
-  EXPECT_GT(doubtOfDrawnAt(24.5), 0.25);
+  EXPECT_LT(doubt_of_drawn_at(18.5), 0.2);
+  EXPECT_GT(doubt_of_drawn_at(24.5), 0.25);
 }
 
 /// One was found so shallow that rays pass behind it, through a gap of the row.
