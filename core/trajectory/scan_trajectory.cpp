@@ -58,9 +58,9 @@ struct ScanTrajectory::State {
   std::size_t seen_count = 0;           ///< points in them
   std::optional<Vec2> looked_at;        ///< where the newest frame of `seen` was, recorded
   std::size_t judge_at = kFirstJudged;  ///< observations
-  bool sharper = false;
-  bool joined = false;            ///< what was seen, by an odometry
-  std::size_t covariance_of = 0;  ///< keyframes
+  bool usable = false;                  ///< when it was judged
+  bool joined = false;                  ///< what was seen, by an odometry
+  std::size_t covariance_of = 0;        ///< keyframes
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   std::size_t turn_at = 1;  ///< keyframes, to be stated anew
   int turn_loops = 0;
@@ -107,7 +107,9 @@ void ScanTrajectory::State::judge() {
   judge_at = poses.size() + poses.size() / kJudgedAnew;
   const SharpnessOptions rough{.samples = kRoughSamples};
   const double needed = sharpnessOf(seen, recorded, rough) - (isFollowed() ? chance() : 0.0);
-  sharper = sharpnessOf(seen, poses, rough) >= needed;
+  const auto share = kLeastStraight * static_cast<double>(returns);
+  const bool matched = straight > 0 && static_cast<double>(straight) >= share;
+  usable = (matched || isFollowed()) && sharpnessOf(seen, poses, rough) >= needed;
 }
 
 /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
@@ -171,13 +173,7 @@ const std::vector<Pose2>& ScanTrajectory::recorded() const { return state_->reco
 
 void ScanTrajectory::setJoined() { state_->joined = true; }
 
-bool ScanTrajectory::usable() const {
-  if (state_->joined && !hasTracks()) return false;
-  if (!state_->sharper) return false;
-  const auto share = kLeastStraight * static_cast<double>(state_->returns);
-  const bool matched = state_->straight > 0 && static_cast<double>(state_->straight) >= share;
-  return matched || state_->isFollowed();
-}
+bool ScanTrajectory::usable() const { return state_->usable && (!state_->joined || hasTracks()); }
 
 bool ScanTrajectory::hasTracks() const { return state_->odometry.hasTracks(); }
 

@@ -69,6 +69,26 @@ TEST_F(AroundTheBlock, ANoisySensorIsLeftAlone) {
   EXPECT_EQ(trajectory.noiseScale(), 1.0);
 }
 
+TEST_F(AroundTheBlock, WhetherItIsUsableChangesOnlyWhereItIsJudgedAnew) {
+  const auto walls = test::ringCorridor();
+  RandomStream random(2);
+  ScanTrajectory trajectory({40.0});
+  for (std::size_t i = 0; i < 72; ++i)  // judged then, and at 90
+    trajectory.add(0.0, odometry_[i], test::scanFrom(walls, truth_[i], 0.03, random));
+  EXPECT_TRUE(trajectory.usable());
+  for (std::size_t i = 72; i < 89; ++i) {
+    std::vector<RangePoint> bushes(20000);
+    for (RangePoint& p : bushes) {
+      p = {static_cast<float>(random.uniform(-20.0, 20.0)),
+           static_cast<float>(random.uniform(-20.0, 20.0)), 0.0F, 1.0F};
+    }
+    trajectory.add(0.0, odometry_[i], bushes);
+    EXPECT_TRUE(trajectory.usable()) << i;
+  }
+  trajectory.add(0.0, odometry_[89], {});
+  EXPECT_FALSE(trajectory.usable());
+}
+
 TEST_F(AroundTheBlock, WhatTellsTheMotionBetterIsFollowed) {
   const auto walls = test::ringCorridor();
   RandomStream random(2);
