@@ -105,11 +105,13 @@ double ScanTrajectory::State::chance() const {
 void ScanTrajectory::State::judge() {
   if (poses.size() < judge_at) return;
   judge_at = poses.size() + poses.size() / kJudgedAnew;
-  const SharpnessOptions rough{.samples = kRoughSamples};
-  const double needed = sharpnessOf(seen, recorded, rough) - (isFollowed() ? chance() : 0.0);
   const auto share = kLeastStraight * static_cast<double>(returns);
   const bool matched = straight > 0 && static_cast<double>(straight) >= share;
-  usable = (matched || isFollowed()) && sharpnessOf(seen, poses, rough) >= needed;
+  usable = matched || isFollowed();
+  if (!usable) return;
+  const SharpnessOptions rough{.samples = kRoughSamples};
+  const double needed = sharpnessOf(seen, recorded, rough) - (isFollowed() ? chance() : 0.0);
+  usable = sharpnessOf(seen, poses, rough) >= needed;
 }
 
 /// A heading that strays evenly swings what is far by 1 / √3 of what it is off there.
